@@ -268,8 +268,9 @@ $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/
 	$(Q)$(LINK) $(ORACLE_LIBS) $(LIBS)
 
 # Reading pages back: PDF with zlib, PNG with Cairo. The scenes are those of the oracle.
-$(BUILD)/tests/test_paper: $(call object,$(PAPER)) $(ORACLE_OBJ)
-$(BUILD)/tests/test_paper: TEST_LIBS = $(ORACLE_LIBS)
+PAPER_TEST := $(BUILD)/tests/test_paper $(BUILD)/tests/test_plots
+$(PAPER_TEST): $(call object,$(PAPER)) $(ORACLE_OBJ)
+$(PAPER_TEST): TEST_LIBS = $(ORACLE_LIBS)
 
 $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)

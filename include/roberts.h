@@ -158,7 +158,7 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);
 
-/* ---- scene: bodies, convex solids above all -------------------------------------------------------------------- */
+/* ---- scene: bodies --------------------------------------------------------------------------------------------- */
 
 /** Bodies with face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
  * of threads may use it. */
@@ -172,8 +172,8 @@ typedef struct roberts_scene_options {
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
     bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
-    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times;
-     * default: those that it winds round at all. */
+    /** Of a face whose border crosses itself: true: the points that it winds round an odd number of times belong to the
+     * face; false: all points that it winds round do. */
     bool even_odd;
 } roberts_scene_options;
 
@@ -183,18 +183,19 @@ typedef struct roberts_scene_options {
  * positions are exactly equal.
  *
  * A convex solid is closed, planar, convex and not flat, within the tolerance. With options->solids, what is no convex
- * solid is refused. Faces that hang together by edges are a solid, or several where four or more faces meet in an edge.
+ * solid is refused. Faces joined by shared edges are one solid, or several if four or more of them meet in an edge.
  * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
  * fewer than three corners.
  *
- * With options->hull, convex hulls (by Qhull) replace what would be refused: a closed component that is no convex
- * solid; of open components, after welding and without the closed solids that split off, all that hangs together by
- * vertices; and all points of an input that has no face of three corners. A hull's vertices are vertices of the input;
- * its faces are new (ROBERTS_NONE, without colours). Points that lie outside a face by less than the tolerance, or 1e-5
- * of the size, may be left out. Solids are still numbered by their smallest vertex, even if their hull leaves it out.
- * What lies in one plane has no hull: it is left out with a warning, even if it is a whole input, and refused if there
- * is nothing else. A warning counts the solids of each input that were replaced, and says why. It does not count points
- * without faces, since only their hull can be meant.
+ * With options->hull, convex hulls (by Qhull) replace what would be refused:
+ * - a closed component that is no convex solid, by its hull;
+ * - open components, after welding: those that share vertices, together by one hull; closed solids split off before;
+ * - an input without a face of three corners, by the hull of all its points.
+ * A hull's vertices are vertices of the input; its faces are new (ROBERTS_NONE, without colours). Points that lie
+ * outside a face by less than the tolerance, or 1e-5 of the size, may be left out. Solids are still numbered by their
+ * smallest vertex, even if their hull leaves it out. What lies in one plane has no hull: it is left out with a warning,
+ * even if it is a whole input, and refused if there is nothing else. A warning counts the solids of each input that
+ * were replaced, and says why. It does not count points without faces, since only their hull can be meant.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
@@ -314,11 +315,11 @@ typedef enum roberts_state {
 typedef enum roberts_line {
     ROBERTS_OUTLINE, /**< its faces lie on one side of it in the picture (one is front, one back), or one is edge-on */
     ROBERTS_CREASE,  /**< its faces lie on both sides of it */
-    ROBERTS_BACK,    /**< both faces of a convex solid are back faces: it hides the edge; a crease otherwise */
+    ROBERTS_BACK,    /**< of a convex solid, between two back faces: hidden by the solid itself, else a crease */
     ROBERTS_BORDER,  /**< an edge of one face */
     ROBERTS_WIRE,    /**< an edge of no face */
     ROBERTS_INTERSECTION, /**< no edge: two faces cross there */
-    ROBERTS_BACK_OUTLINE, /**< like ROBERTS_BACK, but a face is edge-on: it would be an outline */
+    ROBERTS_BACK_OUTLINE, /**< between a back face and one that is edge-on: hidden by the solid, else an outline */
 } roberts_line;
 
 /** A maximal part of a line in one state. A line is an edge, or a segment in which two faces cross. */
@@ -478,6 +479,41 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
                                  const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error);
 
+/* ---- regions: what is seen of each face ------------------------------------------------------------------------ */
+
+/** What is seen of one face. Its rings bound it: each runs round one piece of it counter-clockwise in the picture, or
+ * round a hole in the piece before, clockwise. */
+typedef struct roberts_region {
+    uint32_t solid; /**< number of the body */
+    uint32_t face;  /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
+    size_t first_ring, ring_count;
+    double area;         /**< in the picture, model units squared */
+    double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
+    roberts_color color; /**< the face's, as in the input */
+} roberts_region;
+
+/** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
+typedef struct roberts_region_list {
+    size_t count, ring_count, corner_count;
+    roberts_region *region; /**< [count] by solid, then by face */
+    size_t *ring_start;     /**< [ring_count + 1] ring r has corners corner[ring_start[r]] .. [ring_start[r + 1] - 1] */
+    roberts_vec2 *corner;   /**< [corner_count] of the picture, model units */
+} roberts_region_list;
+
+/**
+ * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
+ * several that touch there, to that of the smallest solid, and then to the smallest face.
+ * options  NULL for the defaults; epsilon, grid and threads count, and which edges are drawn does not
+ * out      owned by the caller, released by roberts_regions_free(); empty on failure
+ * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
+ * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
+ * What is narrower than a few epsilon is no region. Neither grid nor threads change the result. Returns ROBERTS_OK,
+ * _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
+ */
+roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera *camera,
+                               const roberts_hide_options *options, roberts_region_list *out, roberts_error *error);
+void roberts_regions_free(roberts_region_list *regions);
+
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
 
 /* What these have in common. A ray is the points S + t v with t >= 0; v has any length but 0, and t counts in lengths
@@ -602,7 +638,8 @@ typedef void roberts_contradiction_fn(void *context, const roberts_contradiction
 
 typedef struct roberts_verify_options {
     uint32_t rays;         /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
-    double crease_degrees; /**< as given to roberts_hide(): tells wholly hidden edges from those that are not drawn */
+    double crease_degrees; /**< as given to roberts_hide(), so that edges without segments are known to be hidden or
+                                left out */
     bool crease_auto;      /**< as given to roberts_hide() (default: true) */
     bool all_edges;        /**< as given to roberts_hide() */
     bool unite;            /**< as given to roberts_hide(); then only the parts of edges that are drawn are checked */
@@ -615,7 +652,7 @@ roberts_verify_options roberts_verify_options_default(void);
 
 /** What roberts_verify() found. */
 typedef struct roberts_verification {
-    size_t segments;             /**< parts of edges checked: visible, hidden, and left out as hidden */
+    size_t segments;             /**< segments checked: visible ones, hidden ones, and those left out as hidden */
     size_t points;               /**< rays cast */
     size_t undecided;            /**< of these: within about epsilon of where the answer changes */
     size_t contradictions;       /**< of these: the drawing is wrong there */
@@ -630,16 +667,16 @@ typedef struct roberts_verification {
  * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
- * counted as undecided. Segments in state ROBERTS_CLIPPED and those of intersections are not looked at. A contradiction
- * is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or _BAD_ARGUMENT (a segment of no edge of the scene, t
- * out of order). */
+ * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. Of an intersection it checks, too, that
+ * its two faces cross there. A contradiction is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or
+ * _BAD_ARGUMENT (a segment of no edge of the scene, t out of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
                               roberts_error *error);
 
 /** A face that a sight line meets: a front face of a convex solid, or any face of another body. */
 typedef struct roberts_pick_hit {
-    uint32_t solid;     /**< number of the solid */
+    uint32_t solid;     /**< number of the body */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
     double depth;       /**< how near the viewer, model units: along the axis of sight from the plane through the
                              scene's centre or the look-at point, > 0 in front of it, < 0 behind it */
@@ -773,10 +810,11 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    double dpi;                             /**< PNG: dots per inch; default: 150 */
-    const char *title, *description;        /**< SVG and TikZ: UTF-8; NULL: none */
-    roberts_ink *ink;                       /**< NULL, or filled when a page is written */
-    roberts_temporary_fn *temporary;        /**< NULL: not needed */
+    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    double dpi;         /**< PNG: dots per inch; default: 150 */
+    const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
+    roberts_ink *ink;                /**< NULL, or filled when a page is written */
+    roberts_temporary_fn *temporary; /**< NULL: not needed */
     void *temporary_context;
 } roberts_draw_options;
 
@@ -806,6 +844,15 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
  * closed pipe is an error like others.
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error);
+
+/**
+ * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
+ * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
+ * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
+ * _IO.
+ */
+roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
 
 /* ---- draw: sheets, several views on one page ------------------------------------------------------------------- */

@@ -1,25 +1,25 @@
 #!/bin/sh
-# Runs test programs, several at a time, goes on after a failure, and fails at the end: tests/run.sh PROGRAM...
+# Runs test programs, several at a time, continues after a failure, and fails at the end: tests/run.sh PROGRAM...
 #
-# A program's output goes to PROGRAM.out and PROGRAM.err and is shown where the program fails; lines that start with
-# "note: " are shown in any case, and each skipped test with its reason (support/skip.h). Each line tells how many tests
-# cmocka reported (on standard output; its listings at the end are on standard error); the last line is their sum, which
-# also goes to the end of the file that TEST_RESULTS names. A program that dies, or stops without having run a test,
-# counts as one failure, and so does one that leaves a temporary folder (support/temporary.h).
+# A program's output goes to PROGRAM.out and PROGRAM.err and is shown if the program fails. Lines that start with
+# "note: " are always shown, and so is each skipped test with its reason (support/skip.h). Each line gives the number of
+# tests that cmocka reported (on standard output; its final listings are on standard error). The last line is their sum,
+# which is also appended to the file TEST_RESULTS. A program that dies, or ends without having run a test, counts as one
+# failure, and so does one that leaves a temporary folder (support/temporary.h).
 #
 # JOBS: how many programs run at a time (default: as many as there are processors)
 set -u
 
-# Tests run make themselves. They get the variables of this make, but not its job server, which is closed to them.
+# Tests run make themselves. They inherit the variables of this make, but not its job server, which they cannot use.
 MAKEFLAGS=$(printf '%s' "${MAKEFLAGS:-}" | sed 's/--jobserver-[a-z]*=[^ ]*//g; s/-j[0-9]*//g')
 export MAKEFLAGS
 
-# count WORD PROGRAM: how many of its tests a program reported so
+# count WORD PROGRAM: prints how many of its tests a program reported with this word
 count() {
     grep -c "^\[ *$1 *\] " "$2.out"
 }
 
-# Runs one program with a temporary folder of its own, leaves its three counts in PROGRAM.counts, and tells about it.
+# Runs one program with a temporary folder of its own, writes its three counts to PROGRAM.counts, and reports.
 run_one() {
     program=$1
     TMPDIR=$(mktemp -d) || exit 1

@@ -37,7 +37,7 @@ figure class-hidden 40x40 --hidden dashed --style hidden:color=red models/interp
 figure class-border 40x40 --azimuth 20 --elevation 35 --style border:color=red models/shapes/moebius-strip.off
 
 # An octahedron and its three axes, which are elements of two corners.
-figure class-wire 40x40 -q --azimuth 20 --elevation 20 --style wire:color=red - <<END
+figure class-wire 40x40 --azimuth 20 --elevation 20 --style wire:color=red - <<END
 OFF
 12 11
 1 0 0

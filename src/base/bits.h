@@ -18,7 +18,7 @@
 #if defined(__GNUC__)
 #define BITS_INLINE static inline __attribute__((__always_inline__))
 #define BITS_RARE __attribute__((__noinline__))
-#define BITS_HIDDEN __attribute__((__visibility__("hidden"))) /* read directly in a shared library */
+#define BITS_HIDDEN __attribute__((__visibility__("hidden"))) /* read directly, even in a shared library */
 #else
 #define BITS_INLINE static inline
 #define BITS_RARE

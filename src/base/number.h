@@ -110,8 +110,9 @@ static inline int number_short_integer(const char *text, uint32_t *value)
 #define NUMBER_EXACT_QUOTIENT 0
 #endif
 
-/* 10^-fraction: the upper half of its 128 bits, as in power_table; and the exponent field, less the implied bit, of w *
- * 10^-fraction if the highest bit of w is 63 and that of the product 126: floor(log2(10^-fraction)) + 63 + 1022. */
+/* The power 10^-fraction. `high` is the upper half of its 128 bits, as in power_table. `exponent` is the exponent
+ * field, less the implied bit, of w * 10^-fraction if the highest bit of w is 63 and that of the product 126:
+ * floor(log2(10^-fraction)) + 63 + 1022. */
 typedef struct number_scale {
     uint64_t high, exponent;
 } number_scale;
@@ -145,8 +146,8 @@ BITS_INLINE uint64_t number_quotient(uint64_t w, ptrdiff_t fraction)
 }
 
 /* Appends the digits after the eighth after the point to *w, which wraps if there are too many; returns the first other
- * character. (Of 17 digits in all, between 15 and 18 follow the point. Code without branches, which must wait for the
- * count, measured slower than the mispredicted branches.) */
+ * character. (Of 17 significant digits, sometimes 15 and sometimes 18 follow the point. Code without branches must wait
+ * for the count, and measured slower than mispredicted branches.) */
 BITS_INLINE const char *number_far_digits(const char *text, uint64_t *w)
 {
     uint64_t chunk = bits_load(text) ^ NUMBER_DIGITS, value = *w, others = number_not_digits(chunk);

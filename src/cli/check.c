@@ -104,6 +104,10 @@ int check_format(const cli_options *options)
     if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
         return message_misuse("--sheet makes a page, not a table: choose another format than %s",
                               values_format_name(format));
+    if (options->regions && strcmp(options->regions, "-") == 0 && strcmp(options->output, "-") == 0 &&
+        format != ROBERTS_NULL)
+        return message_misuse("--regions: the drawing goes to standard output: name a file, or write no drawing with "
+                              "-f null");
     if (is_binary && !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
         return message_misuse("a terminal cannot show %s: name a file with -o", values_format_name(format));
     return EXIT_DONE;
@@ -210,9 +214,34 @@ static bool any_dashed(const roberts_draw_options *draw)
     return any;
 }
 
+/* Does any pen have another width than usual? */
+static bool any_width_set(const roberts_draw_options *draw)
+{
+    const roberts_draw_options usual = roberts_draw_options_default();
+    bool any = false;
+    for (size_t pen = 0; pen < PENS; pen++)
+        any = any || values_pen(draw, pen)->width_mm != values_pen(&usual, pen)->width_mm;
+    return any;
+}
+
+/* Warns of what a page has in other formats, but not in this one. */
+static void warn_lost(const cli_options *options)
+{
+    const roberts_draw_options *draw = &options->draw;
+    if (draw->background.on && draw->format == ROBERTS_DXF)
+        warn("--background", "dxf has no background");
+    if (draw->background.on && draw->format == ROBERTS_HPGL)
+        warn("--background", "hpgl has no background");
+    if (draw->format == ROBERTS_DXF && any_width_set(draw))
+        warn("the width of a pen", "dxf has no widths of lines");
+}
+
 static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw;
+    warn_lost(options);
+    if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
+        warn("--layers", "only layers of svg are numbered");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
@@ -266,6 +295,8 @@ void check_warn(const cli_options *options, const options_given *given)
         warn_useless(options, given, OPTION_PAPER, "has no page");
     if (!is_table(options->draw.format))
         warn_useless(options, given, OPTION_TABLE, "is no table");
+    else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)
+        warn("--columns +level", "it is 0 in visible rows, and there are no others without --hidden");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",

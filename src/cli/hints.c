@@ -87,6 +87,7 @@ const char *hint_option(const char *word)
         {"jobs", "threads"},
         {"line-width", "style outline:width=MM"},
         {"linewidth", "style outline:width=MM"},
+        {"no-hidden", "hidden none"},
         {"optimize", "order"},
         {"paper", "page"},
         {"pen", "style outline:width=MM"},
@@ -104,6 +105,7 @@ const char *hint_option(const char *word)
         {"units", "unit"},
         {"viewpoint", "eye"},
         {"width", "style outline:width=MM"},
+        {"visible", "hidden none"},
         {"wireframe", "hidden solid"},
         {"zoom", "scale"},
     };

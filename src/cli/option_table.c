@@ -45,10 +45,29 @@ static const option rows[] = {
      .words = values_formats,
      .set = values_set_format,
      .brief = "format",
-     .help = "svg, pdf, ps, eps, png, csv, json, or null: compute, write nothing (default: by the ending of FILE, else "
-             "svg)",
-     .manual = "svg, pdf, ps, eps, png, csv, json, or null, which computes and writes nothing; see OUTPUT FORMATS. "
+     .help = "svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv, json, or null: compute, write nothing (default: by the "
+             "ending of FILE, else svg)",
+     .manual = "svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv, json, or null, which computes and writes nothing; see "
+               "OUTPUT FORMATS. "
                "Default: by the ending of FILE, else svg."},
+    {.group = GROUP_OUTPUT,
+     .name = "regions",
+     .flags = OPTION_FILE,
+     .value = "FILE.json",
+     .set = values_set_text,
+     TO(regions),
+     .excludes = "sheet turntable batch",
+     .brief = "what is seen of each face",
+     .help = "write what is seen of each face as polygons with holes to FILE.json, beside the drawing",
+     .manual =
+         "Writes what is seen of each face to FILE.json (- is standard output), beside the drawing: an array with an "
+         "object for each face that is seen. body and face are numbered as in tables; face is null for a hull's face "
+         "and where the near plane cuts. area is that of the picture, in model units squared. z0 and z1 say how near "
+         "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
+         "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
+         "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
+         "regions of all faces tile the picture without gaps and overlaps. Which lines are drawn, and --union, change "
+         "nothing. It fails if the near plane cuts a body that is not convex."},
     {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
@@ -350,6 +369,18 @@ static const option rows[] = {
      .help = "travel: the lifted pen travels little; none: as in the model (default: travel)",
      .manual = "travel (the default): strokes are ordered so that the lifted pen travels little: the nearest stroke "
                "next, then 2-opt up to a fixed number of steps. none: as in the model."},
+    {.group = GROUP_LINES,
+     .name = "layers",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_layers,
+     .set = values_set_layers,
+     .brief = "names of the layers of svg",
+     .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
+     .manual =
+         "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
+         "from 1 hidden to 6 outline and 8 symbol, the same in every drawing. The software of AxiDraw finds layers "
+         "by their numbers."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,
@@ -578,7 +609,9 @@ static const option rows[] = {
      TO(verbose),
      .brief = "say what was read and written",
      .help = "say what was read and written",
-     .manual = "Says what was read and written, and which solids --hull has replaced."},
+     .manual =
+         "Says what was read and written: bodies, vertices and faces of the file, the kinds of bodies if they are not "
+         "all convex, the segments of the drawing, and which solids --hull has replaced."},
     {.group = GROUP_MESSAGES,
      .name = "help",
      .letter = 'h',

@@ -170,11 +170,14 @@ static int take_short(parser *p, int *i)
     return EXIT_DONE;
 }
 
-/* Refuses an operand that was meant as the value of the option before it, which takes one only behind "=". */
+/* Refuses an operand that is no file, but was meant as an option, or as the value of the option before it, which takes
+ * one only behind "=". */
 static int misplaced_value(const option_table *table, const char *before, const char *operand)
 {
     const option *o = strncmp(before, "--", 2) == 0 ? find_option(table, before + 2, strlen(before + 2)) : NULL;
     uint32_t number;
+    if (find_option(table, operand, strlen(operand)) && access(operand, F_OK) != 0)
+        return message_misuse("%s: there is no such file; did you mean --%s?", operand, operand);
     if (!o || !(o->flags & OPTION_OPTIONAL))
         return EXIT_DONE;
     bool meant = !o->words && parse_integer(operand, &number);
@@ -193,8 +196,8 @@ static int take_all(parser *p, int *operands)
     for (int i = 1; i < p->argc && status == EXIT_DONE; i++) {
         const char *word = p->argv[i];
         if (only_operands || word[0] != '-' || word[1] == '\0') {
-            if (!only_operands && i > 1)
-                status = misplaced_value(p->given.table, p->argv[i - 1], word);
+            if (!only_operands)
+                status = misplaced_value(p->given.table, i > 1 ? p->argv[i - 1] : "", word);
             p->argv[(*operands)++] = p->argv[i];
         } else if (strcmp(word, "--") == 0) {
             only_operands = true;
@@ -261,7 +264,8 @@ static int choose_format(const options_given *given, cli_options *options)
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
     if (!options_is_given(given, "format") && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
-        return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are known); "
+        return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
+                              ".hpgl, .plt, .csv and .json are known); "
                               "name the format with -f",
                               options->output);
     return EXIT_DONE;

@@ -82,18 +82,22 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
-/* Says how many bodies are of each kind; nothing if all are convex. */
+/* Says of which kinds the bodies are; nothing if all are convex. */
 static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
+    static const char *const names[] = {
+        [ROBERTS_CONVEX] = "convex", [ROBERTS_CLOSED] = "closed but not convex", [ROBERTS_OPEN] = "open"};
     char name[NAME_SIZE];
-    size_t of[ROBERTS_OPEN + 1] = {0};
+    size_t of[ROBERTS_OPEN + 1] = {0}, told = 0;
     for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
         of[roberts_scene_body_kind(scene, s)]++;
     if (of[ROBERTS_CLOSED] + of[ROBERTS_OPEN] == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu convex, %zu closed but not convex, %zu open\n", of[ROBERTS_CONVEX], of[ROBERTS_CLOSED],
-            of[ROBERTS_OPEN]);
+    for (size_t kind = 0; kind <= ROBERTS_OPEN; kind++)
+        if (of[kind] > 0)
+            fprintf(options->log, "%s%zu %s", told++ ? ", " : "bodies: ", of[kind], names[kind]);
+    fputc('\n', options->log);
 }
 
 /* Says that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
@@ -121,12 +125,24 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     const size_t bodies = roberts_scene_solid_count(scene);
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "%zu bod%s, %zu vertices, %zu faces; %.3f s\n", bodies, bodies == 1 ? "y" : "ies",
-            run->vertices, run->faces, run->read.wall + run->solids.wall);
+    fprintf(options->log, "%zu bod%s, %zu vertices, %zu face%s", bodies, bodies == 1 ? "y" : "ies", run->vertices,
+            run->faces, run->faces == 1 ? "" : "s");
+    if (run->lines > 0)
+        fprintf(options->log, ", %zu points and lines", run->lines);
+    fprintf(options->log, "; %.3f s\n", run->read.wall + run->solids.wall);
     tell_kinds(options, scene);
     if (options->scene.hull)
         tell_hulls(options, scene);
     message_close(options->log);
+}
+
+/* Counts the elements of one corner or two. */
+static size_t count_lines(const roberts_mesh *mesh)
+{
+    size_t count = 0;
+    for (size_t f = 0; f < mesh->face_count; f++)
+        count += mesh->face_start[f + 1] - mesh->face_start[f] - 1 < 2;
+    return count;
 }
 
 /* Reads the inputs and builds the scene. The mesh is released on the way. */
@@ -139,6 +155,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     progress_stage("reading");
     roberts_status status = read_all(options, &mesh, error);
     run->read = report_since(start);
+    if (status == ROBERTS_OK && options->verbose)
+        run->lines = count_lines(&mesh);
     if (status == ROBERTS_OK) {
         start = report_now();
         progress_stage("finding the bodies");
@@ -329,6 +347,20 @@ static void tell(const cli_options *options, const run_stats *run, const views *
     message_close(options->log);
 }
 
+/* Writes the visible regions, if they are wanted. */
+static roberts_status save_regions(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+{
+    roberts_region_list regions;
+    if (!options->regions)
+        return ROBERTS_OK;
+    progress_stage("finding the visible regions");
+    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &regions, error);
+    if (status == ROBERTS_OK)
+        status = roberts_regions_save(&regions, &options->draw, options->regions, error);
+    roberts_regions_free(&regions);
+    return status;
+}
+
 /* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
@@ -341,6 +373,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         warn_near(options, *scene, &v);
     if (status == ROBERTS_OK)
         warn_idle(options, *scene, &v);
+    if (status == ROBERTS_OK)
+        status = save_regions(options, *scene, &error);
     if (last && !is_table(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

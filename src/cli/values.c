@@ -506,6 +506,16 @@ int values_set_order(const option *o, const char *value, cli_options *options)
     return status;
 }
 
+const char *const values_layers[] = {"named", "numbered", NULL};
+
+int values_set_layers(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.number_layers = i == 1;
+    return status;
+}
+
 /* ---- view ---- */
 
 const char *const values_views[] = {"iso",   "dimetric", "trimetric", "front",    "back",    "left",

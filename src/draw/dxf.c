@@ -90,23 +90,20 @@ static void color_of(int number, double rgb[3])
     }
 }
 
-/* The colour nearest to the pen's. White is the one that stands out from the screen, as black is. */
+static double color_distance(const roberts_pen *pen, int number)
+{
+    double rgb[3];
+    color_of(number, rgb);
+    return hypot(hypot(rgb[0] - pen->red, rgb[1] - pen->green), rgb[2] - pen->blue);
+}
+
+/* The colour nearest to the pen's, the first of several. For black it is the one that stands out from the screen. */
 static uint32_t nearest_color(const roberts_pen *pen)
 {
-    const double own[3] = {pen->red, pen->green, pen->blue};
-    double best = INFINITY;
     int nearest = BLACK_OR_WHITE;
-    for (int i = BLACK_OR_WHITE; i < COLORS + BLACK_OR_WHITE; i++) { /* 1 to 6 last, but 7 first */
-        int number = i < COLORS ? i : i - COLORS;
-        double rgb[3], distance = 0.0;
-        color_of(number, rgb);
-        for (int k = 0; k < 3; k++)
-            distance += (rgb[k] - own[k]) * (rgb[k] - own[k]);
-        if (number > 0 && distance < best) {
-            best = distance;
-            nearest = number;
-        }
-    }
+    for (int i = 1; i < COLORS; i++)
+        if (color_distance(pen, i) < color_distance(pen, nearest))
+            nearest = i;
     return (uint32_t)nearest;
 }
 

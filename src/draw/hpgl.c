@@ -9,7 +9,7 @@
 
 enum {
     UNITS_PER_MM = 40,
-    PENS = 16,         /* of the palette, a power of two above the number of the last pen */
+    PENS = 16,         /* of the palette: a power of two above the number of classes */
     LINE_TYPE = 8,     /* the one that we define for dashes */
     POINTS_A_LINE = 20 /* then the text goes on in a new line */
 };
@@ -20,15 +20,6 @@ typedef struct hpgl {
     double units;  /* of HP-GL in a unit of the page */
     double height; /* of the page, in units of HP-GL */
 } hpgl;
-
-/* The number of the pen, the same in every drawing. */
-static uint32_t pen_number(roberts_line line)
-{
-    static const uint8_t number[] = {
-        [ROBERTS_OUTLINE] = 1, [ROBERTS_CREASE] = 2,       [ROBERTS_BACK] = 3, [ROBERTS_BORDER] = 4,
-        [ROBERTS_WIRE] = 6,    [ROBERTS_INTERSECTION] = 5, [LINE_FRAME] = 7,   [LINE_SYMBOL] = 8};
-    return number[line];
-}
 
 /* Writes an instruction up to `value`, and what stands behind it. */
 static void write_integer(output *out, const char *before, uint32_t value, const char *behind)
@@ -55,7 +46,7 @@ static void begin_class(void *context, roberts_line line)
 {
     const hpgl *p = context;
     const roberts_pen *pen = strokes_pen(p->s->options, line);
-    const uint32_t number = pen_number(line);
+    const uint32_t number = strokes_class_number(line);
     double dash[2];
     write_integer(p->out, "SP", number, ";PW");
     output_mm(p->out, pen->width_mm);

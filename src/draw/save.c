@@ -28,15 +28,17 @@
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
+#include "draw/region_table.h"
 #include "draw/strokes.h"
 #include "draw/table.h"
 
 /* ---- formats, and any of them to a function ---- */
 
-/* What is written: one of the two; the other is NULL. */
+/* What is written: one of these; the others are NULL. */
 typedef struct subject {
     const roberts_drawing *drawing;
     const roberts_sheet *sheet;
+    const roberts_region_list *regions;
 } subject;
 
 static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
@@ -207,6 +209,10 @@ static roberts_status write_table(const subject *what, const roberts_draw_option
 static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
                                    roberts_error *error)
 {
+    if (what->regions) {
+        region_table_write(what->regions, out);
+        return ROBERTS_OK;
+    }
     switch (options->format) {
     case ROBERTS_SVG:
     case ROBERTS_PDF:
@@ -229,6 +235,8 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
 static roberts_status check_subject(const subject *what, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
+    if (what->regions)
+        return ROBERTS_OK;
     if (!what->sheet)
         return check_segments(what->drawing, error);
     if (!(what->sheet->gap_mm >= 0.0 && what->sheet->gap_mm <= widest_gap))
@@ -536,4 +544,16 @@ roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw
                                   roberts_error *error)
 {
     return save(&(subject){.sheet = sheet}, options, path, error);
+}
+
+roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
+                                    const char *path, roberts_error *error)
+{
+    roberts_draw_options own = roberts_draw_options_default();
+    own.format = ROBERTS_JSON;
+    if (options) {
+        own.temporary = options->temporary;
+        own.temporary_context = options->temporary_context;
+    }
+    return save(&(subject){.regions = regions}, &own, path, error);
 }

@@ -50,6 +50,14 @@ const char *strokes_class_name(roberts_line line)
     return name[line];
 }
 
+uint32_t strokes_class_number(roberts_line line)
+{
+    uint32_t below = 0;
+    while (line_order[below] != line)
+        below++;
+    return below + 1;
+}
+
 static bool is_broken(const roberts_draw_options *options, roberts_line line)
 {
     return strokes_pen(options, line)->dash_mm > 0.0 &&

@@ -44,6 +44,10 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, "<g id=\"");
     output_text(out, name);
     output_text(out, "\" inkscape:groupmode=\"layer\" inkscape:label=\"");
+    if (options->number_layers) {
+        output_integer(out, strokes_class_number(line));
+        output_text(out, " ");
+    }
     output_text(out, name);
     output_text(out, "\">\n<path fill=\"none\" stroke=\"");
     write_color(out, pen->red, pen->green, pen->blue);

@@ -1,4 +1,5 @@
-/* tikz.c - the page as a picture of TikZ, for \input in a LaTeX document that loads the package tikz.
+/* tikz.c - the page as a picture of TikZ, for \input in a LaTeX document that loads the package tikz, in a picture of
+ * its own or as a part of one.
  *
  * Each stroke is a path, each class a style: "roberts outline", "roberts crease", ... A style that the document has
  * defined is left as it is. Units are mm, the origin is the lower left corner of the page, and y is up. Each vertex
@@ -203,6 +204,11 @@ static void end_part(void *context, bool last)
         output_text(p->out, "\\end{scope}\n");
 }
 
+/* Within a picture of the document, the file is a part of it. */
+static const char begin_picture[] =
+    "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
+    "\\begin{\\robertspicture}[x=1mm,y=1mm]\n";
+
 roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
@@ -216,11 +222,11 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
                          "TeX knows no lengths of more than %g mm: choose a smaller page", longest_mm);
     write_comment(out, s->options->title);
     write_comment(out, s->options->description);
-    output_text(out, "\\begin{tikzpicture}[x=1mm,y=1mm]\n");
+    output_text(out, begin_picture);
     write_page(&p);
     roberts_status status = write_vertices(&p, error);
     if (status == ROBERTS_OK)
         status = plot_strokes(s, &to, out, error);
-    output_text(out, "\\end{tikzpicture}\n");
+    output_text(out, "\\end{\\robertspicture}\n");
     return status;
 }

@@ -42,7 +42,7 @@ typedef struct tour {
     uint32_t *start;            /* [cells of level 0 + 1] into `end` */
     uint32_t *end;              /* [2 count] ends by cell, in each cell those left first */
     uint32_t *slot;             /* [2 count] where in `end` an end is */
-    page_point *spot;           /* [2 count] for 2-opt: the points of `end` */
+    page_point *spot;           /* [2 count] the points of `end`: a cell's lie side by side in memory */
     /* the result */
     uint32_t *entry;           /* [count] the end at which the k-th polyline begins; its other end is entry ^ 1 */
     uint32_t *position;        /* [count] of a polyline in `entry` */
@@ -53,13 +53,13 @@ typedef struct tour {
 
 static uint32_t column_of(const tour *t, page_point p)
 {
-    double c = floor((p.x - t->x0) / t->cell);
+    double c = (p.x - t->x0) / t->cell; /* the cast rounds downward */
     return c < 0.0 ? 0 : c >= t->nx[0] ? t->nx[0] - 1 : (uint32_t)c;
 }
 
 static uint32_t row_of(const tour *t, page_point p)
 {
-    double r = floor((p.y - t->y0) / t->cell);
+    double r = (p.y - t->y0) / t->cell;
     return r < 0.0 ? 0 : r >= t->ny[0] ? t->ny[0] - 1 : (uint32_t)r;
 }
 
@@ -116,6 +116,7 @@ static bool fill_grid(tour *t)
         size_t c = cell_of(t, t->at[i]);
         t->slot[i] = t->start[c]++;
         t->end[t->slot[i]] = i;
+        t->spot[t->slot[i]] = t->at[i];
     }
     for (size_t c = cells; c > 0; c--)
         t->start[c] = t->start[c - 1];
@@ -130,8 +131,10 @@ static void take_out(tour *t, uint32_t e)
     size_t cell = (size_t)y * t->nx[0] + x;
     uint32_t last = t->start[cell] + t->left[0][cell] - 1, other = t->end[last];
     t->end[t->slot[e]] = other;
+    t->spot[t->slot[e]] = t->spot[last];
     t->slot[other] = t->slot[e];
     t->end[last] = e;
+    t->spot[last] = t->at[e];
     t->slot[e] = last;
     for (uint32_t l = 0; l < t->levels; l++)
         t->left[l][(size_t)(y >> l) * t->nx[l] + (x >> l)]--;
@@ -141,7 +144,7 @@ static void take_out(tour *t, uint32_t e)
 
 typedef struct found {
     uint32_t end;
-    double distance;
+    double square; /* of its distance */
 } found;
 
 /* Looks through the ends left in cell (x, y). Of ends at one distance the one of least number is kept. */
@@ -149,10 +152,11 @@ static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *
 {
     size_t cell = (size_t)y * t->nx[0] + x;
     const uint32_t *end = t->end + t->start[cell];
+    const page_point *spot = t->spot + t->start[cell];
     uint32_t count = t->left[0][cell] < LOOK_IN_CELL ? t->left[0][cell] : LOOK_IN_CELL;
     for (uint32_t i = 0; i < count; i++) {
-        double d = page_distance(p, t->at[end[i]]);
-        if (d < best->distance || (d == best->distance && end[i] < best->end))
+        double d = page_square(p, spot[i]);
+        if (d < best->square || (d == best->square && end[i] < best->end))
             *best = (found){end[i], d};
     }
 }
@@ -337,8 +341,6 @@ static bool try_head(tour *t, uint32_t k)
 static void two_opt(tour *t)
 {
     bool shorter = true;
-    for (uint32_t i = 0; i < 2 * t->count; i++)
-        t->spot[i] = t->at[t->end[i]];
     for (int pass = 0; pass < PASSES_MAX && shorter; pass++) {
         shorter = false;
         for (uint32_t k = 0; k + 1 < t->count; k++) {

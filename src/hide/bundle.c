@@ -68,7 +68,7 @@ static bool sort(const middles *m, uint32_t first, uint32_t count)
 /* Sorts the items of a node so that each node of `rank` below it holds neighbouring faces. The items are sorted by
  * midpoint along the longer side of their box; then each part is sorted likewise. (A Z-order curve jumps: with it, an
  * edge in front of a fan was compared with two to five times as many faces.) */
-static bool divide(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
+static bool sort_node(const middles *m, const list_tree *over, int rank, uint32_t first, uint32_t end)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = first; i < end; i++)
@@ -82,7 +82,7 @@ static bool divide(const middles *m, const list_tree *over, int rank, uint32_t f
         return false;
     for (uint32_t next; rank > 0 && first < end; first = next) {
         next = list_tree_end(over, rank, first);
-        if (!divide(m, over, rank - 1, first, next))
+        if (!sort_node(m, over, rank - 1, first, next))
             return false;
     }
     return true;
@@ -100,7 +100,7 @@ static bool put_in_order(const hide_space *space, const hide_face *face, const l
         order[i] = i;
     }
     middles m = {at, order, scratch, scratch + count, scratch + 2 * (size_t)count};
-    done = done && divide(&m, over, (int)over->ranks - 1, 0, count);
+    done = done && sort_node(&m, over, (int)over->ranks - 1, 0, count);
     free(at);
     free(scratch);
     return done;
@@ -139,7 +139,7 @@ static void set_frame(const node_faces *s, bundle_node *n)
 
 /* Adds a face to the node. At the far end of the scene its plane may be off by `touch - limit`, or by half of `touch`
  * if that is more (see set_trust() in front.c). */
-static void take_in(const node_faces *s, bundle_node *n, const hide_face *F)
+static void add_face(const node_faces *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);
     for (uint32_t i = 0; i < F->count; i++) {
@@ -166,7 +166,7 @@ static bundle_node make_node(const node_faces *s)
                      .behind = -INFINITY};
     set_frame(s, &n);
     for (uint32_t k = s->first; k < s->end; k++)
-        take_in(s, &n, &s->face[s->order[k]]);
+        add_face(s, &n, &s->face[s->order[k]]);
     return n;
 }
 

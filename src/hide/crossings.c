@@ -8,6 +8,8 @@
 #include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/edge_crossings.h"
+#include "hide/face_pairs.h"
 #include "hide/places.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
@@ -15,25 +17,10 @@
 #define WORTH_A_THREAD 8192
 /* What is kept of the faces of a cell, for so many of them. */
 #define KEPT_FACES 512
-/* Two solids with more comparisons of corners with planes than this are not tested as wholes. */
-#define WORTH_A_PLANE 4096
 /* Faces of more corners are not tested in the picture. */
 #define FEW_CORNERS 8
 /* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
 #define LOOSE 4.0
-/* More pairs of faces of two solids than this are found by sorting. */
-#define FEW_PAIRS 1024
-
-/* A face of a front, with its box. */
-typedef struct boxed_face {
-    hide_box box;
-    uint32_t piece;
-} boxed_face;
-
-typedef struct face_list {
-    boxed_face *item;
-    size_t count, room;
-} face_list;
 
 /* The corners of a triangle about which all faces are one sheet (see stars.h). Each other corner has a number that no
  * vertex has, and that no other entry has. */
@@ -56,24 +43,9 @@ typedef struct finder {
     bool kept[KEPT_FACES];
     star_corners *star; /* [KEPT_FACES] of the entries of this cell; NULL: there are no surfaces */
     face_list list[2];
+    crossing_face last; /* the first face of the pair met last, if hidden lines are kept */
     char apart[THREADS_APART];
 } finder;
-
-/* ---- boxes ----------------------------------------------------------------------------------------------------- */
-
-static inline bool boxes_meet(const hide_box *a, const hide_box *b)
-{
-    return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
-}
-
-static hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
-{
-    const roberts_scene *scene = fronts->scene;
-    hide_bounds own = hide_no_bounds;
-    for (uint32_t k = scene->face_start[piece]; k < scene->face_start[piece + 1]; k++)
-        box_add(&own.low, &own.high, fronts->P[scene->corner[k]]);
-    return hide_box_around(&own);
-}
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
@@ -127,26 +99,17 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
-/* ---- two fronts ------------------------------------------------------------------------------------------------ */
-
-/* Does the plane of some face of a convex solid have the whole body on its outer side? */
-static bool is_outside(const hide_fronts *fronts, uint32_t solid, uint32_t body)
+/* The same of pieces of which nothing is known yet. */
+static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
-    double touching = fronts->space.epsilon * scene->unit;
-    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
-        return false;
-    for (uint32_t f = s->face; f < s[1].face; f++) {
-        plane F = scene->face_plane[f];
-        uint32_t v = b->vertex;
-        while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
-            v++;
-        if (v == b[1].vertex)
-            return true;
-    }
-    return false;
+    finder *t = &((finder *)context)[thread];
+    crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
+    if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
+        t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
+    return meet_faces(t, &t->last, &G);
 }
+
+/* ---- two fronts ------------------------------------------------------------------------------------------------ */
 
 /* Lists the faces of a front that meet a box. */
 static bool list_faces(const hide_fronts *fronts, const hide_front *front, const hide_box *box, face_list *to)
@@ -167,61 +130,17 @@ static bool list_faces(const hide_fronts *fronts, const hide_front *front, const
     return true;
 }
 
-static int compare_left(const void *pa, const void *pb)
-{
-    const boxed_face *a = pa, *b = pb;
-    if (a->box.x0 != b->box.x0)
-        return a->box.x0 < b->box.x0 ? -1 : 1;
-    return (a->piece > b->piece) - (a->piece < b->piece);
-}
-
-static bool meet_boxed(finder *t, const boxed_face *f, const boxed_face *g, const uint32_t body[2])
-{
-    if (!boxes_meet(&f->box, &g->box))
-        return true;
-    crossing_face F = crossing_face_of(&t->rules, body[0], f->piece);
-    crossing_face G = crossing_face_of(&t->rules, body[1], g->piece);
-    return meet_faces(t, &F, &G);
-}
-
-/* Tests all pairs of the two lists whose boxes meet. */
-static bool meet_lists(finder *t, const uint32_t body[2])
-{
-    face_list *f = &t->list[0], *g = &t->list[1];
-    bool enough = true;
-    if (f->count * g->count <= FEW_PAIRS) {
-        for (size_t i = 0; enough && i < f->count; i++)
-            for (size_t k = 0; enough && k < g->count; k++)
-                enough = meet_boxed(t, &f->item[i], &g->item[k], body);
-        return enough;
-    }
-    qsort(f->item, f->count, sizeof *f->item, compare_left);
-    qsort(g->item, g->count, sizeof *g->item, compare_left);
-    for (size_t i = 0, k = 0; enough && i < f->count && k < g->count;) {
-        if (f->item[i].box.x0 <= g->item[k].box.x0) {
-            for (size_t n = k; enough && n < g->count && g->item[n].box.x0 <= f->item[i].box.x1; n++)
-                enough = meet_boxed(t, &f->item[i], &g->item[n], body);
-            i++;
-        } else {
-            for (size_t n = i; enough && n < f->count && f->item[n].box.x0 <= g->item[k].box.x1; n++)
-                enough = meet_boxed(t, &f->item[n], &g->item[k], body);
-            k++;
-        }
-    }
-    return enough;
-}
-
 /* Tests two fronts of different bodies, at least one of them a whole solid. */
 static bool meet_solids(finder *t, uint32_t a, uint32_t b)
 {
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
     const hide_box *p = &fronts->front_box[a], *q = &fronts->front_box[b];
-    if ((scene_is_convex(fronts->scene, f->solid) && is_outside(fronts, f->solid, g->solid)) ||
-        (scene_is_convex(fronts->scene, g->solid) && is_outside(fronts, g->solid, f->solid)))
+    if ((scene_is_convex(fronts->scene, f->solid) && edge_crossings_apart(fronts, f->solid, g->solid)) ||
+        (scene_is_convex(fronts->scene, g->solid) && edge_crossings_apart(fronts, g->solid, f->solid)))
         return true;
     return list_faces(fronts, f, q, &t->list[0]) && list_faces(fronts, g, p, &t->list[1]) &&
-           meet_lists(t, (uint32_t[]){f->solid, g->solid});
+           face_lists_meet(t->list, (uint32_t[]){f->solid, g->solid}, &(face_taker){meet_pair, t, 0});
 }
 
 /* ---- cells ----------------------------------------------------------------------------------------------------- */
@@ -479,7 +398,20 @@ static int compare_named(const void *pa, const void *pb)
         if (a->is.face[i] != b->is.face[i])
             return a->is.face[i] < b->is.face[i] ? -1 : 1;
     int order = compare_points(&a->is.end[0], &b->is.end[0]);
-    return order != 0 ? order : compare_points(&a->is.end[1], &b->is.end[1]);
+    if (order == 0)
+        order = compare_points(&a->is.end[1], &b->is.end[1]);
+    for (int i = 0; order == 0 && i < 2; i++)
+        order = (a->is.edge[i] > b->is.edge[i]) - (a->is.edge[i] < b->is.edge[i]);
+    return order;
+}
+
+/* Are they one line? An edge may have a part in common with several others. */
+static bool is_same(const named *a, const named *b)
+{
+    named c = *b;
+    c.is.edge[0] = a->is.edge[0];
+    c.is.edge[1] = a->is.edge[1];
+    return compare_named(a, &c) == 0;
 }
 
 /* Puts the face of smaller number first. */
@@ -492,6 +424,7 @@ static named name_segment(const roberts_scene *scene, const crossing_segment *s)
         n.number[i] = scene_face_number(scene, s->face[1 - i]);
         n.is.face[i] = s->face[1 - i];
         n.is.body[i] = s->body[1 - i];
+        n.is.edge[i] = s->edge[1 - i];
     }
     return n;
 }
@@ -516,7 +449,7 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
         qsort(all, count, sizeof *all, compare_named);
     for (size_t k = 0; enough && k < count; k++) {
         const named *n = &all[k];
-        if (k > 0 && compare_named(n, n - 1) == 0)
+        if (k > 0 && is_same(n, n - 1))
             continue;
         c->pairs += k == 0 || n->is.face[0] != n[-1].is.face[0] || n->is.face[1] != n[-1].is.face[1];
         c->item[c->count] = n->is;
@@ -546,6 +479,21 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
     return true;
 }
 
+/* All that the threads have found to touch, and the lines that it gives. */
+static bool find_on_edges(finder *finders, int threads)
+{
+    crossing_list *all = &finders[0].found;
+    for (int i = 1; i < threads; i++) {
+        const crossing_list *more = &finders[i].found;
+        if (!array_reserve(&all->touch, &all->touch_room, all->touch_count + more->touch_count, sizeof *all->touch))
+            return false;
+        if (more->touch_count > 0)
+            memcpy(all->touch + all->touch_count, more->touch, more->touch_count * sizeof *all->touch);
+        all->touch_count += more->touch_count;
+    }
+    return edge_crossings_find(finders->fronts, &finders->rules, all);
+}
+
 typedef struct crossed_lines {
     const crossings *of;
     const seen *seen;
@@ -560,6 +508,15 @@ static bool union_line_of(const void *context, uint32_t index, union_line *line,
     const crossing_segment *is = &lines->of->item[index];
     if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
         return false;
+    if (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) {
+        int i = is->edge[0] == ROBERTS_NONE;
+        if (s->scene != s->source)
+            return false;
+        *line = union_line_of_edge(s->source, is->body[i], is->edge[i], own);
+        line->A = is->end[0].point;
+        line->B = is->end[1].point;
+        return true;
+    }
     *line = (union_line){.A = is->end[0].point,
                          .B = is->end[1].point,
                          .body = ROBERTS_NONE,
@@ -580,8 +537,17 @@ static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
            united_find(&c->pieces, &s->bodies, union_line_of, &lines, (uint32_t)c->count, threads);
 }
 
+/* Is it part of an edge that the union draws? Where closed bodies meet in an edge, its pieces say so. */
+static bool is_united_edge(const seen *s, const crossing_segment *is)
+{
+    return s->edges.first && (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) &&
+           is->body[0] != is->body[1] && union_takes(s->source, is->body[0]) && union_takes(s->source, is->body[1]);
+}
+
 bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
 {
+    if (is_united_edge(s, &c->item[k]))
+        return false;
     if (!united_pieces(&c->pieces, (uint32_t)k))
         return true;
     line->alone = true;
@@ -594,11 +560,13 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     places where = {0};
     bool enough = finders && places_find(&where, fronts, grid, count) &&
-                  finders_init(finders, count, fronts, grid, &where) && meet_all(finders, grid, count) &&
-                  meet_pairs(finders, count) && gather(c, fronts->scene, finders, count) &&
-                  find_pieces(c, fronts->seen, threads);
+                  finders_init(finders, count, fronts, grid, &where) &&
+                  (fronts->seen->rules.hidden ? face_pairs_find(fronts, count, meet_pair, finders)
+                                              : meet_all(finders, grid, count)) &&
+                  meet_pairs(finders, count) && find_on_edges(finders, count) &&
+                  gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
-        free(finders[i].found.item);
+        crossing_list_free(&finders[i].found);
         free(finders[i].pair);
         free(finders[i].face);
         free(finders[i].star);
@@ -619,16 +587,36 @@ void crossings_free(crossings *c)
     *c = (crossings){0};
 }
 
-seen_line crossings_line(const crossings *c, const roberts_scene *scene, size_t k)
+/* Is the face at the back of a convex body, or edge-on? Then the body hides what lies in it. */
+static bool is_back_face(const seen *s, const crossing_segment *is, int i)
 {
-    const crossing_segment *s = &c->item[k];
+    return scene_is_convex(s->scene, is->body[i]) && s->facing[is->face[i]] != VIEW_FRONT;
+}
+
+bool crossings_is_back(const crossings *c, const seen *s, size_t k)
+{
+    return is_back_face(s, &c->item[k], 0) || is_back_face(s, &c->item[k], 1);
+}
+
+seen_line crossings_line(const crossings *c, const seen *s, size_t k)
+{
+    const roberts_scene *scene = s->scene;
+    const crossing_segment *is = &c->item[k];
     seen_line line = {.edge = (uint32_t)k,
-                      .v = {s->end[0].vertex, s->end[1].vertex},
+                      .v = {is->end[0].vertex, is->end[1].vertex},
                       .end = c->end[k],
-                      .own = seen_owns_none,
+                      .own = seen_owns_one(ROBERTS_NONE),
                       .t1 = 1.0,
                       .class = ROBERTS_INTERSECTION};
-    for (int i = 0; i < 2; i++)
-        line.own.key[i] = seen_face_key(scene, s->body[i], s->face[i]);
+    int keys = 0;
+    for (int i = 0; i < 2; i++) {
+        bool edge = is->edge[i] != ROBERTS_NONE && !scene_is_convex(scene, is->body[i]);
+        seen_own own = edge ? seen_own_of(scene, is->body[i], is->edge[i])
+                            : seen_owns_one(seen_face_key(scene, is->body[i], is->face[i]));
+        for (int n = 0; n < SEEN_KEYS && keys < SEEN_KEYS && !is_back_face(s, is, i); n++)
+            if (own.key[n] != ROBERTS_NONE)
+                line.own.key[keys++] = own.key[n];
+        line.own.many = own.many ? own.many : line.own.many;
+    }
     return line;
 }

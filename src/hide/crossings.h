@@ -26,7 +26,10 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
 void crossings_free(crossings *c);
 
 /* Line k as `hide` takes it up. */
-seen_line crossings_line(const crossings *c, const roberts_scene *scene, size_t k);
+seen_line crossings_line(const crossings *c, const seen *s, size_t k);
+
+/* Does a convex body of which one of the two faces is hide all of the line? */
+bool crossings_is_back(const crossings *c, const seen *s, size_t k);
 
 /* Gives the line its pieces, where bodies are one. False: nothing of it is drawn. */
 bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line);

@@ -219,7 +219,7 @@ static inline uint64_t met_by(const hide_lanes *l, size_t count, const hide_box 
 }
 
 /* Is a side of the box (x0, x1, y0, y1 as lanes) below its lower limit or above its upper limit? */
-static inline bool apart(const hide_box *box, four least, four most)
+static inline bool is_apart(const hide_box *box, four least, four most)
 {
     float side[4];
     memcpy(side, box, sizeof side);
@@ -252,7 +252,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
 /* As meet_once(), but only if the front's box reaches the lines' box. */
 BITS_INLINE bool meet_entry(hide_worker *w, const line_set *p, uint32_t front)
 {
-    return apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
+    return is_apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
 /* Finds the first entry, from k on and before `end`, whose front has no point nearer than z. */
@@ -464,19 +464,46 @@ typedef struct look {
     double best;    /* the nearest depth */
     uint32_t solid; /* the smallest number that touches there */
     bool touching;  /* the nearest depth is known; now find who touches it */
+    bool faces;     /* the face is wanted too */
+    uint32_t face;  /* the smallest one of that solid that touches there */
+    plane F;        /* its plane */
 } look;
+
+/* The number in the scene of a face of a front. */
+static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front, const hide_face *F)
+{
+    const roberts_scene *scene = fronts->scene;
+    if (hide_is_face(front))
+        return front->piece;
+    uint32_t low = scene->solid[front->solid].face, high = scene->solid[front->solid + 1].face;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->corner + scene->face_start[middle] <= F->corner)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
 {
-    if (l->touching && !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch))
+    double z = lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c);
+    if (l->touching ? !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch) : z <= l->best)
         return;
     if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
                             fronts->space.epsilon))
         return;
-    if (l->touching)
-        l->solid = front->solid;
-    else
-        l->best = greater(l->best, lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c));
+    if (!l->touching) {
+        l->best = z;
+        return;
+    }
+    uint32_t face = l->faces ? face_of_front(fronts, front, F) : ROBERTS_NONE;
+    if (front->solid < l->solid || face < l->face) {
+        l->face = face;
+        l->F = F->F;
+    }
+    l->solid = front->solid;
 }
 
 static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, look *l)
@@ -494,38 +521,53 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
 }
 
 /* Examines the fronts of one cell whose boxes can hold the point, four at a time. */
-static void look_at_cell(const hide_worker *w, size_t cell, uint32_t sides, look *l)
+static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, look *l)
 {
-    const objet *grid = w->grid;
-    const hide_fronts *fronts = w->fronts;
+    double beyond = l->touching ? fronts->thickest : 0.0;
+    if (l->faces)
+        beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
             uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             const hide_front *front = &fronts->front[index];
             const hide_box *box = &fronts->front_box[index];
-            if ((double)box->z1 + (l->touching ? fronts->thickest : 0.0) < l->best)
+            if ((double)box->z1 + beyond < l->best)
                 return; /* all later fronts are farther too */
-            if (box_holds(fronts, box, l->x, l->y) && !(l->touching && front->solid >= l->solid))
+            bool asked = l->touching && (l->faces ? front->solid > l->solid : front->solid >= l->solid);
+            if (!asked && box_holds(fronts, box, l->x, l->y))
                 look_at_front(fronts, index, (double)box->z1, l);
         }
     }
 }
 
+/* Looks at (l->x, l->y). */
+static void look_there(const hide_fronts *fronts, const objet *grid, look *l)
+{
+    uint32_t column = scan_column(&grid->frame, l->x), row = scan_row(&grid->frame, l->y);
+    double m = fronts->space.epsilon;
+    hide_box about = {.x0 = hide_float_below(l->x - m),
+                      .x1 = hide_float_above(l->x + m),
+                      .y0 = hide_float_below(l->y - m),
+                      .y1 = hide_float_above(l->y + m)};
+    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
+    for (int touching = 0; touching < 2; touching++) {
+        l->touching = touching;
+        look_at_cell(fronts, grid, (size_t)column * grid->frame.ny + row, sides, l);
+    }
+}
+
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)
 {
-    const objet *grid = w->grid;
-    uint32_t column = scan_column(&grid->frame, x), row = scan_row(&grid->frame, y);
-    double m = w->fronts->space.epsilon;
-    hide_box about = {.x0 = hide_float_below(x - m),
-                      .x1 = hide_float_above(x + m),
-                      .y0 = hide_float_below(y - m),
-                      .y1 = hide_float_above(y + m)};
-    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
     look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE};
-    for (int touching = 0; touching < 2; touching++) {
-        l.touching = touching;
-        look_at_cell(w, (size_t)column * grid->frame.ny + row, sides, &l);
-    }
+    look_there(w->fronts, w->grid, &l);
     return l.solid;
+}
+
+uint32_t hide_face_seen_at(const hide_fronts *fronts, const objet *grid, double x, double y, plane *F)
+{
+    look l = {.x = x, .y = y, .best = -INFINITY, .solid = ROBERTS_NONE, .faces = true, .face = ROBERTS_NONE};
+    look_there(fronts, grid, &l);
+    *F = l.F;
+    return l.face;
 }

@@ -138,4 +138,8 @@ bool hide_worker_run(hide_worker *w);
  * front face is there. */
 uint32_t hide_seen_at(const hide_worker *w, double x, double y);
 
+/* The face seen there, as numbered in the scene: of the solid of smallest number that touches there, the smallest one;
+ * *F: its plane. ROBERTS_NONE: there is none. */
+uint32_t hide_face_seen_at(const hide_fronts *fronts, const objet *grid, double x, double y, plane *F);
+
 #endif

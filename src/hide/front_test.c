@@ -90,7 +90,7 @@ static bool may_hide_more(const bundle_search *c, const bundle_node *n, double *
     return t0 < t1 && (bundle_behind(n, hide_edge_at(c->e, t0)) || bundle_behind(n, hide_edge_at(c->e, t1)));
 }
 
-static void ask_faces(bundle_search *c, uint32_t item)
+static void test_faces(bundle_search *c, uint32_t item)
 {
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
@@ -107,7 +107,7 @@ typedef struct reaching {
 
 /* Tests the nodes of a rank that cover item .. end - 1; there are at most eight. Those that reach farthest come first,
  * since they leave the least to the others. */
-static void ask_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
+static void test_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
 {
     reaching node[1 << LIST_TREE_BITS] = {{0.0, 0}};
     uint32_t count = 0;
@@ -120,9 +120,9 @@ static void ask_nodes(bundle_search *c, int rank, uint32_t item, uint32_t end)
         if (c->found && node[i].reach <= (c->forward ? c->hull->t1 : -c->hull->t0))
             return;
         if (rank == 0)
-            ask_faces(c, node[i].item);
+            test_faces(c, node[i].item);
         else
-            ask_nodes(c, rank - 1, node[i].item, list_tree_end(&c->b->tree, rank, node[i].item));
+            test_nodes(c, rank - 1, node[i].item, list_tree_end(&c->b->tree, rank, node[i].item));
     }
 }
 
@@ -131,10 +131,10 @@ static BITS_RARE bool by_bundle(bundle_search *c)
 {
     int highest = (int)c->b->tree.ranks - 1;
     c->forward = true;
-    ask_nodes(c, highest, 0, c->b->tree.items);
+    test_nodes(c, highest, 0, c->b->tree.items);
     c->forward = false;
     if (c->found && c->hull->t0 > 0.0)
-        ask_nodes(c, highest, 0, c->b->tree.items);
+        test_nodes(c, highest, 0, c->b->tree.items);
     return c->found;
 }
 

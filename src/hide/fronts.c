@@ -514,11 +514,16 @@ static void set_space(hide_fronts *fronts)
 
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options)
 {
+    return hide_fronts_build_for_looks(fronts, s, options, options->keep_hidden);
+}
+
+bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up)
+{
     const roberts_scene *scene = s->scene;
     bool cull = !options->keep_hidden;
     build b = {.fronts = fronts,
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
-               .looked_up = !cull};
+               .looked_up = looked_up};
     *fronts = (hide_fronts){.seen = s, .scene = scene};
     scan_frame frame = {0};
     bool done = seen_begin_points(s) && alloc_fronts(fronts) && box_solids(fronts, b.threads);

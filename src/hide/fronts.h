@@ -76,6 +76,9 @@ typedef struct hide_fronts {
 /* Maps what is seen and makes its fronts. Two of the options matter: the number of threads, and whether hidden lines
  * are kept. If they are not, bodies that are wholly hidden are culled. False: no memory, and `fronts` is empty. */
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
+
+/* The same. looked_up: who is seen at a point will be asked, also where hidden lines are not kept. */
+bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);
 
 /* Frees the boxes of bodies, unless there are single faces: only these need them from now on. */

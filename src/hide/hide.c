@@ -19,6 +19,7 @@
 #include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
+#include "hide/cut_lines.h"
 #include "hide/segments.h"
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
@@ -63,9 +64,14 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (status != ROBERTS_OK)
         return status;
     seen_set_rules(&job->seen, options);
-    if (!hide_fronts_build(&job->fronts, &job->seen, options) ||
+    bool looked_up = options->keep_hidden || job->regions;
+    if (!hide_fronts_build_for_looks(&job->fronts, &job->seen, options, looked_up) ||
         (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
+    if (job->regions && job->seen.clip.clipped)
+        status = cut_lines_find(&job->fronts, &job->seen.further, error);
+    if (status != ROBERTS_OK)
+        return status;
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
@@ -298,8 +304,8 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     set_frame(job, camera, drawing);
 }
 
-static roberts_status hide(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
-                           roberts_drawing *drawing, roberts_error *error)
+roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
+                          roberts_drawing *drawing, roberts_error *error)
 {
     roberts_hide_options defaults = roberts_hide_options_default();
     job->options = job->options ? job->options : &defaults;
@@ -322,6 +328,10 @@ static roberts_status hide(hide_job *job, const roberts_scene *scene, const robe
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
+    if (status == ROBERTS_OK && job->regions && !regions_find(job, drawing, job->regions))
+        status = ROBERTS_NO_MEMORY;
+    if (job->regions)
+        cut_lines_free(&job->seen.further);
     crossings_free(&job->crossings);
     picture_order_free(&job->order);
     objet_free(&job->grid);
@@ -340,7 +350,7 @@ roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *ca
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error)
 {
     hide_job job = {.options = options};
-    return hide(&job, scene, camera, drawing, error);
+    return hide_scene(&job, scene, camera, drawing, error);
 }
 
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
@@ -356,7 +366,7 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
     }
     job.each = each->receive;
     job.context = each->context;
-    roberts_status status = hide(&job, scene, camera, summary ? summary : &counted, error);
+    roberts_status status = hide_scene(&job, scene, camera, summary ? summary : &counted, error);
     if (!summary)
         roberts_drawing_free(&counted);
     return status;

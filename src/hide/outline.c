@@ -55,8 +55,8 @@ static BITS_RARE bool turns_left(const hide_fronts *fronts, uint32_t a, uint32_t
 
 /* Tests 2 to 4 need a convex polygon. They take the inside as the inner side of every side's line, so a single side in
  * a wrong direction may cut off the whole front. A polygon is convex if it turns left or goes straight on at each
- * corner, and goes round once. It goes round once if it changes exactly once from a side that does not lead up to one
- * that does. */
+ * corner, and goes round once. It goes round once if exactly one corner joins a side that does not rise to one that
+ * rises. */
 bool outline_is_convex(const hide_fronts *fronts, const uint32_t *outline, uint32_t corners, double size)
 {
     const double plain =

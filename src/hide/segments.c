@@ -421,26 +421,34 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
     const crossings *c = &job->crossings;
     const view *v = &job->seen.view;
     line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
+    bool levels = writer.all && job->options->levels;
     for (size_t k = first; k < end;) {
         hide_worker_begin(w, ROBERTS_NONE);
         if (!hide_worker_reserve(w, HIDE_GROUP))
             return false;
         for (; k < end && w->line_count < HIDE_GROUP; k++) {
             hide_line *line = &w->line[w->line_count];
-            line->is = crossings_line(c, job->seen.scene, k);
+            line->is = crossings_line(c, &job->seen, k);
             if (!crossings_unite(c, &job->seen, k, &line->is))
                 continue;
             hide_worker_add(w, line);
             if (is_covered(job, line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
                 w->line_count--;
+            } else if (crossings_is_back(c, &job->seen, k) &&
+                       !hide_intervals_add(&line->intervals, c->item[k].body[0],
+                                           &(hide_interval){0.0, 1.0, 0.0, 1.0})) {
+                return false;
             }
         }
         if (!hide_lines(job, w))
             return false;
         for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
+            const size_t from = out->count;
             writer.body = c->item[line->is.edge].body[0];
             if ((writer.all || !line->hidden) && !add_either(&writer, line))
+                return false;
+            if (levels && !add_levels(job, w, out, &line->is, from))
                 return false;
         }
     }

@@ -10,6 +10,7 @@ typedef struct hide_job {
     const roberts_hide_options *options;
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
+    struct roberts_region_list *regions; /* NULL: not wanted */
     seen seen;
     hide_fronts fronts;
     objet grid;
@@ -31,5 +32,12 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
 
 /* The same of the lines first .. end - 1 in which faces cross. */
 bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end);
+
+/* Hides a scene. The options may be NULL, and become the defaults then. (hide.c) */
+roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
+                          roberts_drawing *drawing, roberts_error *error);
+
+/* Finds the visible regions from the segments of a job that has found them all. False: no memory. (regions.c) */
+bool regions_find(const hide_job *job, const roberts_drawing *drawing, struct roberts_region_list *out);
 
 #endif

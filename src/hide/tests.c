@@ -179,7 +179,7 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_
 }
 
 /* Computes the crossing in double-double numbers if its error is too large. */
-static void settle(const hide_cutting *c, hide_crossing *at)
+static void refine_if_needed(const hide_cutting *c, hide_crossing *at)
 {
     if (at->error == 0.0)
         return;
@@ -191,14 +191,14 @@ static void settle(const hide_cutting *c, hide_crossing *at)
 
 /* Replaces *last by `at` if `at` comes later along the edge (direction 1) or earlier (-1). Crossings are refined only
  * if their order is uncertain. (A side parallel to AB gives NaN, which is uncertain.) */
-static void take_later(const hide_cutting *c, double direction, hide_crossing *last, hide_crossing at)
+static void keep_later(const hide_cutting *c, double direction, hide_crossing *last, hide_crossing at)
 {
     double ahead = direction * (at.t - last->t), error = at.error + last->error;
     if (ahead <= -error)
         return;
     if (!(ahead > error)) {
-        settle(c, last);
-        settle(c, &at);
+        refine_if_needed(c, last);
+        refine_if_needed(c, &at);
         ahead = direction * (at.t - last->t);
     }
     if (ahead > 0.0)
@@ -209,9 +209,9 @@ bool hide_cut_by(const hide_cutting *c, hide_chord side, hide_side H, hide_cut *
 {
     hide_crossing at = hide_cross_side(c->space, c->F, side, c->e);
     if (H.a < 0)
-        take_later(c, 1.0, &cut->in, at);
+        keep_later(c, 1.0, &cut->in, at);
     if (H.b < 0)
-        take_later(c, -1.0, &cut->out, at);
+        keep_later(c, -1.0, &cut->out, at);
     return cut->in.t - cut->in.error < cut->out.t + cut->out.error;
 }
 
@@ -227,8 +227,8 @@ static double reach_of(const hide_cutting *c, hide_crossing *at, bool out)
 
 bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
 {
-    settle(c, &cut->in);
-    settle(c, &cut->out);
+    refine_if_needed(c, &cut->in);
+    refine_if_needed(c, &cut->out);
     if (!((cut->out.t - cut->in.t) * c->e->length3 > c->space->epsilon))
         return false;
     double r0 = reach_of(c, &cut->in, false), r1 = reach_of(c, &cut->out, true);
@@ -267,7 +267,8 @@ static inline bool stays_behind(double f, double slope, double width, double rea
     return f * width > 2.0 * slope * reach;
 }
 
-/* Returns where the reach must end: where F falls to -touch between t, where F is `f`, and r, where the reach ends. */
+/* Returns where the reach must end: where F falls to -touch between t and r. F is `f` at t, and r is the end of the
+ * reach so far. */
 static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
                            double r)
 {

@@ -24,7 +24,7 @@
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;
 
-/* Signs of A and B against one side plane H_i: -1 outside, 0 on, 1 inside. */
+/* Signs of A and B relative to one side plane H_i: -1 outside, 0 on, 1 inside. */
 typedef struct hide_side {
     signed char a, b;
 } hide_side;
@@ -95,7 +95,7 @@ static inline bool hide_near_misses(const hide_near *near, bool left)
     return near->count == 0 || (near->count == 1 && !near->doubtful && near->side != (left ? -1 : 1));
 }
 
-/* Test 3: returns the signs of A and B against one side. */
+/* Test 3: returns the signs of A and B relative to one side. */
 hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                           uint64_t *refined);
 

@@ -131,9 +131,9 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
     return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }
 
-/* Does the part inside, with everything it touches, lie plainly within the part known to be hidden? This holds if: the
- * hidden part begins at the edge's start, or outside a side that A is outside of; it ends at the edge's end, or outside
- * a side that B is outside of; and neither of its ends is near any side. */
+/* Does the part inside, with everything it touches, lie plainly within the part known to be hidden? It does under three
+ * conditions. The hidden part begins at the edge's start, or outside a side that A is outside of. It ends at the edge's
+ * end, or outside a side that B is outside of. Neither of its ends is near any side. */
 BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sides *H, const hide_interval *hidden)
 {
     two t0 = two_all(hidden->t0), t1 = two_all(hidden->t1), nearest = two_all(INFINITY);

@@ -182,7 +182,7 @@ static int corner_side(const sight *s, uint32_t i, hide_near *near)
     return hide_corner_side(s->space, s->space->P[s->F->corner[i]], s->e, near);
 }
 
-static void note(sight *s, uint32_t corner, int side)
+static void record_side(sight *s, uint32_t corner, int side)
 {
     if (side > 0)
         s->left = corner;
@@ -206,9 +206,9 @@ static bool misses(sight *s)
         }
         uint32_t end = list_tree_end(over, side || passed ? rank + 1 : 0, i);
         if (side)
-            note(s, i, side);
+            record_side(s, i, side);
         for (; !side && !passed && i < end; i++)
-            note(s, i, corner_side(s, i, &s->near));
+            record_side(s, i, corner_side(s, i, &s->near));
         i = end;
     }
     if (s->left != ROBERTS_NONE && s->right != ROBERTS_NONE)
@@ -242,7 +242,7 @@ static double guess(const sight *s, uint32_t i, bool outside, double end)
 
 /* Makes the first guess. False if A and B are both outside or on one of the two sides that the guess uses. The polygon
  * runs counter-clockwise, so its border passes from left to right where the edge enters. */
-static bool begin(const sight *s, hide_sides *sides, double *s0, double *s1)
+static bool first_guess(const sight *s, hide_sides *sides, double *s0, double *s1)
 {
     *s0 = 0.0;
     *s1 = 1.0;
@@ -265,7 +265,7 @@ typedef struct cuts {
 
 /* Test 3 for the sides that the guess does not rule out. Returns HIDE_INVISIBLE if none of them cuts anything off. If
  * there are more than CUTS, c->count exceeds CUTS. */
-static hide_verdict ask_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
+static hide_verdict test_sides(const sight *s, hide_sides *sides, double s0, double s1, cuts *c)
 {
     roberts_vec3 from = hide_edge_at(s->e, s0), to = hide_edge_at(s->e, s1);
     bool straight;
@@ -305,10 +305,10 @@ static bool by_guesses(const sight *s, hide_sides *sides, hide_verdict *verdict,
     double s0, s1, accuracy = RUNS_GUESS_ACCURACY * s->space->epsilon / s->e->length;
     cuts c;
     *verdict = HIDE_VISIBLE;
-    if (!begin(s, sides, &s0, &s1))
+    if (!first_guess(s, sides, &s0, &s1))
         return true;
     for (int k = 0; k < GUESSES; k++) {
-        *verdict = ask_sides(s, sides, s0, s1, &c);
+        *verdict = test_sides(s, sides, s0, s1, &c);
         if (*verdict == HIDE_VISIBLE)
             return true;
         if (c.count > CUTS)

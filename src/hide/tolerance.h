@@ -118,6 +118,18 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* Fraction of epsilon, in the picture: by how much the tested sides may leave more than was guessed. */
 #define RUNS_GUESS_ACCURACY 0.5
 
+/* ---- visible regions ---- */
+
+/* Epsilons, and roundings of a picture coordinate: ends of lines that ought to meet are nearer to one another. */
+#define REGION_TOUCHING 8.0
+
+/* Epsilons, and roundings of a depth: what the near plane has cut is nearer to it than this. */
+#define CUT_TOUCHING 16.0
+
+/* Part of the scene's diameter: a face whose box begins deeper than this behind what is seen at a point does not touch
+ * it. A steep face may reach so far, but its picture is then narrower than a few epsilon there. */
+#define LOOK_DEPTH 1e-5
+
 /* ---- sizes above which another method finds the same result ---- */
 
 /* Front faces of a solid: with more, each face is a front of its own. Otherwise an edge that passes the solid would be

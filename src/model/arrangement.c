@@ -402,29 +402,42 @@ static bool follow(const placed_side *placed, size_t count)
     return true;
 }
 
-/* A crossing may not lie on its sides in space, if the border is not quite planar or if nodes have been merged. Then
- * edges cannot be divided there, because other faces would not find matching parts. In that case, makes each whole side
- * an edge of one of the pieces along it. False: no memory. */
+/* Adds side i of the ring whole, with the piece of a stretch. The stretch lies on this side or, if this side has no
+ * length in the plane, on one beside it. */
+static bool add_whole_side(face_pieces *f, const uint32_t *given, size_t i, const placed_side *stretch, bool along)
+{
+    uint32_t from = given[i], to = given[i + 1 < f->ring_count ? i + 1 : 0];
+    piece_side whole = {along ? from : to, along ? to : from, stretch->own.piece, f->side_of[i]};
+    return from == to || face_pieces_add_side(f, whole);
+}
+
+/* If a crossing does not lie on its sides in space, since the border is not quite planar or nodes that touch have
+ * become one, edges cannot be divided there: other faces would not find their parts. The edges are then the whole
+ * sides, each with one of the pieces along it. A side without length in the plane has no piece along it, and takes that
+ * of the next side that has one. A side that the border runs along both ways has none either, but has length. */
 static bool take_whole_sides(face_pieces *f, const uint32_t *given, double touching)
 {
-    size_t count = f->side_count, k = 0;
+    size_t count = f->side_count, k = count;
     placed_side *placed = place_sides(f, given, touching);
     bool enough = placed != NULL;
     if (enough && !follow(placed, count)) {
+        const placed_side *next = &placed[0];
+        size_t first = 0;
+        while (f->side_of[first] != next->side)
+            first++;
+        bool along = runs_along(f, &next->own, given[first], given[first + 1 < f->ring_count ? first + 1 : 0]);
         f->side_count = 0;
         f->whole_sides = true;
-        for (size_t i = 0; enough && i < f->ring_count; i++) { /* side_of[] ascends */
-            uint32_t from = given[i], to = given[i + 1 < f->ring_count ? i + 1 : 0];
-            while (k < count && placed[k].side < f->side_of[i])
-                k++;
-            if (k == count || placed[k].side != f->side_of[i] || from == to)
+        for (size_t i = f->ring_count; enough && i-- > 0;) { /* side_of[] ascends */
+            uint32_t after = i + 1 < f->ring_count ? (uint32_t)i + 1 : 0;
+            while (k > 0 && placed[k - 1].side >= f->side_of[i])
+                k--;
+            if (k < count && placed[k].side == f->side_of[i]) {
+                next = &placed[k];
+                along = runs_along(f, &next->own, given[i], given[after]);
+            } else if (f->ring[i] != f->ring[after])
                 continue;
-            piece_side whole = {from, to, placed[k].own.piece, f->side_of[i]};
-            if (!runs_along(f, &placed[k].own, from, to)) {
-                whole.from = to;
-                whole.to = from;
-            }
-            enough = face_pieces_add_side(f, whole);
+            enough = add_whole_side(f, given, i, next, along);
         }
     }
     free(placed);

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/error.h"
 #include "base/sets.h"
 #include "base/sort.h"
@@ -142,10 +143,23 @@ static double largest(roberts_vec3 a)
     return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
 }
 
+/* Adds elements of two corners to the box: the scene has no wires yet. */
+static void add_wires(const roberts_mesh *mesh, roberts_vec3 *low, roberts_vec3 *high)
+{
+    for (uint32_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *corner = mesh->corner + mesh->face_start[f];
+        for (uint32_t i = 0; mesh->face_start[f + 1] - mesh->face_start[f] == 2 && i < 2; i++)
+            box_add(low, high, mesh->vertex[corner[i]]);
+    }
+}
+
 double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
 {
-    double diameter = vec3_length(vec3_sub(scene->box_max, scene->box_min));
-    double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(scene->box_min), largest(scene->box_max));
+    roberts_vec3 low = scene->box_min, high = scene->box_max;
+    if (scene->face_count < mesh->face_count)
+        add_wires(mesh, &low, &high);
+    double diameter = vec3_length(vec3_sub(high, low));
+    double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(low), largest(high));
     return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, mesh_float32_step(mesh)));
 }
 

@@ -333,7 +333,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
     any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
     notes->known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
-        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* which bodies_build() handles */
+        status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* bodies_build() handles it */
         notes->known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
@@ -495,7 +495,7 @@ roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene
 }
 
 /* Removes from the mesh the arrays that the scene now owns. */
-static void part_from(roberts_scene *scene, roberts_mesh *mesh)
+static void release_taken(roberts_scene *scene, roberts_mesh *mesh)
 {
     if (scene->lent & LENT_POINT)
         mesh->vertex = NULL;
@@ -526,7 +526,7 @@ roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_option
     roberts_status status = build_scene(mesh, true, options, scene, error);
     if (status != ROBERTS_OK)
         return status;
-    part_from(*scene, mesh);
+    release_taken(*scene, mesh);
     roberts_mesh_free(mesh);
     return ROBERTS_OK;
 }

@@ -207,7 +207,7 @@ static void place_vertices(roberts_scene *scene, set_node *node, const polygons 
 
 static void copy_array(void *to, const void *from, size_t count, size_t size)
 {
-    if (count > 0) /* a mesh without vertices has no array of them */
+    if (count > 0) /* without vertices, `point` may be NULL */
         memcpy(to, from, count * size);
 }
 

@@ -103,8 +103,8 @@ typedef struct corner_hull {
 } corner_hull;
 
 /* Walks the corners, starting at hull[0], and returns the greatest depth of a corner inside the hull. Each corner must
- * be the hull's next vertex (or a later one, if those skipped are within `allowed` of it), or lie beside the current
- * side of the hull and not behind where the walk has been. If not, returns INFINITY. */
+ * be the hull's next vertex (or a later one, if those skipped are within `allowed` of it). Otherwise it must lie beside
+ * the current side of the hull and not behind where the walk has been. Returns INFINITY if a corner does neither. */
 static double walk(const spot *polygon, uint32_t count, const corner_hull *h, double allowed, uint32_t *deepest)
 {
     const spot *hull = h->hull;

@@ -9,158 +9,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-
-/* Part of the touching distance that an error may have in a decision. */
-#define TRUSTED 0.125
-
-/* ---- planes and signs ------------------------------------------------------------------------------------------ */
-
-static double greatest(roberts_vec3 d)
-{
-    return greater(fabs(d.x), greater(fabs(d.y), fabs(d.z)));
-}
-
-/* Vertex v as seen from a point, in the scene's unit. */
-static roberts_vec3 from_point(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
-{
-    const roberts_scene *scene = rules->scene;
-    roberts_vec3 d = vec3_sub(scene->point[v], point);
-    if (scene->low)
-        d = vec3_add(d, vec3_sub(scene->low[v], low));
-    return vec3_scale(1.0 / scene->unit, d);
-}
-
-/* The same in double-double numbers. */
-static dd3 exactly_from(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
-{
-    const roberts_scene *scene = rules->scene;
-    double k = 1.0 / scene->unit; /* a power of two: scaling is exact */
-    dd3 d = dd3_between(vec3_scale(k, scene->point[v]), vec3_scale(k, point));
-    if (!scene->low)
-        return d;
-    return dd3_add(d, dd3_between(vec3_scale(k, scene->low[v]), vec3_scale(k, low)));
-}
-
-/* Adds what one piece has of the normal, of the sum of the corners, and of the error. */
-static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
-{
-    const roberts_scene *scene = rules->scene;
-    uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
-    roberts_vec3 P = from_point(rules, scene->corner[end - 1], f->origin, f->low);
-    for (uint32_t k = first; k < end; k++) {
-        roberts_vec3 Q = from_point(rules, scene->corner[k], f->origin, f->low);
-        f->n = vec3_add(f->n, vec3_cross(P, Q));
-        f->error += greatest(P) * greatest(Q);
-        f->chord = greater(f->chord, greatest(Q));
-        *sum = vec3_add(*sum, Q);
-        P = Q;
-    }
-}
-
-static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
-{
-    return rules->scene->face_start[f->end] - rules->scene->face_start[f->first];
-}
-
-crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
-{
-    const roberts_scene *scene = rules->scene;
-    crossing_face f = {.body = body, .first = piece, .end = piece + 1};
-    roberts_vec3 sum = {0.0, 0.0, 0.0};
-    if (scene->surface && !scene_is_convex(scene, body)) {
-        const uint32_t *plane_of = scene->surface->plane_of;
-        while (f.first > scene->solid[body].face && plane_of[f.first - 1] == plane_of[piece])
-            f.first--;
-        while (f.end < scene->solid[body + 1].face && plane_of[f.end] == plane_of[piece])
-            f.end++;
-    }
-    uint32_t origin = scene->corner[scene->face_start[f.first]], count = corners_of(rules, &f);
-    f.origin = scene->point[origin];
-    if (scene->low)
-        f.low = scene->low[origin];
-    for (uint32_t k = f.first; k < f.end; k++)
-        add_piece(rules, &f, k, &sum);
-    /* A coordinate of n is off by 6 + count halves of an ulp of the sum of its terms, at most twice f.error. A height
-     * adds three such products and their sum. */
-    f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;
-    f.mean = count > 3 ? vec3_dot(f.n, sum) / count : 0.0;
-    f.length = vec3_length(f.n);
-    f.touch = f.length * (rules->touching + scene_deviation(scene, f.first)) / scene->unit;
-    return f;
-}
-
-static void refine_plane(const crossing_rules *rules, crossing_face *f)
-{
-    const roberts_scene *scene = rules->scene;
-    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n;
-    uint32_t count = corners_of(rules, f);
-    for (uint32_t piece = f->first; piece < f->end; piece++) {
-        uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
-        dd3 P = exactly_from(rules, scene->corner[end - 1], f->origin, f->low);
-        for (uint32_t k = first; k < end; k++) {
-            dd3 Q = exactly_from(rules, scene->corner[k], f->origin, f->low);
-            if (k > first || piece > f->first) /* else Q is the origin; and so is P next */
-                n = dd3_add(n, dd3_cross(P, Q));
-            if (count > 3)
-                sum = dd3_add(sum, Q);
-            P = Q;
-        }
-    }
-    f->exact_n = n;
-    f->exact_mean = count > 3 ? dd_div(dd3_dot(n, sum), (dd){count, 0.0}) : (dd){0.0, 0.0};
-    f->refined = true;
-}
-
-static dd exact_height(const crossing_rules *rules, crossing_face *f, uint32_t v)
-{
-    if (!f->refined)
-        refine_plane(rules, f);
-    return dd_sub(dd3_dot(f->exact_n, exactly_from(rules, v, f->origin, f->low)), f->exact_mean);
-}
-
-static bool has_corner(const crossing_rules *rules, const crossing_face *f, uint32_t v)
-{
-    const roberts_scene *scene = rules->scene;
-    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end]; k++)
-        if (scene->corner[k] == v)
-            return true;
-    return false;
-}
-
-/* A corner's place over a plane. */
-typedef struct height {
-    double h, error; /* in lengths of the plane's n */
-    int sign;        /* 0: on it */
-} height;
-
-/* Vertex v, of `body`, over the plane of f. */
-static inline height height_of(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v)
-{
-    height at = {0.0, 0.0, 0};
-    if (body == f->body && has_corner(rules, f, v))
-        return at;
-    roberts_vec3 d = from_point(rules, v, f->origin, f->low);
-    at.h = vec3_dot(f->n, d) - f->mean;
-    at.error = f->error * (greatest(d) + f->chord);
-    if (at.error > TRUSTED * f->touch && !(fabs(at.h) > at.error + f->touch)) {
-        at.h = exact_height(rules, f, v).hi;
-        at.error = 0x1p-52 * fabs(at.h);
-    }
-    at.sign = (at.h > f->touch) - (at.h < -f->touch);
-    return at;
-}
-
-bool crossing_is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
-{
-    const roberts_scene *scene = rules->scene;
-    bool over = false, under = false;
-    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end] && !(over && under); k++) {
-        int sign = height_of(rules, g, f->body, scene->corner[k]).sign;
-        over = over || sign > 0;
-        under = under || sign < 0;
-    }
-    return !(over && under);
-}
+#include "model/crossing_face.h"
 
 /* ---- places on the line ---------------------------------------------------------------------------------------- */
 
@@ -201,9 +50,9 @@ static pair pair_of(const crossing_rules *rules, crossing_face *f, crossing_face
     double length = vec3_length(d);
     if (!(length > 1e-6 * f->length * g->length)) {
         if (!f->refined)
-            refine_plane(rules, f);
+            crossing_refine(rules, f);
         if (!g->refined)
-            refine_plane(rules, g);
+            crossing_refine(rules, g);
         dd3 e = dd3_cross(f->exact_n, g->exact_n);
         d = (roberts_vec3){e.x.hi, e.y.hi, e.z.hi};
         length = vec3_length(d);
@@ -224,24 +73,24 @@ static bool is_before(const roberts_scene *scene, uint32_t p, uint32_t q)
 
 static cut corner_cut(const pair *w, uint32_t v)
 {
-    double s = along(from_point(w->rules, v, w->face[0]->origin, w->face[0]->low), w->axis);
+    double s = along(crossing_from(w->rules, v, w->face[0]->origin, w->face[0]->low), w->axis);
     return (cut){.p = v, .q = ROBERTS_NONE, .s = s, .error = 0x1p-50 * fabs(s)};
 }
 
 /* Where the side between p and q, at heights a and b of different signs, pierces the plane. */
-static cut side_cut(const pair *w, uint32_t p, uint32_t q, height a, height b)
+static cut side_cut(const pair *w, uint32_t p, uint32_t q, crossing_height a, crossing_height b)
 {
     if (!is_before(w->rules->scene, p, q)) {
         uint32_t v = p;
-        height h = a;
+        crossing_height h = a;
         p = q;
         q = v;
         a = b;
         b = h;
     }
     const crossing_face *base = w->face[0];
-    double from = along(from_point(w->rules, p, base->origin, base->low), w->axis);
-    double to = along(from_point(w->rules, q, base->origin, base->low), w->axis);
+    double from = along(crossing_from(w->rules, p, base->origin, base->low), w->axis);
+    double to = along(crossing_from(w->rules, q, base->origin, base->low), w->axis);
     double t = a.h / (a.h - b.h), off = (a.error + b.error) / fabs(a.h - b.h) + 0x1p-50;
     return (cut){.p = p,
                  .q = q,
@@ -258,11 +107,12 @@ static void refine_cut(const pair *w, cut *c, crossing_face *other)
     double k = 1.0 / rules->scene->unit;
     if (c->exact)
         return;
-    c->at = exactly_from(rules, c->p, none, none);
+    c->at = crossing_exactly_from(rules, c->p, none, none);
     if (c->q != ROBERTS_NONE) {
-        dd a = exact_height(rules, other, c->p), t = dd_div(a, dd_sub(a, exact_height(rules, other, c->q)));
+        dd a = crossing_exact_height(rules, other, c->p),
+           t = dd_div(a, dd_sub(a, crossing_exact_height(rules, other, c->q)));
         roberts_vec3 low = rules->scene->low ? rules->scene->low[c->p] : none;
-        dd3 way = exactly_from(rules, c->q, rules->scene->point[c->p], low);
+        dd3 way = crossing_exactly_from(rules, c->q, rules->scene->point[c->p], low);
         c->at = dd3_add(c->at, (dd3){dd_mul(t, way.x), dd_mul(t, way.y), dd_mul(t, way.z)});
     }
     dd s = dd_sub(exactly_along(c->at, w->axis), (dd){k * along(base->origin, w->axis), 0.0});
@@ -277,7 +127,7 @@ static void refine_cut(const pair *w, cut *c, crossing_face *other)
 static double after(const pair *w, cut *a, int i, cut *b, int j)
 {
     double error = a->error + b->error;
-    if (error > TRUSTED * w->slack && !(fabs(a->s - b->s) > w->slack + error)) {
+    if (error > CROSSING_TRUSTED * w->slack && !(fabs(a->s - b->s) > w->slack + error)) {
         refine_cut(w, a, w->face[1 - i]);
         refine_cut(w, b, w->face[1 - j]);
     }
@@ -319,10 +169,10 @@ static contact contact_of(const pair *w, int i, uint32_t piece)
     crossing_face *other = w->face[1 - i];
     uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1], p = scene->corner[end - 1];
     contact c = {0};
-    height a = height_of(w->rules, other, w->face[i]->body, p);
+    crossing_height a = crossing_height_of(w->rules, other, w->face[i]->body, p);
     for (uint32_t k = first; k < end; k++) {
         uint32_t q = scene->corner[k];
-        height b = height_of(w->rules, other, w->face[i]->body, q);
+        crossing_height b = crossing_height_of(w->rules, other, w->face[i]->body, q);
         c.over = c.over || b.sign > 0;
         c.under = c.under || b.sign < 0;
         c.corners += b.sign == 0;
@@ -358,7 +208,7 @@ static bool is_behind(const crossing_rules *rules, const crossing_point *P, cons
     return fabs(d.x) > same ? d.x > 0.0 : fabs(d.y) > same ? d.y > 0.0 : d.z > 0.0;
 }
 
-/* Adds what two spans have in common, unless they only touch. False: no memory. */
+/* Adds what a span of each face has in common, unless they only touch. False: no memory. */
 static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
 {
     int of[2];
@@ -370,6 +220,7 @@ static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
     crossing_segment *s = &out->item[out->count++];
     *s = (crossing_segment){.body = {w->face[0]->body, w->face[1]->body},
                             .face = {w->face[0]->first, w->face[1]->first},
+                            .edge = {ROBERTS_NONE, ROBERTS_NONE},
                             .end = {point_of(w, &low, of[0]), point_of(w, &high, of[1])}};
     if (is_behind(w->rules, &s->end[0], &s->end[1])) {
         crossing_point first = s->end[0];
@@ -480,8 +331,8 @@ static bool add_edges(const pair *w, int i, span_list *to)
         const scene_edge *edge = scene_edge_stored(scene, f->body, e);
         uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1];
         if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, edge, f) ||
-            height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
-            height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
+            crossing_height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
+            crossing_height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
             continue;
         cut at[2] = {corner_cut(w, a), corner_cut(w, b)};
         bool back = at[0].s > at[1].s;
@@ -552,13 +403,88 @@ static bool find_in_pieces(const pair *w, crossing_list *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
+/* A side of f lies in the plane of g. False: no memory. */
+static bool add_touch(const crossing_face *f, const crossing_face *g, crossing_list *out)
+{
+    if (!array_reserve(&out->touch, &out->touch_room, out->touch_count + 1, sizeof *out->touch))
+        return false;
+    out->touch[out->touch_count++] = (crossing_touch){{f->body, g->body}, {f->first, g->first}};
+    return true;
+}
+
+/* Face f is beside g or straddles its plane, as `a` says. */
+static bool find_touches(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_lie a,
+                         crossing_list *out)
+{
+    crossing_lie b = crossing_lie_of(rules, g, f);
+    return (!crossing_ends_on(a) || add_touch(f, g, out)) && (!crossing_ends_on(b) || add_touch(g, f, out));
+}
+
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out)
 {
-    if (crossing_is_beside(rules, f, g) || crossing_is_beside(rules, g, f))
+    crossing_lie a = crossing_lie_of(rules, f, g), b;
+    if (!(a.over && a.under))
+        return !crossing_ends_on(a) || find_touches(rules, f, g, a, out);
+    b = crossing_lie_of(rules, g, f);
+    if ((crossing_ends_on(a) && !add_touch(f, g, out)) || (crossing_ends_on(b) && !add_touch(g, f, out)))
+        return false;
+    if (!(b.over && b.under))
         return true;
     pair w = pair_of(rules, f, g);
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return find_in_pieces(&w, out);
-    contact a = contact_of(&w, 0, f->first), b = contact_of(&w, 1, g->first);
-    return add_common(&w, &a.on, &b.on, out);
+    contact c = contact_of(&w, 0, f->first), d = contact_of(&w, 1, g->first);
+    return add_common(&w, &c.on, &d.on, out);
+}
+
+/* ---- along edges ----------------------------------------------------------------------------------------------- */
+
+/* An edge of face[i] as a span. */
+static span edge_span(const pair *w, const uint32_t v[2])
+{
+    cut at[2] = {corner_cut(w, v[0]), corner_cut(w, v[1])};
+    bool back = at[0].s > at[1].s;
+    return (span){at[back], at[!back]};
+}
+
+static bool is_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
+{
+    return crossing_height_of(rules, g, body, v[0]).sign == 0 && crossing_height_of(rules, g, body, v[1]).sign == 0;
+}
+
+bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
+                      crossing_list *out)
+{
+    if (!is_in_plane(rules, f->body, v, g))
+        return true;
+    pair w = pair_of(rules, f, g);
+    span edge = edge_span(&w, v);
+    face_spans of = {{0}, {0}, {0}, {0}};
+    bool enough = true;
+    if (!crossing_in_pieces(g)) {
+        contact c = contact_of(&w, 1, g->first);
+        return !(c.over && c.under) || add_common(&w, &edge, &c.on, out);
+    }
+    enough = find_spans(&w, 1, &of);
+    for (size_t k = 0; enough && k < of.inside.count; k++)
+        enough = add_common(&w, &edge, &of.inside.item[k], out);
+    free_spans(&of);
+    return enough;
+}
+
+bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
+                          const uint32_t u[2], crossing_list *out)
+{
+    if (!is_in_plane(rules, f->body, v, g) || !is_in_plane(rules, g->body, u, f))
+        return true;
+    pair w = pair_of(rules, f, g);
+    span a = edge_span(&w, v), b = edge_span(&w, u);
+    return add_common(&w, &a, &b, out);
+}
+
+void crossing_list_free(crossing_list *list)
+{
+    free(list->item);
+    free(list->touch);
+    *list = (crossing_list){0};
 }

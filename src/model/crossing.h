@@ -49,23 +49,29 @@ typedef struct crossing_point {
     uint32_t vertex; /* of the scene, if it is a corner of one of the faces; else ROBERTS_NONE */
 } crossing_point;
 
-/* A maximal segment in which two faces cross. */
+/* A maximal segment in which two faces cross, or in which one ends on the other along an edge that is not drawn. */
 typedef struct crossing_segment {
     uint32_t body[2];      /* whose faces they are */
     uint32_t face[2];      /* the first pieces of both, in the scene */
+    uint32_t edge[2];      /* edges of these bodies along it, if it is one of the latter; else ROBERTS_NONE */
     crossing_point end[2]; /* end[0] has the smaller x, or y where those touch, or z */
 } crossing_segment;
+
+/* Two faces, by their first pieces. A side of the first lies in the plane of the second, but not all of that face: it
+ * may end there along an edge. */
+typedef struct crossing_touch {
+    uint32_t body[2], face[2];
+} crossing_touch;
 
 typedef struct crossing_list {
     crossing_segment *item;
     size_t count, room;
+    crossing_touch *touch;
+    size_t touch_count, touch_room;
 } crossing_list;
 
 /* The planar face that a piece of `body` belongs to. */
 crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece);
-
-/* Is all of face f on one side of the plane of g, or on it? Quicker than crossing_find(). */
-bool crossing_is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g);
 
 /* Does the face consist of several pieces? */
 static inline bool crossing_in_pieces(const crossing_face *f)
@@ -73,7 +79,35 @@ static inline bool crossing_in_pieces(const crossing_face *f)
     return f->end - f->first > 1;
 }
 
-/* Appends the segments in which two different faces cross, in the order of their first ends. False: no memory. */
+/* How one face lies about the plane of another. */
+typedef struct crossing_lie {
+    bool over, under; /* it has corners there; a face in the plane has neither */
+    bool side;        /* a side of one of its pieces lies in the plane, and is no side of the other face */
+} crossing_lie;
+
+/* How f lies about the plane of g. Of a face in one piece that has corners on both sides no side is looked for: it can
+ * have none. */
+crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g);
+
+/* May the face end on the other one along a side? */
+static inline bool crossing_ends_on(crossing_lie lie)
+{
+    return lie.side && (lie.over || lie.under);
+}
+
+/* Appends the segments in which two different faces cross, in the order of their first ends; also whether one of them
+ * may end on the other. False: no memory. */
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out);
+
+/* Appends what of an edge of f lies inside of g, if it lies in the plane of g. v: its ends, vertices of the scene.
+ * False: no memory. */
+bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
+                      crossing_list *out);
+
+/* Appends what an edge v of f and an edge u of g have in common, if each lies in the plane of the other face. */
+bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
+                          const uint32_t u[2], crossing_list *out);
+
+void crossing_list_free(crossing_list *list);
 
 #endif

@@ -123,7 +123,7 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
 /* What happened to a solid. */
 typedef enum hull_fate {
     FATE_KEPT,  /* already convex, or points without faces, which are meant to become a hull */
-    FATE_FLAT,  /* left out */
+    FATE_FLAT,  /* flat: left out */
     FATE_OPEN,  /* replaced by its hull because it is not closed */
     FATE_BENT,  /* replaced because a face is not planar */
     FATE_DENTED /* replaced because it is not convex, or too flat to tell */
@@ -194,8 +194,8 @@ static bool all_flat(const uint8_t *fate, uint32_t solids)
 
 /* Sends the warnings, input by input. A solid belongs to the input that contains its first vertex. fate: [solids]
  * hull_fate. Returns ROBERTS_FLAT if all solids are flat. */
-static roberts_status hull_tell(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
-                                const roberts_warnings *warnings, roberts_error *error)
+static roberts_status send_warnings(const uint8_t *fate, const roberts_scene *scene, const roberts_mesh *mesh,
+                                    const roberts_warnings *warnings, roberts_error *error)
 {
     uint32_t s = 0;
     if (all_flat(fate, scene->solid_count))
@@ -555,7 +555,7 @@ roberts_status hull_solids(roberts_scene *scene, const roberts_mesh *mesh, const
     uint8_t *fate = alloc_zeroed(scene->solid_count, sizeof *fate);
     roberts_status status = fate ? collect(&list, fate, scene, mesh, options, error) : error_no_memory(error);
     if (status == ROBERTS_OK)
-        status = hull_tell(fate, scene, mesh, &options->warnings, error);
+        status = send_warnings(fate, scene, mesh, &options->warnings, error);
     if (status == ROBERTS_OK) {
         const uint32_t solids = number_solids(&list);
         polygons faces = {.face_count = (uint32_t)list.count,

@@ -1,4 +1,4 @@
-/* scene_queries.c - what callers may ask of a scene: how much of the input is in it, and what its bodies are. */
+/* scene_queries.c - public queries of a scene: how much of the input it contains, and the kinds of its bodies. */
 #include "model/scene.h"
 
 size_t roberts_scene_solid_count(const roberts_scene *scene)
@@ -6,7 +6,7 @@ size_t roberts_scene_solid_count(const roberts_scene *scene)
     return scene->solid_count;
 }
 
-/* The pieces of a face follow one another. */
+/* The pieces of a face are consecutive, so a change of number is a new face. */
 size_t roberts_scene_face_count(const roberts_scene *scene)
 {
     size_t count = scene->face_count;
@@ -22,7 +22,7 @@ size_t roberts_scene_piece_count(const roberts_scene *scene)
     return scene->face_count;
 }
 
-/* The parts of an edge follow one another, too. */
+/* The parts of an edge are consecutive too. */
 size_t roberts_scene_edge_count(const roberts_scene *scene)
 {
     const scene_surface *surface = scene->surface;
@@ -66,7 +66,7 @@ bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
            scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
 }
 
-/* The name of the last group that begins at or before the solid's first face. */
+/* Returns the name of the last group that begins at or before the solid's first face. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
 {
     size_t low = 0, high = scene->group_count;

@@ -442,7 +442,7 @@ static roberts_vec3 toward_barycentre(const solid_frame *frame, roberts_vec3 ori
 }
 
 /* Gives face f the normal n (of any length), through the mean of its corners. */
-static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, roberts_vec3 n)
+static void replace_plane(roberts_scene *scene, solid_frame *frame, uint32_t f, roberts_vec3 n)
 {
     local_face *face = &frame->face[f];
     uint32_t count = frame_ring(frame, scene, f);
@@ -466,7 +466,7 @@ static void mend_face(roberts_scene *scene, solid_frame *frame, uint32_t f, robe
 
 /* Gives each face marked `lean` the mean plane of its neighbours, if its corners are within the tolerance of that
  * plane. Returns ROBERTS_OK or _NO_MEMORY. */
-static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
+static roberts_status narrow_planes(roberts_scene *scene, solid_frame *frame)
 {
     roberts_vec3 *sum;
     if (!frame->any_lean)
@@ -480,7 +480,7 @@ static roberts_status narrow_mend(roberts_scene *scene, solid_frame *frame)
     }
     for (uint32_t f = 0; f < frame->face_count; f++)
         if (frame->face[f].lean)
-            mend_face(scene, frame, f, sum[f]);
+            replace_plane(scene, frame, f, sum[f]);
     free(sum);
     return ROBERTS_OK;
 }
@@ -597,7 +597,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
                          s - source_of_solid(scene, s, rules->mesh).solid),
                BUILD_REFUSED;
-    if (narrow_mend(scene, &work->frame) != ROBERTS_OK)
+    if (narrow_planes(scene, &work->frame) != ROBERTS_OK)
         return error_no_memory(error), BUILD_REFUSED;
     if (pairing == EDGES_MIXED && refuse_turned(scene, &work->frame, error) != ROBERTS_OK)
         return BUILD_REFUSED;

@@ -256,7 +256,7 @@ static bool walk_closes(walker *w, uint32_t count)
 {
     splitter *s = w->s;
     bool closes = true;
-    for (int pass = 0; pass < 3; pass++) /* count, compare, forget */
+    for (int pass = 0; pass < 3; pass++) /* passes: count, compare, reset */
         for (uint32_t i = 0; i < count; i++) {
             uint32_t f = w->sorted[w->walls[w->queue[i].wall].first].face;
             for (uint32_t c = s->loose->face_start[f]; c < s->loose->face_start[f + 1]; c++) {

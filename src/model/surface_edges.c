@@ -17,7 +17,7 @@
 /* A side, or a part of one, with its ends in ascending order. */
 typedef struct part_side {
     uint32_t v[2];  /* v[0] < v[1] */
-    uint32_t piece; /* SURFACE_CUT, as in a side */
+    uint32_t piece; /* as in surface_side, possibly with SURFACE_CUT */
     bool turned;    /* the piece is on the right of v[0] -> v[1] */
     uint32_t part;  /* index in surface.part, or ROBERTS_NONE */
 } part_side;
@@ -36,7 +36,7 @@ typedef struct finder {
     scene_part *divided;  /* [part_count of s] the parts, sorted by their edges of the file */
     uint32_t *odd;        /* [odd_count] sides of edges that do not have two pieces */
     uint32_t *vertex;     /* [vertex_count] ends of the odd sides */
-    uint32_t *parent;     /* [vertex_count of s] sets of coincident vertices, by their smallest; only of `vertex` */
+    uint32_t *parent;     /* [vertex_count of s] sets of coincident vertices, by their smallest */
     part_side *half_side; /* [half_count] the odd sides after division */
     surface_edge *odd_edge;
     side_stop *stop;
@@ -212,8 +212,8 @@ static bool list_vertices(finder *f)
     for (size_t i = 0; i < 2 * f->odd_count; i++)
         if (i == 0 || f->vertex[i] != f->vertex[i - 1])
             f->vertex[f->vertex_count++] = f->vertex[i];
-    for (size_t i = 0; i < f->vertex_count; i++)
-        f->parent[f->vertex[i]] = f->vertex[i];
+    for (uint32_t v = 0; v < f->s->vertex_count; v++)
+        f->parent[v] = v;
     return true;
 }
 
@@ -230,11 +230,12 @@ surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, do
                                                                                              : TOUCHES_NOT;
 }
 
-/* Finds the vertices on the segment from a to b and adds them as stops; merges vertices at its ends with a and b.
- * False: no memory. */
-static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b)
+/* Finds the vertices on a side and adds them as stops; merges vertices at its ends with these. All sides between the
+ * same vertices get the same stops. False: no memory. */
+static bool find_stops(finder *f, const point_grid *grid, const surface_side *side)
 {
     const roberts_vec3 *point = f->s->point;
+    uint32_t a = lower(side), b = upper(side);
     f->stop_count = f->found.count = 0;
     if (!point_grid_near(grid, point[a], point[b], f->touching, &f->found))
         return false;
@@ -251,7 +252,7 @@ static bool find_stops(finder *f, const point_grid *grid, uint32_t a, uint32_t b
         } else if (touch == TOUCHES_BETWEEN) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
-            f->stop[f->stop_count++] = (side_stop){t, v};
+            f->stop[f->stop_count++].vertex = v;
         }
     }
     return true;
@@ -265,32 +266,71 @@ static int compare_stops(const void *pa, const void *pb)
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
-/* Finds which part of the file's edge corresponds to t0 .. t1 of side i; t counts from the side's first end. False: no
- * memory. */
-static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *part)
+/* Where a vertex, the smallest one of its place, lies along an edge of the file. The order of the stops and the rows of
+ * tables both follow from it. */
+static double place_along(const finder *f, const uint32_t v[2], uint32_t at)
+{
+    const roberts_vec3 *point = f->s->point;
+    for (int i = 0; i < 2; i++)
+        if (at == sets_root(f->parent, v[i]))
+            return i;
+    for (int i = 0; i < 2; i++)
+        if (vec3_length(vec3_sub(point[at], point[v[i]])) <= f->touching)
+            return i;
+    return surface_part_of(f->s, v, at);
+}
+
+/* Puts the stops of a side in order along an edge of the file. */
+static void place_stops(finder *f, const uint32_t v[2])
+{
+    for (size_t k = 0; k < f->stop_count; k++) {
+        side_stop *stop = &f->stop[k];
+        stop->vertex = sets_root(f->parent, stop->vertex);
+        stop->t = place_along(f, v, stop->vertex);
+    }
+    if (f->stop_count > 1)
+        qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
+}
+
+/* The ends of the edge of the file that a side is a part of, or of the side itself if it is a whole edge. */
+static bool is_part(const surface *s, uint32_t side, uint32_t v[2])
+{
+    size_t at = find_numbered(s->side_part, s->part_count, sizeof *s->side_part, side);
+    bool part = at < s->part_count && s->side_part[at].edge == side;
+    v[0] = part ? s->side_part[at].v[0] : lower(&s->side[side]);
+    v[1] = part ? s->side_part[at].v[1] : upper(&s->side[side]);
+    return part;
+}
+
+/* A side while it is divided, from one end of its edge of the file to the other. */
+typedef struct division {
+    uint32_t v[2]; /* the edge of the file */
+    uint32_t piece, from;
+    double t;    /* of `from` */
+    bool turned; /* the side itself runs the other way */
+    bool part;   /* what is made is a part of the edge of the file */
+} division;
+
+/* Makes what lies between the last stop and this one. What has no length along the edge of the file is left out. */
+static bool add_half(finder *f, division *d, uint32_t to, double t)
 {
     surface *s = f->s;
-    const surface_side *side = &s->side[i];
-    scene_part own = {0, {lower(side), upper(side)}, 0.0, 1.0};
-    bool turned = side->v[0] > side->v[1];
-    if (!copy_part(s, i, part))
-        return false;
-    if (t0 == 0.0 && t1 == 1.0)
+    uint32_t part = ROBERTS_NONE;
+    if (!(t > d->t))
         return true;
-    if (*part != ROBERTS_NONE) {
-        own = s->part[*part];
-        roberts_vec3 A = s->point[side->v[0]], from = s->point[own.v[0]], to = s->point[own.v[1]];
-        turned = vec3_dot(vec3_sub(s->point[side->v[1]], A), vec3_sub(to, from)) < 0.0;
-    } else {
+    if (d->part) {
         if (!array_reserve(&s->part, &s->edge_part_room, s->edge_part_count + 1, sizeof *s->part))
             return false;
-        *part = (uint32_t)s->edge_part_count++;
+        part = (uint32_t)s->edge_part_count;
+        s->part[s->edge_part_count++] = (scene_part){0, {d->v[0], d->v[1]}, d->t, t};
     }
-    double width = own.t1 - own.t0;
-    s->part[*part] = (scene_part){0,
-                                  {own.v[0], own.v[1]},
-                                  own.t0 + width * (turned ? 1.0 - t1 : t0),
-                                  turned && t0 == 0.0 ? own.t1 : own.t0 + width * (turned ? 1.0 - t0 : t1)};
+    if (!array_reserve(&f->half_side, &f->half_room, f->half_count + 1, sizeof *f->half_side))
+        return false;
+    bool down = d->from > to;
+    f->half_side[f->half_count++] =
+        (part_side){{down ? to : d->from, down ? d->from : to}, d->piece, down != d->turned, part};
+    d->from = to;
+    d->t = t;
     return true;
 }
 
@@ -298,22 +338,21 @@ static bool part_of_side(finder *f, uint32_t i, double t0, double t1, uint32_t *
 static bool divide(finder *f, uint32_t i)
 {
     const surface_side side = f->s->side[i];
-    uint32_t from = sets_root(f->parent, side.v[0]), last = sets_root(f->parent, side.v[1]);
-    double t0 = 0.0;
-    for (size_t k = 0; k <= f->stop_count; k++) {
-        uint32_t to = k < f->stop_count ? sets_root(f->parent, f->stop[k].vertex) : last, part = ROBERTS_NONE;
-        double t1 = k < f->stop_count ? f->stop[k].t : 1.0;
-        if (to == from || (to == last && k < f->stop_count))
-            continue;
-        if (!part_of_side(f, i, t0, t1, &part) ||
-            !array_reserve(&f->half_side, &f->half_room, f->half_count + 1, sizeof *f->half_side))
-            return false;
-        f->half_side[f->half_count++] =
-            (part_side){{from < to ? from : to, from < to ? to : from}, side.piece, (from > to), part};
-        from = to;
-        t0 = t1;
-    }
-    return true;
+    division d = {.piece = side.piece};
+    d.part = is_part(f->s, i, d.v);
+    uint32_t end[2] = {sets_root(f->parent, side.v[0]), sets_root(f->parent, side.v[1])};
+    double t[2] = {place_along(f, d.v, end[0]), place_along(f, d.v, end[1])};
+    d.turned = t[0] > t[1];
+    d.from = end[d.turned];
+    d.t = t[d.turned];
+    place_stops(f, d.v);
+    bool enough = true;
+    for (size_t k = 0; enough && k < f->stop_count; k++)
+        if (f->stop[k].t > d.t && f->stop[k].t < t[!d.turned]) {
+            d.part = true;
+            enough = add_half(f, &d, f->stop[k].vertex, f->stop[k].t);
+        }
+    return enough && add_half(f, &d, end[!d.turned], t[!d.turned]);
 }
 
 static bool divide_all(finder *f)
@@ -324,12 +363,9 @@ static bool divide_all(finder *f)
     for (int pass = 0; enough && pass < 2; pass++) /* the first pass finds all coincident vertices */
         for (size_t i = 0; enough && i < f->odd_count; i++) {
             const surface_side *side = &s->side[f->odd[i]];
-            enough = find_stops(f, &grid, side->v[0], side->v[1]);
-            if (!enough || pass == 0)
-                continue;
-            if (f->stop_count > 1)
-                qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
-            enough = divide(f, f->odd[i]);
+            enough = find_stops(f, &grid, side);
+            if (enough && pass == 1)
+                enough = divide(f, f->odd[i]);
         }
     point_grid_free(&grid);
     return enough;
@@ -369,15 +405,7 @@ static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32
 /* Sets the ends of an edge's part to the edge's vertices, so that consecutive parts meet. */
 static void place_part(const finder *f, scene_part *part, const surface_edge *edge)
 {
-    const roberts_vec3 *point = f->s->point;
-    double t[2];
-    for (int i = 0; i < 2; i++) {
-        t[i] = surface_part_of(f->s, part->v, edge->v[i]);
-        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[0]])) <= f->touching)
-            t[i] = 0.0;
-        if (vec3_length(vec3_sub(point[edge->v[i]], point[part->v[1]])) <= f->touching)
-            t[i] = 1.0;
-    }
+    double t[2] = {place_along(f, part->v, edge->v[0]), place_along(f, part->v, edge->v[1])};
     part->t0 = lesser(t[0], t[1]);
     part->t1 = greater(t[0], t[1]);
 }

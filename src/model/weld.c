@@ -59,7 +59,7 @@ static void sort_bucket(spot *first, uint32_t count)
 }
 
 /* Puts the vertices into buckets; end[b] becomes the end of bucket b. */
-static void deal(spot *sorted, uint32_t *end, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
+static void fill_buckets(spot *sorted, uint32_t *end, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
 {
     uint32_t sum = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -84,7 +84,7 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     uint32_t *end = alloc_zeroed(count, sizeof *end);
     bool enough = sorted && end;
     if (enough) {
-        deal(sorted, end, listed, count, point);
+        fill_buckets(sorted, end, listed, count, point);
         for (uint32_t b = 0; b < count; b++)
             sort_bucket(sorted + (b ? end[b - 1] : 0), end[b] - (b ? end[b - 1] : 0));
         for (uint32_t i = 0; i < count; i++) {

@@ -5,9 +5,10 @@
 
 #include "base/array.h"
 
-/* Touching distances: how far beside the line rays are cast. Near its ends a face may be narrow, so rays are also cast
- * closer. */
-static const double beside[] = {0.5, 0.05, 0.005};
+/* Distances beside the line at which rays are cast, in touching distances. An end of the line may have been moved to a
+ * corner within that distance, so the first ray is farther away. Near the ends of the line a face may be narrow, so
+ * rays are also cast nearer. */
+static const double beside[] = {4.0, 0.5, 0.05, 0.005};
 
 /* Departures: how far a line in two faces may lie beside them if their corners depart from their planes. It depends on
  * the angle between the planes. */
@@ -21,10 +22,54 @@ static int by_number(const void *pa, const void *pb)
     return (a->face > b->face) - (a->face < b->face);
 }
 
+/* Puts an edge of `body` down at its faces; only counts them if there is no list yet. */
+static void add_edge(crossed *c, uint32_t body, uint32_t e)
+{
+    const roberts_scene *scene = c->scene;
+    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    uint32_t face[2] = {scene->solid[body].face + edge->f[0], scene->solid[body].face + edge->f[1]};
+    const uint32_t *of = face;
+    uint32_t count = 2;
+    if (edge->f[1] == ROBERTS_NONE)
+        return;
+    if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_MANY) {
+        const scene_many *many = scene_many_at(scene, e);
+        of = scene->surface->many_face + many->first;
+        count = many->end - many->first;
+    }
+    for (uint32_t k = 0; k < count; k++) {
+        uint32_t f = of[k] & ~MANY_TURNED;
+        if (c->edge)
+            c->edge[--c->edge_start[f]] = e;
+        else
+            c->edge_start[f]++;
+    }
+}
+
+/* Lists the edges of all faces, by counting. False: no memory. */
+static bool list_edges(crossed *c)
+{
+    const roberts_scene *scene = c->scene;
+    uint32_t total = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (uint32_t body = 0; body < scene->solid_count; body++)
+            for (uint32_t e = scene->solid[body].edge; e < scene->solid[body + 1].edge; e++)
+                add_edge(c, body, e);
+        for (uint32_t f = 0; pass == 0 && f <= scene->face_count; f++)
+            total = c->edge_start[f] += total;
+        if (pass == 0 && !(c->edge = alloc_array(total, sizeof *c->edge)))
+            return false;
+    }
+    return true;
+}
+
 bool crossed_begin(crossed *c, const roberts_scene *scene, double touching)
 {
-    *c = (crossed){scene, touching, alloc_array(scene->face_count, sizeof *c->piece)};
-    if (!c->piece)
+    *c = (crossed){.scene = scene,
+                   .touching = touching,
+                   .piece = alloc_array(scene->face_count, sizeof *c->piece),
+                   .edge_start = alloc_zeroed((size_t)scene->face_count + 1, sizeof *c->edge_start)};
+    if (!c->piece || !c->edge_start || !list_edges(c))
         return false;
     for (uint32_t body = 0; body < scene->solid_count; body++)
         for (uint32_t f = scene->solid[body].face; f < scene->solid[body + 1].face; f++)
@@ -36,6 +81,8 @@ bool crossed_begin(crossed *c, const roberts_scene *scene, double touching)
 void crossed_end(crossed *c)
 {
     free(c->piece);
+    free(c->edge_start);
+    free(c->edge);
     *c = (crossed){0};
 }
 
@@ -119,30 +166,63 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
     return true;
 }
 
-/* Do rays meet both faces on both sides of X, at this distance? */
-static bool both_met_beside(const crossed *c, const crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far)
+/* On how many sides of X is the face met, so far from it? */
+static int sides_met(const crossed *c, const crossed_piece *of, roberts_vec3 X, roberts_vec3 d, double far)
+{
+    plane F = c->scene->face_plane[of->face];
+    roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
+    double length = vec3_length(aside);
+    if (!(length > 0.0))
+        return 2; /* too short to tell */
+    aside = vec3_scale(far / length, aside);
+    return face_holds(c, of, vec3_add(X, aside), 0.25 * far) + face_holds(c, of, vec3_sub(X, aside), 0.25 * far);
+}
+
+/* An edge of the face on which X lies and that another face has, too; ROBERTS_NONE: there is none. */
+static uint32_t edge_at(const crossed *c, const crossed_piece *of, roberts_vec3 X)
+{
+    const roberts_scene *scene = c->scene;
+    uint32_t key = seen_face_key(scene, of->body, of->face), vertex = scene->solid[of->body].vertex;
+    double touching = 2.0 * (c->touching + scene_deviation(scene, of->face));
+    for (uint32_t k = first_piece(c, of->number); k < scene->face_count && c->piece[k].number == of->number; k++) {
+        uint32_t f = c->piece[k].face;
+        if (c->piece[k].body != of->body || seen_face_key(scene, of->body, f) != key)
+            continue;
+        for (uint32_t n = c->edge_start[f]; n < c->edge_start[f + 1]; n++) {
+            const scene_edge *e = scene_edge_stored(scene, of->body, c->edge[n]);
+            roberts_vec3 A = scene->point[vertex + e->v[0]], AB = vec3_sub(scene->point[vertex + e->v[1]], A);
+            double t = vec3_dot(AB, vec3_sub(X, A)) / vec3_dot(AB, AB);
+            if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(X, vec3_add(A, vec3_scale(t, AB)))) <= touching)
+                return c->edge[n];
+        }
+    }
+    return ROBERTS_NONE;
+}
+
+/* Do rays meet both faces on both sides of X, at this distance? If `ends`, a face may also end there along an edge. */
+static bool are_met_beside(const crossed *c, crossed_faces *faces, roberts_vec3 X, roberts_vec3 d, double far,
+                           bool ends)
 {
     for (int i = 0; i < 2; i++) {
-        plane F = c->scene->face_plane[faces->of[i].face];
-        roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
-        double length = vec3_length(aside);
-        if (!(length > 0.0))
-            return true; /* too short to test */
-        aside = vec3_scale(far / length, aside);
-        if (!face_holds(c, &faces->of[i], vec3_add(X, aside), 0.25 * far) ||
-            !face_holds(c, &faces->of[i], vec3_sub(X, aside), 0.25 * far))
+        int met = sides_met(c, &faces->of[i], X, d, far);
+        faces->edge[i] = ends && met == 1 ? edge_at(c, &faces->of[i], X) : ROBERTS_NONE;
+        if (met == 0 || (met == 1 && faces->edge[i] == ROBERTS_NONE))
             return false;
     }
     return true;
 }
 
-bool crossed_is_line(const crossed *c, const roberts_crossing *line, const crossed_faces *faces)
+bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_faces *faces)
 {
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
-    for (int k = 0; k < 3; k++)
-        for (int n = 0; n < 3; n++)
-            if (both_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching))
-                return true;
+    faces->edge[0] = faces->edge[1] = ROBERTS_NONE;
+    if (vec3_length(d) <= 2.0 * c->touching)
+        return true; /* too short to test: its ends may be off by the touching distance */
+    for (int ends = 0; ends < 2; ends++)
+        for (int k = 0; k < 3; k++)
+            for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
+                if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching, ends > 0))
+                    return true;
     return false;
 }

@@ -1,7 +1,8 @@
 /* crossed.h - the faces that, by a drawing, cross in a line: which faces of the scene they are, and whether they cross.
  *
  * This check has its own geometry. The line must lie in the planes of both faces. Beside it, on both sides, a ray along
- * the normal of each face must meet that face. */
+ * the normal of each face must meet that face. A face that is met on one side only must end along an edge that it
+ * shares with another face. */
 #ifndef ROBERTS_RAY_CROSSED_H
 #define ROBERTS_RAY_CROSSED_H
 
@@ -16,11 +17,14 @@ typedef struct crossed {
     const roberts_scene *scene;
     double touching;      /* model units */
     crossed_piece *piece; /* [scene->face_count] sorted by number */
+    uint32_t *edge_start; /* [scene->face_count + 1] into `edge` */
+    uint32_t *edge;       /* the edges of each piece that have two faces or more */
 } crossed;
 
 /* The faces of a line: for each, a piece in whose plane the line lies. */
 typedef struct crossed_faces {
     crossed_piece of[2];
+    uint32_t edge[2]; /* of the scene: along which the face ends there; ROBERTS_NONE: it goes on */
 } crossed_faces;
 
 /* Prepares `c` for a scene. False: no memory. */
@@ -30,7 +34,8 @@ void crossed_end(crossed *c);
 /* Finds the faces of a line. False: the line does not lie in two faces with these numbers. */
 bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out);
 
-/* Do both faces continue on both sides of the line, somewhere near its middle? */
-bool crossed_is_line(const crossed *c, const roberts_crossing *line, const crossed_faces *faces);
+/* Do both faces continue on both sides of the line, somewhere near its middle, or end along an edge there? Sets the
+ * edges. */
+bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_faces *faces);
 
 #endif

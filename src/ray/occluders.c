@@ -378,7 +378,7 @@ static void keep_nearest(casting *c, uint32_t i, uint32_t face)
 }
 
 /* Tests whether the face hides those of the points whose answer may still change. */
-static void ask(casting *c, uint32_t face, tree_set points)
+static void test_face(casting *c, uint32_t face, tree_set points)
 {
     const occluders *o = c->o;
     uint32_t solid = o->face_solid[face];
@@ -403,18 +403,18 @@ static void ask(casting *c, uint32_t face, tree_set points)
 }
 
 /* Tests the front faces of an item. If there are several, each is tested only with the points under its own box. */
-static void ask_item(casting *c, tree_item item, const tree_set *points)
+static void test_item(casting *c, tree_item item, const tree_set *points)
 {
     const occluders *o = c->o;
     if (item.count == 1) {
-        ask(c, item.first, *points);
+        test_face(c, item.first, *points);
         return;
     }
     for (uint32_t face = item.first; face < item.first + item.count; face++) {
         if (o->s.facing[face] == SIGHT_NOT_FRONT)
             continue;
         tree_entry box = entry_of(o, face_box(o, face), o->face_solid[face], item);
-        ask(c, face, tree_points_under(&c->points, &box, points));
+        test_face(c, face, tree_points_under(&c->points, &box, points));
     }
 }
 
@@ -433,7 +433,7 @@ void occluders_cast(const occluders *o, tree_walk *w, sight_question *question, 
     while (tree_walk_next(w, &leaf)) {
         tree_set live = c.points.live;
         for (const tree_item *item = leaf.item; item < leaf.item + leaf.item_count; item++)
-            ask_item(&c, *item, &leaf.points);
+            test_item(&c, *item, &leaf.points);
         if (memcmp(&live, &c.points.live, sizeof live) != 0)
             tree_walk_keep(w);
     }

@@ -17,7 +17,7 @@ typedef struct picker {
     size_t room;
 } picker;
 
-/* Depth of a point, in s.unit: how far it lies before the picture plane, toward the viewer. */
+/* Returns the depth of a point in s.unit: how far it lies before the picture plane, toward the viewer. */
 static double depth_of(const picker *p, roberts_vec3 X)
 {
     return vec3_dot(vec3_sub(X, p->Q), p->seen.view.dir);
@@ -67,8 +67,8 @@ static int nearest_first(const void *a, const void *b)
     return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Sorts by depth; within a run of hits where each touches the next in depth, sorts by solid. nearest_first() cannot do this,
- * since touching is not transitive. */
+/* Sorts by depth; within a run of hits where each touches the next in depth, sorts by solid. nearest_first() cannot do
+ * this, since touching is not transitive. */
 static void order(roberts_picked *picked, double touching)
 {
     qsort(picked->hit, picked->count, sizeof *picked->hit, nearest_first);

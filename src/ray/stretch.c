@@ -279,7 +279,7 @@ static void ask(stretch_checker *c, const stretch *s, const stretch_probe *p)
         (sight_question){.X = point_at(p->ends, p->t), .of = asker_of(s), .nearest = p->kind == PROBE_NEAREST};
 }
 
-static void ask_point(stretch_checker *c, const stretch *s, stretch_probe *p, double t, double step)
+static void probe_point(stretch_checker *c, const stretch *s, stretch_probe *p, double t, double step)
 {
     p->t = t;
     p->step = step;
@@ -300,14 +300,14 @@ static double position(uint32_t k, uint32_t n)
 
 /* Adds probes close to the ends that lie within the edge, to find a change that the drawing shows too early or too
  * late. */
-static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
+static void probe_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     double at = p->close;
     for (size_t i = 0; 4.0 * at < s->t1 - s->t0; i++) {
         if (s->t0 > 0.0)
-            ask_point(c, s, p, s->t0 + at, CLOSE_NEIGHBOUR * at);
+            probe_point(c, s, p, s->t0 + at, CLOSE_NEIGHBOUR * at);
         if (s->t1 < 1.0)
-            ask_point(c, s, p, s->t1 - at, CLOSE_NEIGHBOUR * at);
+            probe_point(c, s, p, s->t1 - at, CLOSE_NEIGHBOUR * at);
         if (i == sizeof end_parts / sizeof end_parts[0])
             return;
         at = greater(at, end_parts[i]);
@@ -315,7 +315,7 @@ static void ask_ends(stretch_checker *c, const stretch *s, stretch_probe *p)
 }
 
 /* Adds a probe in the middle of the longest part of a visible stretch that a face hides, if there is one. */
-static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
+static void probe_hidden_part(stretch_checker *c, const stretch *s, stretch_probe *p)
 {
     occluders_search search;
     sight_part part;
@@ -329,17 +329,17 @@ static void ask_hidden_part(stretch_checker *c, const stretch *s, stretch_probe 
             middle = 0.5 * (part.t0 + part.t1);
         }
     if (middle > 0.0)
-        ask_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
+        probe_point(c, s, p, s->t0 + middle * width, CLOSE_NEIGHBOUR * longest * width);
 }
 
 /* Adds evenly spaced probes. A walk goes from close to one end to close to the other, so it replaces the first and the
  * last. */
-static void ask_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
+static void probe_evenly(stretch_checker *c, const stretch *s, stretch_probe *p, bool walk)
 {
     double width = s->t1 - s->t0;
     for (uint32_t k = 0; k < c->rays; k++)
         if (!walk || c->rays == 1 || (k > 0 && k < c->rays - 1))
-            ask_point(c, s, p, s->t0 + width * position(k, c->rays), NEIGHBOUR * width);
+            probe_point(c, s, p, s->t0 + width * position(k, c->rays), NEIGHBOUR * width);
 }
 
 void stretch_check(stretch_checker *c, const stretch *s)
@@ -354,15 +354,15 @@ void stretch_check(stretch_checker *c, const stretch *s)
     }
     p.close = greater(CLOSE_PART, touching / vec3_length(vec3_sub(s->B, s->A)));
     bool wide = 4.0 * p.close < width, walk = wide && s->drawn == ROBERTS_HIDDEN;
-    ask_evenly(c, s, &p, walk);
+    probe_evenly(c, s, &p, walk);
     if (wide && !walk) {
         if (c->o->s.sampled)
-            ask_ends(c, s, &p);
-        ask_hidden_part(c, s, &p);
+            probe_ends(c, s, &p);
+        probe_hidden_part(c, s, &p);
     }
     if (s->named) {
         p.kind = PROBE_NEAREST;
-        ask_point(c, s, &p, s->t0 + 0.5 * width, 0.0);
+        probe_point(c, s, &p, s->t0 + 0.5 * width, 0.0);
     }
     if (walk) {
         p.kind = PROBE_WALK;
@@ -370,7 +370,7 @@ void stretch_check(stretch_checker *c, const stretch *s)
         p.solid = ROBERTS_NONE;
         p.back = INFINITY;
         p.end = s->t1 - p.close;
-        ask_point(c, s, &p, s->t0 + p.close, CLOSE_NEIGHBOUR * p.close);
+        probe_point(c, s, &p, s->t0 + p.close, CLOSE_NEIGHBOUR * p.close);
     }
 }
 

@@ -48,7 +48,7 @@ typedef struct verifier {
     const roberts_drawing *drawing;
     roberts_verify_options options;
     occluders o;
-    edge_name *name; /* [name_count] of all edges of bodies that are not convex, sorted */
+    edge_name *name; /* [name_count] names of all edges of bodies that are not convex, sorted */
     size_t name_count;
     uint32_t *row_start;    /* [edge_count + 1] */
     uint32_t *row;          /* [segments] rows of the drawing, sorted by edge, then by t */
@@ -236,7 +236,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
                  .solid = solid,
                  .edge = index,
                  .faces = convex ? classify_edge(f, &edge) : STRETCH_BETWEEN,
-                 .own = seen_owns_none};
+                 .own = seen_owns_one(ROBERTS_NONE)};
     if (!convex)
         s.own = seen_own_of(f->seen.scene, solid, left.edge);
     else if (s.faces != STRETCH_BACK)
@@ -257,7 +257,7 @@ static void check_edge(const verifier *f, stretch_checker *checker, uint32_t sol
 /* ---- intersections --------------------------------------------------------------------------------------------- */
 
 /* Records that the faces of line k do not cross. */
-static void deny_line(stretch_result *out, uint32_t body, uint32_t edge)
+static void reject_line(stretch_result *out, uint32_t body, uint32_t edge)
 {
     stretch_finding finding = {.what = {.solid = body, .t = 0.5, .by = ROBERTS_NONE, .no_line = true}, .edge = edge};
     if (!array_reserve(&out->found, &out->room, out->count + 1, sizeof *out->found))
@@ -280,6 +280,50 @@ static size_t first_row(const verifier *f, size_t k)
     return low;
 }
 
+/* Do faces end along an edge that is drawn itself? Then there is no intersection. */
+static bool is_drawn_edge(const verifier *f, const crossed_faces *faces)
+{
+    for (int i = 0; i < 2; i++) {
+        uint32_t body = faces->of[i].body, edge = faces->edge[i];
+        if (edge == ROBERTS_NONE)
+            continue;
+        const scene_edge e = scene_edge_at(f->seen.scene, body, edge);
+        if (scene_is_convex(f->seen.scene, body) ? is_surely_drawn(f, &e) : is_surely_line(f, body, edge))
+            return true;
+    }
+    return false;
+}
+
+/* Returns the body that hides the line if the line lies in one of its back faces; otherwise that of the first face. */
+static uint32_t body_behind(const verifier *f, const crossed_faces *faces)
+{
+    for (int i = 0; i < 2; i++)
+        if (scene_is_convex(f->seen.scene, faces->of[i].body) && f->o.s.facing[faces->of[i].face] == SIGHT_NOT_FRONT)
+            return faces->of[i].body;
+    return faces->of[0].body;
+}
+
+/* Lists the faces in which the line lies. A back face of a convex body does not excuse its body from hiding. */
+static void take_own(const verifier *f, const crossed_faces *faces, seen_own *own)
+{
+    const roberts_scene *scene = f->seen.scene;
+    int count = 0;
+    for (int i = 0; i < 2; i++) {
+        uint32_t body = faces->of[i].body, face = faces->of[i].face;
+        if (scene_is_convex(scene, body)) {
+            if (f->o.s.facing[face] != SIGHT_NOT_FRONT)
+                own->key[count++] = seen_body_key(body);
+            continue;
+        }
+        own->key[count++] = scene->surface->plane_of[face];
+        if (faces->edge[i] == ROBERTS_NONE)
+            continue;
+        const seen_own edge = seen_own_of(scene, body, faces->edge[i]);
+        own->key[count++] = edge.key[edge.key[0] == scene->surface->plane_of[face]];
+        own->many = edge.many ? edge.many : own->many;
+    }
+}
+
 /* Checks an intersection: its faces, its rows, and the gaps between them. */
 static void check_line(const verifier *f, stretch_checker *checker, stretch_result *result, size_t k)
 {
@@ -289,19 +333,17 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
     size_t row = first_row(f, k);
     crossed_faces faces;
     bool found = crossed_find(&f->crossed, line, &faces);
-    if (!found || !crossed_is_line(&f->crossed, line, &faces)) {
-        deny_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
+    if (!found || !crossed_is_line(&f->crossed, line, &faces) || is_drawn_edge(f, &faces)) {
+        reject_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
         return;
     }
     stretch s = {.A = sight_point(&f->o.s, line->end[0]),
                  .B = sight_point(&f->o.s, line->end[1]),
-                 .solid = faces.of[0].body,
+                 .solid = body_behind(f, &faces),
                  .edge = edge,
                  .faces = STRETCH_BETWEEN,
-                 .own = seen_owns_none};
-    for (int i = 0; i < 2; i++)
-        if (!scene_is_convex(f->seen.scene, faces.of[i].body) || f->o.s.facing[faces.of[i].face] != SIGHT_NOT_FRONT)
-            s.own.key[i] = seen_face_key(f->seen.scene, faces.of[i].body, faces.of[i].face);
+                 .own = seen_owns_one(ROBERTS_NONE)};
+    take_own(f, &faces, &s.own);
     double end = 0.0;
     for (; row < f->drawing->count && f->drawing->segment[row].edge == k; row++) {
         if (!f->options.unite)
@@ -516,6 +558,9 @@ static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *w
     what->v0 = what->v1 = what->face[0] = what->face[1] = ROBERTS_NONE;
     if (edge >= f->scene->edge_count) {
         const roberts_crossing *line = &f->drawing->crossing[edge - f->scene->edge_count];
+        size_t row = first_row(f, edge - f->scene->edge_count);
+        if (row < f->drawing->count && f->drawing->segment[row].edge == edge - f->scene->edge_count)
+            what->solid = f->drawing->segment[row].solid;
         what->face[0] = line->face[0];
         what->face[1] = line->face[1];
         return;
@@ -528,7 +573,7 @@ static void name_line(const verifier *f, uint32_t edge, roberts_contradiction *w
 
 /* Reports the contradictions of all chunks, sorted by edge and then along it. Two rays from one point count once.
  * False: no memory. */
-static bool pass_on(const verifier *f, size_t count, roberts_verification *result)
+static bool report_contradictions(const verifier *f, size_t count, roberts_verification *result)
 {
     stretch_finding *all = alloc_array(count, sizeof *all);
     size_t k = 0;
@@ -561,7 +606,7 @@ static roberts_status report(const verifier *f, roberts_verification *result, ro
         lost |= f->result[i].lost;
         found += f->result[i].count;
     }
-    if (lost || (found && !pass_on(f, found, result)))
+    if (lost || (found && !report_contradictions(f, found, result)))
         return error_no_memory(error);
     for (uint32_t i = 0; i < f->chunk_count; i++) {
         result->segments += f->result[i].segments;

@@ -301,7 +301,7 @@ static roberts_status read_vertex(reader *r)
     roberts_color color = {.count = COLOR};
     for (int i = 0; i < COLOR; i++) {
         if (!(rgb[i] >= 0.0 && rgb[i] <= 1.0))
-            return ROBERTS_OK; /* something else */
+            return ROBERTS_OK; /* not a colour */
         color.value[i] = (float)rgb[i];
     }
     return mesh_color_vertex(r->mesh, r->mesh->vertex_count - 1, color, &r->vertices_filled)

@@ -90,10 +90,22 @@ roberts_status off_color_face(reader *r, const off_color_numbers *numbers)
 
 /* ---- the whole file -------------------------------------------------------------------------------------------- */
 
+/* Counts faces without corners. Elements of one corner or two are points and lines, which OFF may hold as well. */
+static size_t count_empty(const reader *r)
+{
+    const roberts_mesh *mesh = r->mesh;
+    size_t count = 0;
+    for (size_t f = r->mark.faces; r->thin_faces > 0 && f < mesh->face_count; f++)
+        count += mesh->face_start[f] == mesh->face_start[f + 1];
+    return count;
+}
+
 /* Warns of anything left out. */
 static void warn(reader *r)
 {
-    read_warn_thin(r->warnings, r->name, r->thin_faces);
+    const size_t empty = count_empty(r);
+    if (empty > 0)
+        warning_send(r->warnings, r->name, 0, "%zu face%s without corners", empty, empty == 1 ? "" : "s");
     if (r->off->odd_colors)
         warning_send(r->warnings, r->name, r->off->first_odd_color, "%zu colour%s that make%s no sense ignored",
                      r->off->odd_colors, r->off->odd_colors == 1 ? "" : "s", r->off->odd_colors == 1 ? "s" : "");

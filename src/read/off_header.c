@@ -111,7 +111,7 @@ static roberts_status binary_word(reader *r)
 }
 
 /* Is there an unsigned integer here, alone on its line? */
-static bool lonely_integer(reader *r)
+static bool is_integer_alone(reader *r)
 {
     size_t i = 0;
     for (bool blank = false;; i++) {
@@ -151,7 +151,7 @@ static roberts_status counts(reader *r)
             r->in.at++; /* some programs write -1 for unknown counts */
         if (!input_integer(&r->in, &edges))
             return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of edges");
-    } else if (input_skip(&r->in) && lonely_integer(r)) {
+    } else if (input_skip(&r->in) && is_integer_alone(r)) {
         input_integer(&r->in, &edges); /* on a line of its own */
         r->off->header.line = r->in.line;
     }
@@ -184,7 +184,7 @@ static roberts_status count_points(reader *r)
 {
     if (!input_pass_line(&r->in))
         return read_fail(r, ROBERTS_BAD_SYNTAX, "the first line does not end");
-    if (!input_skip(&r->in) || !lonely_integer(r) || !input_integer(&r->in, &r->off->header.vertices))
+    if (!input_skip(&r->in) || !is_integer_alone(r) || !input_integer(&r->in, &r->off->header.vertices))
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of points, alone on its line,");
     r->off->header.line = r->in.line;
     return ROBERTS_OK;
@@ -218,7 +218,7 @@ roberts_status off_read_header(reader *r)
         return ROBERTS_OK; /* dimension and counts are binary too */
     if (word == 0 && titled_integer(r))
         return (status = dimension(r)) == ROBERTS_OK ? count_points(r) : status;
-    if (r->off->header.dimension || (word == 0 && lonely_integer(r)))
+    if (r->off->header.dimension || (word == 0 && is_integer_alone(r)))
         status = dimension(r);
     return status == ROBERTS_OK ? counts(r) : status;
 }

@@ -170,7 +170,7 @@ static bool add_many(cutter *c, const scene_many *many, const uint32_t *map, uin
 
 /* Moves the faces of an edge up if the plane has removed the first one. An edge may end beside a corner of its face, so
  * the edge can remain without the face. */
-static void close_up(const scene_surface *surface, uint32_t first_face, scene_edge *edge, uint8_t *is)
+static void shift_faces(const scene_surface *surface, uint32_t first_face, scene_edge *edge, uint8_t *is)
 {
     uint32_t face[2] = {edge->f[1], ROBERTS_NONE};
     bool turned[2] = {(*is & EDGE_TURNED_1) != 0, false};
@@ -220,7 +220,7 @@ static bool cut_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
         c->clip->scene.edge[number].f[k] = f[k] == ROBERTS_NONE ? ROBERTS_NONE : f[k] - c->first.face;
     if (is & EDGE_MANY && !add_many(c, scene_many_at(from, e), map, number))
         return false;
-    close_up(to, c->first.face, &c->clip->scene.edge[number], &is);
+    shift_faces(to, c->first.face, &c->clip->scene.edge[number], &is);
     to->edge_is[number] = is;
     if (is & EDGE_PART) {
         if (!array_reserve(&to->part, &c->part_room, to->part_count + (size_t)1, sizeof *to->part))

@@ -109,7 +109,7 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
 {
     const scene_surface *surface = scene->surface;
     const scene_edge *e = scene_edge_stored(scene, body, edge);
-    seen_own own = seen_owns_none;
+    seen_own own = seen_owns_one(ROBERTS_NONE);
     for (int k = 0; k < 2; k++)
         if (e->f[k] != ROBERTS_NONE)
             own.key[k] = surface->plane_of[scene->solid[body].face + e->f[k]];
@@ -155,7 +155,7 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (left.edge == ROBERTS_NONE || left.t0 >= left.t1) { /* equal: it ends on the near plane, to rounding */
         *line = (seen_line){.edge = edge,
                             .v = {ROBERTS_NONE, ROBERTS_NONE},
-                            .own = {{w->key, ROBERTS_NONE}, NULL},
+                            .own = seen_owns_one(w->key),
                             .t1 = 1.0,
                             .taken = SEEN_TAKEN};
         return w->hidden && (convex ? taken_of_solid(w, line) : classify(w, w->of->source, edge, line));
@@ -167,6 +167,21 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (w->hidden)
         line->taken = (left.t0 > 0.0 ? SEEN_TAKEN_BEFORE : 0u) | (left.t1 < 1.0 ? SEEN_TAKEN_AFTER : 0u);
     return is_line;
+}
+
+bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge)
+{
+    const roberts_scene *scene = s->scene;
+    const scene_edge *e = scene_edge_stored(scene, body, edge);
+    uint32_t first = scene->solid[body].face;
+    const seen_walk walk = {.of = s, .body = body};
+    seen_line line;
+    if (e->f[1] == ROBERTS_NONE || (s->clip.clipped && s->clip.cap[edge]))
+        return false;
+    if (scene_is_convex(scene, body))
+        return !s->rules.all_edges && seen_fronts(s->facing + first, e) != 1 &&
+               seen_is_flat(scene->face_plane + first, e, s->rules.crease_chord);
+    return !classify(&walk, scene, edge, &line);
 }
 
 /* ---- bodies taken together as one ------------------------------------------------------------------------------ */

@@ -127,6 +127,7 @@ void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turn
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 
+#define SEEN_KEYS 4           /* two edges with two faces each may lie on one another */
 #define SEEN_BODY 0x80000000u /* flag in the key of a convex body: there are fewer than 2^31 bodies, and faces */
 
 static inline uint32_t seen_body_key(uint32_t body)
@@ -141,11 +142,15 @@ static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, 
 
 /* The faces that do not hide a line because it lies in them. */
 typedef struct seen_own {
-    uint32_t key[2];        /* ROBERTS_NONE: none */
-    const scene_many *many; /* for an edge with more than two faces: all of them; otherwise NULL */
+    uint32_t key[SEEN_KEYS]; /* ROBERTS_NONE: none */
+    const scene_many *many;  /* for an edge with more than two faces: all of them; otherwise NULL */
 } seen_own;
 
-static const seen_own seen_owns_none = {{ROBERTS_NONE, ROBERTS_NONE}, NULL};
+/* None but one, which may be ROBERTS_NONE. */
+static inline seen_own seen_owns_one(uint32_t key)
+{
+    return (seen_own){{key, ROBERTS_NONE, ROBERTS_NONE, ROBERTS_NONE}, NULL};
+}
 
 /* Returns the faces in whose planes an edge of seen.scene lies. Its body is not convex. */
 seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge);
@@ -155,7 +160,7 @@ static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, ui
 {
     const scene_surface *surface = scene->surface;
     const scene_many *many = own->many;
-    bool found = own->key[0] == key || own->key[1] == key;
+    bool found = own->key[0] == key || own->key[1] == key || own->key[2] == key || own->key[3] == key;
     for (uint32_t k = many ? many->first : 0; many && k < many->end && !found; k++)
         found = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
     return found;
@@ -299,7 +304,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;
-    line->own = (seen_own){{w->key, ROBERTS_NONE}, NULL};
+    line->own = seen_owns_one(w->key);
     line->t0 = 0.0;
     line->t1 = 1.0;
     line->class = seen_class(fronts, w->facing[edge->f[0]], w->facing[edge->f[1]]);
@@ -307,6 +312,9 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->piece = NULL;
     return true;
 }
+
+/* Is the edge of seen.scene left out because its faces are flat, or nearly flat, to one another? Its body is mapped. */
+bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge);
 
 /* Finds the line of edge `edge` of the walk's body. False: the edge is not a line. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);

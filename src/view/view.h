@@ -43,7 +43,7 @@ typedef struct view {
                                otherwise 0 */
 } view;
 
-/* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units, 0 = choose (1e-11 of the
+/* Prepares the map of `scene` seen by `camera`. epsilon: touching distance in model units. 0: choose it (1e-11 of the
  * diameter, at least 16 ulp of the largest coordinate before and after the map, the eye's included). Returns
  * ROBERTS_OK, _BAD_VIEW (no direction, or the scene is not completely in front of the eye) or _BAD_ARGUMENT. */
 roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,

@@ -98,8 +98,8 @@ static const struct {
     {"-o", "-o needs a value"},
     {"--format", "--format needs a value"},
     {"--output=", "--output: the name is empty"},
-    {"-o a.dxf models/table.off", "a.dxf: no format has this ending (.svg, .pdf, .ps, .eps, .png, .csv and .json are "
-                                  "known); name the format with -f"},
+    {"-o a.bmp models/table.off", "a.bmp: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
+                                  ".hpgl, .plt, .csv and .json are known); name the format with -f"},
     {"--turntable 4", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--turntable 4 -o a.svg", "--turntable needs a name with a place"},
     {"--turntable 4 -o a-%d-%d.svg", "--turntable needs a name with a place"},
@@ -835,6 +835,7 @@ static void statistics(void **state)
     assert_null(strstr(last.err, "pieces"));  /* convex faces are whole */
     assert_int_equal(run("-v -f null --stats models/star/pentagrammic-prism.off"), 0);
     assert_said("models/star/pentagrammic-prism.off: 1 body, 10 vertices, 7 faces; ");
+    assert_said("models/star/pentagrammic-prism.off: bodies: 1 closed but not convex\n");
     assert_said("10  vertices\n");
     assert_said("7  faces\n");
     assert_said("17  convex pieces of them\n"); /* a pentagon and five points for each pentagram */
@@ -894,7 +895,7 @@ static void sheets(void **state)
 static void warnings_can_be_silenced(void **state)
 {
     (void)state;
-    put("w.off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n1 0\n2 0 1\n");
+    put("w.off", "OFF\n4 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n1 0\n0\n");
     assert_int_equal(run("w.off"), 0);
     assert_said("roberts: w.off:");
     assert_said("warning: ");
@@ -1037,6 +1038,20 @@ static void picks(void **state)
                                   "roberts: pick -2,-2: behind it body 1, face 7, depth -3.5, at 1,1,-5\n");
 }
 
+/* What is seen of each face, beside the drawing. */
+static void regions(void **state)
+{
+    (void)state;
+    put("plate.off", "COFF\n4 1 0\n0 0 0\n4 0 0\n4 2 0\n0 2 0\n4 0 1 2 3 1 0 0.5 1\n");
+    assert_int_equal(run("--view top -f null --regions - plate.off"), 0);
+    assert_string_equal(last.out, "[\n{\"body\":0,\"face\":0,\"area\":8,\"z0\":0,\"z1\":0,\"color\":[1,0,0.5,1],"
+                                  "\"rings\":[[[-2,-1],[2,-1],[2,1],[-2,1]]]}\n]\n");
+    assert_int_equal(run("--view top -o plate.svg --regions plate.json plate.off"), 0);
+    assert_int_equal(run("--view top --regions - plate.off"), 2);
+    assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 1);
+    assert_non_null(strstr(last.err, "the near plane cuts body 0, which is not convex"));
+}
+
 int main(void)
 {
     if (!program_find())
@@ -1072,6 +1087,7 @@ int main(void)
         IN_FOLDER(draws_bodies_as_one),
         IN_FOLDER(checks_by_rays),
         IN_FOLDER(picks),
+        IN_FOLDER(regions),
     };
     return cmocka_run_group_tests_name("cli", tests, NULL, NULL);
 }

@@ -53,6 +53,9 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("--solids good.off open.off good.off"), 1);
     assert_said("roberts: open.off: solid 0 is not closed: edge 0-3 belongs to 1 face instead of 2");
     assert_int_equal(run("models/table.off empty.off"), 0);
+    put("lined.off", "OFF\n4 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n2 0 3\n1 1\n"); /* nothing to warn of */
+    assert_int_equal(run("-v -f null lined.off"), 0);
+    assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69), 0);
     assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
@@ -230,6 +233,9 @@ static const struct {
     {"-hidden dashed", "-hidden is unknown; did you mean --hidden?"},
     {"-output a.svg", "-output is unknown; did you mean --output?"}, /* and no file "utput" */
     {"-format=svg", "-format=svg is unknown; did you mean --format=svg?"},
+    {"models/table.off elevation 20", "elevation: there is no such file; did you mean --elevation?"},
+    {"help", "help: there is no such file; did you mean --help?"},
+    {"--no-hidden", "--no-hidden is unknown; did you mean --hidden none?"},
     {"--stats json models/table.off", "json: there is no such file; did you mean --stats=json?"},
     {"models/table.off --verify 10", "10: there is no such file; did you mean --verify=10?"},
     {"--verify=x", "--verify: \"x\" is not a whole number from 1 to 4294967295\n"},
@@ -395,6 +401,10 @@ static const struct {
     {"-f null --order none --dpi 90", "--dpi, --order have no effect: null has no page\n"},
     {"--columns +ends", "--columns has no effect: svg is no table\n"},
     {"-f csv --columns +name,+ends", ""},
+    {"-f csv --columns +level",
+     "--columns +level has no effect: it is 0 in visible rows, and there are no others without "
+     "--hidden\n"},
+    {"-f csv --columns +level --hidden dashed", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };

@@ -19,7 +19,7 @@ enum { SIDE = 56, RUNS = 20 };
 
 static char program[4096], boxes[TEMPORARY_ROOM + 10];
 
-static const char *const formats[] = {"svg", "pdf", "ps", "eps", "png", "csv", "json"};
+static const char *const formats[] = {"svg", "pdf", "ps", "eps", "png", "tikz", "dxf", "hpgl", "csv", "json"};
 
 /* Boxes on a square, each of some height, some of them touching. */
 static void write_boxes(const char *path)

@@ -1,16 +1,17 @@
 #!/bin/sh
-# Runs the fuzzers, one after the other: tests/fuzz/fuzz.sh BUILD SECONDS [fuzz_read|fuzz_stl|fuzz_obj|fuzz_ply|fuzz_pipeline]
+# Runs the fuzzers, one after the other: tests/fuzz/fuzz.sh BUILD SECONDS [FUZZER], where FUZZER is fuzz_read, fuzz_stl,
+# fuzz_obj, fuzz_ply or fuzz_pipeline (default: all)
 #
-# Each starts from the small files of models/, from seeds/ and from what was once found, and goes on from what an earlier run has left in
-# BUILD/fuzz/NAME.d/corpus; what libFuzzer says is in log beside it. An input that fails is kept in found beside it; make it
-# small with -minimize_crash=1 -runs=100000, mend what is wrong, and put it into tests/fuzz/found/, as read-*, stl-*, obj-*, ply-* or pipeline-*.
-# FUZZ_FLAGS are further words for libFuzzer.
+# Each starts from the small files of models/, from seeds/ and from earlier findings, and continues from the corpus that
+# an earlier run has left in BUILD/fuzz/NAME.d/corpus. The output of libFuzzer is in `log` beside it, and failing inputs
+# are in `found` beside it. Minimize such an input with -minimize_crash=1 -runs=100000, fix the fault, and put the input
+# into tests/fuzz/found/, as read-*, stl-*, obj-*, ply-* or pipeline-*. FUZZ_FLAGS: further arguments for libFuzzer.
 set -eu
 build=$1 seconds=$2
 shift 2
 here=$(dirname "$0")
 
-# seed PROGRAM FILE: the file; for the pipeline behind the settings of five cameras
+# seed PROGRAM FILE: prints the file; for the pipeline, after the settings of five cameras
 seed() {
     name=$(echo "$2" | tr / _)
     case $1 in

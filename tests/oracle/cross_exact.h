@@ -165,69 +165,289 @@ struct cross_finder {
         }
     }
 
-    /* A piece of a flat edge that lies in face f. */
+    /* ---- edges that are not drawn ---- */
+
+    /* A part of an edge that is not drawn, in which its face f ends on face g. */
     struct seam {
-        size_t f;
-        std::vector<size_t> own; /* faces of the edge, followed by f */
+        size_t f, g;
+        std::vector<size_t> own; /* all faces of the edge or edges, and g */
         vec<rational> a, b;
     };
 
-    /* Finds on which side of the edge from a along d the corners of a face lie, within its plane. 0: on both. */
-    int side_of(const polygon &f, const vec<rational> &n, const vec<rational> &a, const vec<rational> &d) const
-    {
-        vec<rational> m = cross(n, d);
-        int side = 0;
-        for (uint32_t v : f.corner) {
-            const vec<rational> p = sub<rational>(o.mesh.vertex[v], roberts_vec3{0, 0, 0});
-            int sign = sign_of(rational(dot(m, vec<rational>{p.x - a.x, p.y - a.y, p.z - a.z})));
-            if (sign != 0 && side != 0 && sign != side)
-                return 0;
-            side = sign != 0 ? sign : side;
+    /* An edge: a + t d. */
+    struct carrier {
+        std::array<uint32_t, 2> key;
+        vec<rational> a, d;
+
+        vec<rational> at(const rational &t) const
+        {
+            return {a.x + t * d.x, a.y + t * d.y, a.z + t * d.z};
         }
-        return side;
+    };
+
+    std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */
+
+    static vec<rational> minus(const vec<rational> &p, const vec<rational> &q)
+    {
+        return {p.x - q.x, p.y - q.y, p.z - q.z};
     }
 
-    void seam_in(size_t f, uint32_t va, uint32_t vb, const std::vector<size_t> &own, std::vector<seam> &out) const
+    vec<rational> place(uint32_t v) const
     {
-        const polygon &F = o.faces[f], &W = o.faces[own[0]];
-        const roberts_vec3 zero{0, 0, 0};
-        const vec<rational> a = sub<rational>(o.mesh.vertex[va], zero), b = sub<rational>(o.mesh.vertex[vb], zero);
-        const vec<rational> n = o.newell<rational>(F), along = cross(n, o.newell<rational>(W));
-        if ((along.x == 0 && along.y == 0 && along.z == 0) || o.height(F, n, a) != 0 || o.height(F, n, b) != 0)
-            return;
-        profile p = profile_of(F, W, along);
-        p.meetings.push_back({dot(along, a), a, 0, 0});
-        p.meetings.push_back({dot(along, b), b, 0, 0});
-        rational low = std::min(dot(along, a), dot(along, b)), high = std::max(dot(along, a), dot(along, b));
-        std::vector<meeting> cut(p.meetings);
-        std::sort(cut.begin(), cut.end(), [](const meeting &x, const meeting &y) { return x.s < y.s; });
+        return sub<rational>(o.mesh.vertex[v], roberts_vec3{0, 0, 0});
+    }
+
+    carrier carrier_of(const std::array<uint32_t, 2> &key) const
+    {
+        return {key, place(key[0]), sub<rational>(o.mesh.vertex[key[1]], o.mesh.vertex[key[0]])};
+    }
+
+    void make_rough()
+    {
+        for (const polygon &f : o.faces) {
+            const vec<rational> n = o.newell<rational>(f);
+            const double x = CGAL::to_double(n.x), y = CGAL::to_double(n.y), z = CGAL::to_double(n.z);
+            const double l = std::sqrt(x * x + y * y + z * z);
+            const roberts_vec3 &p = o.mesh.vertex[f.corner[0]];
+            rough.push_back({x / l, y / l, z / l, (x * p.x + y * p.y + z * p.z) / l});
+        }
+    }
+
+    /* Surely not in the plane of the face? */
+    bool off_plane(size_t f, uint32_t v) const
+    {
+        const roberts_vec3 &p = o.mesh.vertex[v];
+        const std::array<double, 4> &r = rough[f];
+        const double size = std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z) + std::fabs(r[3]);
+        return std::fabs(r[0] * p.x + r[1] * p.y + r[2] * p.z - r[3]) > 1e-4 * size;
+    }
+
+    bool in_plane(size_t f, uint32_t v) const
+    {
+        const polygon &F = o.faces[f];
+        return o.has(F, v) || (!off_plane(f, v) && o.height(F, o.newell<rational>(F), o.mesh.vertex[v]) == 0);
+    }
+
+    bool in_one_plane(size_t f, size_t g) const
+    {
+        for (uint32_t v : o.faces[f].corner)
+            if (!in_plane(g, v))
+                return false;
+        return true;
+    }
+
+    /* Where the border of a face, in whose plane the edge lies, meets its line. */
+    void add_cuts(size_t f, const carrier &e, std::vector<rational> &cut) const
+    {
+        const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
+        const rational length = dot(e.d, e.d);
+        for (const auto &side : o.faces[f].side) {
+            const vec<rational> p = minus(place(side[0]), e.a), q = minus(place(side[1]), e.a);
+            const rational hp = dot(m, p), hq = dot(m, q), tp = dot(e.d, p) / length, tq = dot(e.d, q) / length;
+            if (hp == 0)
+                cut.push_back(tp);
+            if (hq == 0)
+                cut.push_back(tq);
+            if (sign_of(hp) * sign_of(hq) < 0)
+                cut.push_back(tp + hp / (hp - hq) * (tq - tp));
+        }
+    }
+
+    /* Does the face hold what lies beside X on one side of the edge, in its plane? way: 1 to the left, as seen against
+     * the normal, or -1. */
+    bool holds_beside(size_t f, const carrier &e, const vec<rational> &X, int way) const
+    {
+        const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
+        long winding = 0;
+        for (const auto &side : o.faces[f].side) {
+            const vec<rational> p = minus(place(side[0]), X), q = minus(place(side[1]), X);
+            const rational yp = dot(e.d, p), yq = dot(e.d, q);
+            if ((yp > 0) == (yq > 0))
+                continue;
+            const rational xp = dot(m, p), xq = dot(m, q), x = xp + yp / (yp - yq) * (xq - xp);
+            if (sign_of(x) == way)
+                winding += yq > 0 ? 1 : -1;
+        }
+        return filled(winding);
+    }
+
+    /* On which side of the edge does the face end at X: 1, -1; 0: nowhere, or it goes on at both. */
+    int ends_at(size_t f, const carrier &e, const vec<rational> &X) const
+    {
+        return (int)holds_beside(f, e, X, 1) - (int)holds_beside(f, e, X, -1);
+    }
+
+    /* Are two faces flat to one another, to a tenth of a degree? */
+    bool flat(size_t f, size_t g) const
+    {
+        const std::array<double, 4> &a = rough[f], &b = rough[g];
+        const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+        return x * x + y * y + z * z < 3.046e-6;
+    }
+
+    /* The faces that end at X in the edge, or in any edge there that has not two of them: such edges are one. */
+    std::vector<size_t> group_at(const carrier &e, const vec<rational> &X) const
+    {
+        const std::vector<size_t> &own = o.edges.at(e.key);
+        std::vector<size_t> out;
+        if (own.size() == 2)
+            return own;
+        for (const auto &[key, faces] : o.edges)
+            if (faces.size() != 2 && is_on(key, X))
+                for (size_t f : faces)
+                    if (std::find(out.begin(), out.end(), f) == out.end())
+                        out.push_back(f);
+        std::sort(out.begin(), out.end());
+        return out;
+    }
+
+    bool is_on(const std::array<uint32_t, 2> &key, const vec<rational> &X) const
+    {
+        const carrier e = carrier_of(key);
+        const vec<rational> p = minus(X, e.a), c = cross(e.d, p);
+        const rational t = dot(e.d, p);
+        return c.x == 0 && c.y == 0 && c.z == 0 && t > 0 && t < dot(e.d, e.d);
+    }
+
+    /* Is the edge left out at X? Its faces end there on both sides in the picture, and are flat to one another. */
+    bool left_out(const std::vector<size_t> &group, const carrier &e, const vec<rational> &X) const
+    {
+        const roberts_vec3 V{o.view.x, o.view.y, o.view.z};
+        vec<rational> v = sub<rational>(V, roberts_vec3{0, 0, 0});
+        if (o.view.w)
+            v = minus(v, X);
+        int left = 0, right = 0, count = 0;
+        for (size_t f : group) {
+            const int way = first[f] == f ? ends_at(f, e, X) : 0;
+            if (way == 0)
+                continue;
+            const int side = way * sign_of(dot(cross(e.d, cross(o.newell<rational>(o.faces[f]), e.d)), v));
+            left += side > 0;
+            right += side < 0;
+            count++;
+            if (!flat(group[0], f))
+                return false;
+        }
+        return count > 1 && (left > 0) == (right > 0);
+    }
+
+    /* The first of the faces that ends at X and does not lie in the plane of g; NONE: no such face. */
+    static constexpr size_t NONE = (size_t)-1;
+
+    size_t first_across(const std::vector<size_t> &group, const carrier &e, const vec<rational> &X, size_t g) const
+    {
+        for (size_t f : group)
+            if (first[f] == f && !o.edge_on(o.faces[f]) && ends_at(f, e, X) != 0 && !in_one_plane(f, g))
+                return f;
+        return NONE;
+    }
+
+    /* Is the edge the first one of its group at X? `along`: all other edges on its line. */
+    bool speaks(const std::array<uint32_t, 2> &key, const std::vector<std::array<uint32_t, 2>> &along,
+                const vec<rational> &X) const
+    {
+        for (const auto &other : along)
+            if (o.edges.at(key).size() != 2 && other < key && o.edges.at(other).size() != 2 && is_on(other, X))
+                return false;
+        return true;
+    }
+
+    /* What lies on one edge. */
+    void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
+    {
+        const carrier e = carrier_of(key);
+        const std::vector<size_t> &own = o.edges.at(key);
+        const bool odd = own.size() != 2;
+        std::vector<size_t> near;
+        std::vector<std::array<uint32_t, 2>> along;
+        std::vector<rational> cut{rational(0), rational(1)};
+        for (size_t f = 0; f < o.faces.size(); f++)
+            if (first[f] == f && !apart(f, own[0]) && in_plane(f, key[0]) && in_plane(f, key[1])) {
+                near.push_back(f);
+                add_cuts(f, e, cut);
+            }
+        std::vector<rational> divided; /* edges that have not two faces divide one another at their ends */
+        for (const auto &[other, faces] : o.edges) {
+            int on_line = 0;
+            for (uint32_t v : other) {
+                const vec<rational> p = minus(place(v), e.a);
+                if (!parallel(e.d, p))
+                    continue;
+                on_line++;
+                cut.push_back(dot(e.d, p) / dot(e.d, e.d));
+                if (odd && faces.size() != 2)
+                    divided.push_back(cut.back());
+            }
+            if (other != key && on_line == 2)
+                along.push_back(other);
+        }
+        std::sort(cut.begin(), cut.end());
+        const size_t begin = out.size();
         for (size_t i = 0; i + 1 < cut.size(); i++) {
-            if (cut[i].s == cut[i + 1].s || cut[i].s < low || cut[i + 1].s > high)
+            if (cut[i] == cut[i + 1] || cut[i] < 0 || cut[i + 1] > 1)
                 continue;
-            if (!goes_on(p, (cut[i].s + cut[i + 1].s) / 2))
+            const vec<rational> X = e.at((cut[i] + cut[i + 1]) / 2);
+            const std::vector<size_t> group = group_at(e, X);
+            const bool divide = std::find(divided.begin(), divided.end(), cut[i]) != divided.end();
+            if (!speaks(key, along, X) || !left_out(group, e, X))
                 continue;
-            seam s{f, own, cut[i].at, cut[i + 1].at};
-            s.own.push_back(f);
-            out.push_back(s);
+            for (size_t g : near)
+                if (std::find(group.begin(), group.end(), g) == group.end() && !o.edge_on(o.faces[g]) &&
+                    holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
+                    put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
+            for (const auto &other : along) {
+                const std::vector<size_t> more = o.edges.at(other);
+                if (!(key < other) || !is_on(other, X) || (odd && more.size() != 2) || !speaks(other, along, X))
+                    continue;
+                const std::vector<size_t> theirs = group_at(carrier_of(other), X);
+                if (left_out(theirs, carrier_of(other), X))
+                    put(theirs, group, e, X, cut[i], cut[i + 1], begin, divide, out);
+            }
         }
     }
 
-    std::vector<seam> seams() const
+    static bool parallel(const vec<rational> &d, const vec<rational> &p)
+    {
+        return d.x * p.y == d.y * p.x && d.y * p.z == d.z * p.y && d.x * p.z == d.z * p.x;
+    }
+
+    /* Adds from .. to of an edge at X, in which the first of `group` ends on the first of `theirs` that lies across. */
+    void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const carrier &e,
+             const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool divide,
+             std::vector<seam> &out) const
+    {
+        size_t f = first_across(group, e, X, theirs[0]), g = theirs[0];
+        if (f != NONE && theirs.size() > 1)
+            g = first_across(theirs, e, X, f);
+        if (f == NONE || g == NONE)
+            return;
+        for (size_t k = begin; !divide && k < out.size(); k++)
+            if (out[k].f == f && out[k].g == g && same(out[k].b, e.at(from))) {
+                out[k].b = e.at(to);
+                return;
+            }
+        seam s{f, g, group, e.at(from), e.at(to)};
+        s.own.insert(s.own.end(), theirs.begin(), theirs.end());
+        out.push_back(s);
+    }
+
+    static bool same(const vec<rational> &p, const vec<rational> &q)
+    {
+        return p.x == q.x && p.y == q.y && p.z == q.z;
+    }
+
+    /* All of them, each face of smaller number first, in order. */
+    std::vector<seam> seams()
     {
         std::vector<seam> out;
-        for (const auto &[key, own] : o.edges) {
-            if (own.size() != 2 || o.faces[own[0]].corner.size() > 4 || o.faces[own[1]].corner.size() > 4)
-                continue;
-            const vec<rational> n = o.newell<rational>(o.faces[own[0]]), m = o.newell<rational>(o.faces[own[1]]);
-            const vec<rational> bend = cross(n, m), a = sub<rational>(o.mesh.vertex[key[0]], roberts_vec3{0, 0, 0});
-            const vec<rational> d = sub<rational>(o.mesh.vertex[key[1]], o.mesh.vertex[key[0]]);
-            if (bend.x != 0 || bend.y != 0 || bend.z != 0)
-                continue;
-            if (side_of(o.faces[own[0]], n, a, d) * side_of(o.faces[own[1]], n, a, d) >= 0)
-                continue;
-            for (size_t f = 0; f < o.faces.size(); f++)
-                if (f != own[0] && f != own[1] && !apart(f, own[0]) && !apart(f, own[1]))
-                    seam_in(f, key[0], key[1], own, out);
+        make_rough();
+        for (const auto &[key, own] : o.edges)
+            seams_on(key, out);
+        for (seam &s : out) {
+            if (s.f > s.g)
+                std::swap(s.f, s.g);
+            if (before(s.b, s.a))
+                std::swap(s.a, s.b);
         }
         return out;
     }

@@ -181,28 +181,10 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     return false;
 }
 
-/* Is a part of a line seen, whatever the slack may change? */
-static bool surely_seen(const rows_at_hand *r, const cross_line *l, double from, double to)
+/* Has the line no rows? In the picture a face that is edge-on lies behind its own border, which is drawn. */
+static bool has_no_rows(const rows_at_hand *r, const cross_line *l)
 {
-    const mesh_scene *s = r->c->scene;
-    const mesh_point X = {on_line(l, 0.5 * (from + to)), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
-    if (s->slack == 0)
-        return from < to;
-    return to - from > t_limit(r, l) + s->slack / length_of(l) &&
-           mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack) == ORACLE_NO;
-}
-
-/* Lines of which nothing is seen need no rows: the library looks for lines between faces toward the viewer. */
-static bool is_optional(const rows_at_hand *r, const cross_line *l)
-{
-    const oracle_interval *hidden = r->c->truth->interval + l->first;
-    double from = 0;
-    for (size_t k = 0; k <= l->count && !l->edge_on; k++) {
-        if (surely_seen(r, l, from, k < l->count ? hidden[k].t0 : 1))
-            return false;
-        from = k < l->count ? hidden[k].t1 : 1;
-    }
-    return true;
+    return l->edge_on || (l->on_edge && r->c->all_edges);
 }
 
 static void judge_line(rows_at_hand *r, const cross_line *l)
@@ -211,6 +193,7 @@ static void judge_line(rows_at_hand *r, const cross_line *l)
     size_t mine = 0, before = r->failed;
     bool turns;
     r->total->lines++;
+    r->total->on_edges += l->on_edge;
     r->total->lines_cut += l->count > 0;
     for (size_t i = 0; i < r->count; i++)
         if (!r->used[i] && is_of(&r->row[i], l, limit)) {
@@ -223,10 +206,6 @@ static void judge_line(rows_at_hand *r, const cross_line *l)
             }
         }
     double gap = gaps(r, mine, &turns);
-    if (mine == 0 && is_optional(r, l)) {
-        r->total->lines_left_out++;
-        return;
-    }
     if (gap > limit) {
         if (surely_missing(r, mine, l))
             tell(r, l->f0, l->f1, mine ? "rows leave out a part of the line" : "no row for a line of this length",
@@ -301,7 +280,8 @@ size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count,
                       .out = out};
     if (r.used && r.mine) {
         for (size_t i = 0; i < c->truth->line_count; i++)
-            judge_line(&r, &c->truth->line[i]);
+            if (!has_no_rows(&r, &c->truth->line[i]))
+                judge_line(&r, &c->truth->line[i]);
         judge_order(&r);
         judge_others(&r);
     } else {
@@ -541,7 +521,7 @@ cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_bo
     for (size_t i = 0; row && i < truth->line_count; i++) {
         const cross_line *l = &truth->line[i];
         double from = 0;
-        for (size_t k = 0; k <= l->count; k++) {
+        for (size_t k = 0; k <= l->count && !l->edge_on; k++) {
             const oracle_interval *hidden = &truth->interval[l->first + k];
             const double end[2] = {k < l->count ? hidden->t0 : 1, k < l->count ? hidden->t1 : 1};
             for (int state = 0; state < 2; state++) {

@@ -23,6 +23,7 @@ typedef struct cross_case {
     const uint32_t *position;  /* of mesh_truth */
     const uint32_t *face_body; /* [face_count] bodies of the faces, ROBERTS_NONE where unknown; NULL: not compared */
     const char *name;
+    bool all_edges; /* are drawn: then no line is on an edge */
 } cross_case;
 
 /* Compares all rows, which are in the table's order, and adds to `total`. Reports the first few failures to `out`.
@@ -39,7 +40,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
  * slack. */
 void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
 
-/* Returns the correct rows and sets *count. NULL: no memory. The caller frees them. */
+/* The rows that are right where flat edges are left out; *count is filled. NULL: no memory. The caller frees them. */
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count);
 
 #endif

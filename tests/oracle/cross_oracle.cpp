@@ -107,42 +107,25 @@ bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool ev
             const spot a = o.spot_of(c.a), b = o.spot_of(c.b);
             std::vector<oracle_interval> hidden = o.hide(a, b, {c.f, c.g});
             bool edge_on = o.edge_on(o.faces[c.f]) || o.edge_on(o.faces[c.g]);
-            lines.push_back({o.faces[c.f].number, o.faces[c.g].number, nearest(c.a), nearest(c.b), edge_on,
+            lines.push_back({o.faces[c.f].number, o.faces[c.g].number, nearest(c.a), nearest(c.b), edge_on, false,
                              intervals.size(), hidden.size()});
             intervals.insert(intervals.end(), hidden.begin(), hidden.end());
         }
+        for (const cross_finder::seam &s : finder.seams()) {
+            std::vector<oracle_interval> hidden = o.hide(o.spot_of(s.a), o.spot_of(s.b), s.own);
+            lines.push_back({o.faces[s.f].number, o.faces[s.g].number, nearest(s.a), nearest(s.b), false, true,
+                             intervals.size(), hidden.size()});
+            intervals.insert(intervals.end(), hidden.begin(), hidden.end());
+        }
+        std::stable_sort(lines.begin(), lines.end(), [](const cross_line &x, const cross_line &y) {
+            return std::tie(x.f0, x.f1, x.a.x, x.a.y, x.a.z) < std::tie(y.f0, y.f1, y.a.x, y.a.y, y.a.z);
+        });
         std::vector<uint32_t> same(mesh->face_count, ROBERTS_NONE);
         for (size_t f = 0; f < o.faces.size(); f++)
             same[o.faces[f].number] = o.faces[finder.first[f]].number;
         truth->same = copy_of(same);
         truth->line_count = lines.size(), truth->interval_count = intervals.size();
         truth->pairs = finder.pairs, truth->exact = o.exact;
-        truth->line = copy_of(lines);
-        truth->interval = copy_of(intervals);
-        return true;
-    } catch (const std::exception &e) {
-        cross_truth_free(truth);
-        std::snprintf(truth->error, sizeof truth->error, "%s", e.what());
-        return false;
-    }
-}
-
-bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth)
-{
-    std::memset(truth, 0, sizeof *truth);
-    try {
-        mesh_oracle o(*mesh, *view, even_odd);
-        cross_finder finder(o);
-        std::vector<cross_line> lines;
-        std::vector<oracle_interval> intervals;
-        for (const cross_finder::seam &s : finder.seams()) {
-            std::vector<oracle_interval> hidden = o.hide(o.spot_of(s.a), o.spot_of(s.b), s.own);
-            bool edge_on = o.edge_on(o.faces[s.f]) || o.edge_on(o.faces[s.own[0]]);
-            lines.push_back({o.faces[s.f].number, o.faces[s.own[0]].number, nearest(s.a), nearest(s.b), edge_on,
-                             intervals.size(), hidden.size()});
-            intervals.insert(intervals.end(), hidden.begin(), hidden.end());
-        }
-        truth->line_count = lines.size(), truth->interval_count = intervals.size();
         truth->line = copy_of(lines);
         truth->interval = copy_of(intervals);
         return true;

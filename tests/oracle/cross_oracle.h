@@ -4,7 +4,11 @@
  *   Two faces cross at a point X if each has points on both sides of the other's plane, however near to X. They do not
  *   cross where a bounding side of one of them runs along the other's plane: there, that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
- *   A face hides a point of the line as it would hide a point of an edge (mesh_oracle.h). Its own two faces do not.
+ *   An edge that is left out, since its faces are flat to one another (by less than a tenth of a degree) and lie on
+ * both sides of it in the picture, is such a line as far as it lies inside of a face that is none of its own; and as
+ * far as another edge that is left out lies on it. Its faces are that face, or the first one of the other edge, and the
+ * first of its own that does not lie in one plane with that. A face hides a point of it as one of an edge
+ * (mesh_oracle.h); its own two faces do not.
  *
  * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from any start
  * and in either direction, does not exist. */
@@ -19,9 +23,10 @@ extern "C" {
 
 typedef struct cross_line {
     uint32_t f0, f1;     /* faces of the mesh, f0 < f1 */
-    roberts_vec3 a, b;   /* ends; each coordinate is the nearest double */
-    bool edge_on;        /* a face is edge-on: in the picture, the line lies on the whole face */
-    size_t first, count; /* hidden intervals, in cross_truth.interval; they ascend and do not touch */
+    roberts_vec3 a, b;   /* its ends, each coordinate the nearest double */
+    bool edge_on;        /* a face is edge-on: the line lies in the picture where the whole face does */
+    bool on_edge;        /* one face ends on the other along an edge that is left out; no line where all edges are */
+    size_t first, count; /* hidden intervals, into cross_truth.interval; they ascend and do not touch */
 } cross_line;
 
 typedef struct cross_truth {
@@ -38,13 +43,8 @@ typedef struct cross_truth {
 bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
 void cross_truth_free(cross_truth *truth);
 
-/* Finds where a flat edge, which is not drawn, lies in a face that continues on both sides of the edge's faces. There
- * those faces end on it, and the line is an intersection. f0 is the face, f1 the smallest of the edge's. Faces with
- * more than four corners are not examined for flat edges. Release as above. */
-bool cross_seams_find(const roberts_mesh *mesh, const oracle_view *view, bool even_odd, cross_truth *truth);
-
-/* Returns how certain it is, in doubles, whether two faces cross at X. ORACLE_YES: they do, even if everything moves by
- * `slack` (model units). ORACLE_NO: they do not, even then. Otherwise ORACLE_UNSURE. */
+/* How clear it is, in doubles, whether two faces cross at X: ORACLE_YES where they do and would do so if everything
+ * moved by `slack` (model units), ORACLE_NO where they would not; else ORACLE_UNSURE. */
 oracle_answer cross_truth_at(const roberts_mesh *mesh, bool even_odd, uint32_t f0, uint32_t f1, roberts_vec3 X,
                              double slack);
 

@@ -13,7 +13,6 @@ static const char help[] =
     "  --seed S       first seed (default: 1)\n"
     "  --edges N      goes on until N edges and lines have been compared (default: one scene of each family)\n"
     "  --folder DIR   failing scenes are written to DIR/failures/ (default: build)\n"
-    "  --seams        asks instead for lines where flat edges, which are not drawn, lie in faces; N counts scenes\n"
     "  --list         names the families\n"
     "mesh_compare [--dir X,Y,Z | --eye X,Y,Z] [--slack S] --file FILE...\n"
     "The same for files of any origin. What could change if things moved by S (model units) is not judged.\n";
@@ -47,11 +46,6 @@ static bool parse(int argc, char **argv, arguments *a)
             fputs(help, stdout);
             exit(0);
         }
-        if (!strcmp(option, "--seams")) {
-            a->scene.seams = true;
-            i--;
-            continue;
-        }
         if (!value)
             return false;
         if (!strcmp(option, "--family"))
@@ -76,13 +70,13 @@ static bool parse(int argc, char **argv, arguments *a)
 
 static void sum_up(const mesh_total *t)
 {
-    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly, %zu "
-           "without rows since nothing of them is seen) of %zu scenes (%zu refused by "
-           "the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: "
-           "%.3g edge lengths; "
+    printf("%zu edges and %zu intersection lines (%zu of them hidden in part or wholly, %zu on edges that are left "
+           "out) of "
+           "%zu scenes (%zu refused by the oracle), %zu disagreements; %zu hidden, %zu cut; not judged: %.3g edge "
+           "lengths; "
            "greatest difference %.2g; %zu pairs of edge and face, %zu by rational numbers\n",
-           t->edges, t->lines, t->lines_cut, t->lines_left_out, t->scenes, t->refused, t->disagreements, t->hidden,
-           t->cut, t->unjudged, t->worst, t->pairs, t->exact);
+           t->edges, t->lines, t->lines_cut, t->on_edges, t->scenes, t->refused, t->disagreements, t->hidden, t->cut,
+           t->unjudged, t->worst, t->pairs, t->exact);
 }
 
 static bool compare_files(const arguments *a, int argc, char **argv, mesh_total *total)
@@ -106,7 +100,7 @@ static bool compare_files(const arguments *a, int argc, char **argv, mesh_total 
 
 static bool is_enough(const arguments *a, const mesh_total *total)
 {
-    return (a->scene.seams ? total->scenes : total->edges + total->lines) >= a->edges;
+    return total->edges + total->lines >= a->edges;
 }
 
 static bool compare_families(const arguments *a, mesh_total *total)
@@ -120,7 +114,6 @@ static bool compare_families(const arguments *a, mesh_total *total)
             if (!mesh_family_make(f, seed, &scene))
                 return false;
             snprintf(name, sizeof name, "%s-%" PRIu64, mesh_family_name(f), seed);
-            scene.seams = a->scene.seams;
             mesh_judge(name, &scene, a->folder, total, stdout);
             mesh_scene_free(&scene);
         }

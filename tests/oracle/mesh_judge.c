@@ -230,7 +230,7 @@ static void judge_edge(judgement *j, const mesh_edge *e, const char *name, mesh_
     print_intervals(out, "oracle hides", truth, e->count);
 }
 
-static void tell_command(const char *name, const mesh_scene *scene, const char *folder, FILE *out)
+static void tell_command(const char *name, const mesh_scene *scene, bool all_edges, const char *folder, FILE *out)
 {
     char path[512], command[300];
     const oracle_view *v = &scene->view;
@@ -239,9 +239,9 @@ static void tell_command(const char *name, const mesh_scene *scene, const char *
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
     snprintf(command, sizeof command, "%s --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
-             scene->united  ? "--union"
-             : scene->seams ? "--crease 0.1"
-                            : "--all-edges",
+             scene->united ? "--union"
+             : all_edges   ? "--all-edges"
+                           : "--crease 0.1",
              v->w ? "eye" : "dir", v->x, v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
     if (judge_write_off(path, &scene->mesh, command))
         fprintf(out, "  build/roberts %s %s\n", command, path);
@@ -255,23 +255,9 @@ static double size_of(const roberts_mesh *mesh)
     return size;
 }
 
-/* Judges the intersection lines; gives how many were wrong. */
-static size_t judge_lines(const char *name, const judgement *j, const roberts_scene *built, mesh_total *total,
-                          FILE *out)
-{
-    cross_truth crossed;
-    size_t failed = 0;
-    if (cross_truth_find(&j->scene->mesh, &j->scene->view, j->scene->even_odd, &crossed)) {
-        cross_settle(j->scene, &crossed, j->drawing);
-        const cross_case c = {j->scene, &crossed, j->truth->position, NULL, name};
-        failed = cross_judge_drawing(&c, built, j->drawing, total, out);
-        cross_truth_free(&crossed);
-    }
-    return failed;
-}
-
 /* Draws the scene; false: the program refuses. */
-static bool draw(const char *name, const mesh_scene *scene, roberts_scene **built, roberts_drawing *drawing, FILE *out)
+static bool draw(const char *name, const mesh_scene *scene, bool all_edges, roberts_scene **built,
+                 roberts_drawing *drawing, FILE *out)
 {
     const oracle_view *v = &scene->view;
     roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
@@ -283,58 +269,13 @@ static bool draw(const char *name, const mesh_scene *scene, roberts_scene **buil
     else
         camera.dir = (roberts_vec3){v->x, v->y, v->z};
     options.keep_hidden = true;
-    options.all_edges = !scene->united && !scene->seams;
+    options.all_edges = all_edges;
     options.unite = scene->united;
     if (roberts_scene_build(&scene->mesh, &bodies, built, &error) == ROBERTS_OK &&
         roberts_hide(*built, &camera, &options, drawing, &error) == ROBERTS_OK)
         return true;
     fprintf(out, "%s: the program refuses: %s\n", name, error.message);
     return false;
-}
-
-/* The truth about seams in the shape of that about unions: all is drawn. */
-static bool seams_as_lines(const cross_truth *seams, union_truth *out)
-{
-    *out = (union_truth){.line_count = seams->line_count,
-                         .part_count = seams->line_count,
-                         .interval_count = seams->interval_count,
-                         .line = malloc((seams->line_count + 1) * sizeof *out->line),
-                         .part = malloc((seams->line_count + 1) * sizeof *out->part),
-                         .interval = malloc((seams->interval_count + 1) * sizeof *out->interval)};
-    if (!out->line || !out->part || !out->interval)
-        return false;
-    for (size_t i = 0; i < seams->line_count; i++) {
-        const cross_line *l = &seams->line[i];
-        out->line[i] = (union_line){l->a, l->b, true, l->edge_on, i, 1, l->first, l->count};
-        out->part[i] = (union_part){0, 1, UNION_OPEN};
-    }
-    memcpy(out->interval, seams->interval, seams->interval_count * sizeof *out->interval);
-    return true;
-}
-
-/* Without flat edges: where such an edge is the line in which its faces meet another one, there must be a line. */
-static size_t judge_seams(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
-{
-    roberts_scene *built = NULL;
-    roberts_drawing drawing = {0};
-    cross_truth seams;
-    union_truth lines = {0};
-    size_t failed = 1;
-    if (!cross_seams_find(&scene->mesh, &scene->view, scene->even_odd, &seams)) {
-        total->refused++;
-        return 0;
-    }
-    if (seams_as_lines(&seams, &lines) && draw(name, scene, &built, &drawing, out)) {
-        const union_case c = {scene, &lines, name};
-        failed = union_judge_lines(&c, &drawing, total, out);
-    } else {
-        total->disagreements++;
-    }
-    roberts_drawing_free(&drawing);
-    roberts_scene_free(built);
-    cross_truth_free(&seams);
-    union_truth_free(&lines);
-    return failed;
 }
 
 /* Bodies drawn as one. */
@@ -349,7 +290,7 @@ static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total
         total->refused++;
         return 0;
     }
-    if (draw(name, scene, &built, &drawing, out)) {
+    if (draw(name, scene, false, &built, &drawing, out)) {
         const union_case c = {scene, &truth, name};
         failed = union_judge_drawing(&c, &drawing, total, out);
     } else {
@@ -361,48 +302,75 @@ static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total
     return failed;
 }
 
-static size_t judge_bodies(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
+/* Judges the lines in which faces cross. */
+static size_t judge_lines(const cross_case *at, const roberts_scene *built, const roberts_drawing *drawing,
+                          mesh_total *total, FILE *out)
+{
+    cross_case c = *at;
+    cross_truth crossed;
+    size_t failed = 0;
+    if (cross_truth_find(&c.scene->mesh, &c.scene->view, c.scene->even_odd, &crossed)) {
+        cross_settle(c.scene, &crossed, drawing);
+        c.truth = &crossed;
+        failed = cross_judge_drawing(&c, built, drawing, total, out);
+        cross_truth_free(&crossed);
+    }
+    return failed;
+}
+
+/* Draws the scene with all edges or without those that are flat, and judges it. */
+static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_total *total, FILE *out)
 {
     roberts_scene *built = NULL;
     roberts_drawing drawing = {0};
-    mesh_truth truth;
     size_t failed = 0;
-    if (!mesh_truth_find(&scene->mesh, &scene->view, scene->even_odd, &truth)) {
-        fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
-        total->refused++;
-        return 0;
-    }
-    if (!draw(name, scene, &built, &drawing, out)) {
+    if (!draw(c->name, c->scene, c->all_edges, &built, &drawing, out)) {
         failed++;
         total->disagreements++;
     } else {
-        judgement j = {.scene = scene,
-                       .truth = &truth,
+        judgement j = {.scene = c->scene,
+                       .truth = truth,
                        .drawing = &drawing,
-                       .size = size_of(&scene->mesh),
+                       .size = size_of(&c->scene->mesh),
                        .piece = malloc((drawing.count + 1) * sizeof *j.piece),
                        .hidden = malloc((drawing.count + 1) * sizeof *j.hidden),
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
-        for (size_t i = 0; j.piece && j.hidden && j.any && i < truth.edge_count; i++)
-            judge_edge(&j, &truth.edge[i], name, total, &failed, out);
-        failed += judge_lines(name, &j, built, total, out);
+        for (size_t i = 0; c->all_edges && j.piece && j.hidden && j.any && i < truth->edge_count; i++)
+            judge_edge(&j, &truth->edge[i], c->name, total, &failed, out);
+        failed += judge_lines(c, built, &drawing, total, out);
         free(j.piece);
         free(j.hidden);
         free(j.any);
     }
-    total->pairs += truth.pairs;
-    total->exact += truth.exact;
     roberts_drawing_free(&drawing);
     roberts_scene_free(built);
-    mesh_truth_free(&truth);
     return failed;
 }
 
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
 {
+    mesh_truth truth;
+    size_t failed = 0;
     total->scenes++;
-    size_t failed = (scene->united ? judge_united : scene->seams ? judge_seams : judge_bodies)(name, scene, total, out);
-    if (failed)
-        tell_command(name, scene, folder, out);
+    if (scene->united) {
+        failed = judge_united(name, scene, total, out);
+        if (failed)
+            tell_command(name, scene, false, folder, out);
+        return failed == 0;
+    }
+    if (!mesh_truth_find(&scene->mesh, &scene->view, scene->even_odd, &truth)) {
+        fprintf(out, "%s: the oracle refuses: %s\n", name, truth.error);
+        total->refused++;
+        return true;
+    }
+    for (int all_edges = 1; all_edges >= 0 && failed == 0; all_edges--) {
+        const cross_case c = {.scene = scene, .position = truth.position, .name = name, .all_edges = all_edges != 0};
+        failed = judge_drawing(&c, &truth, total, out);
+        if (failed)
+            tell_command(name, scene, all_edges != 0, folder, out);
+    }
+    total->pairs += truth.pairs;
+    total->exact += truth.exact;
+    mesh_truth_free(&truth);
     return failed == 0;
 }

@@ -11,15 +11,14 @@ typedef struct mesh_scene {
     roberts_mesh mesh;
     oracle_view view; /* without a near plane */
     bool even_odd;
-    bool united;  /* closed bodies, drawn as one */
-    bool seams;   /* instead of edges: lines where flat edges, which are not drawn, lie in faces */
-    double slack; /* model units: effects of moves this large are not judged; 0: judged strictly */
+    bool united;  /* closed bodies that are drawn as one */
+    double slack; /* model units: what could change if things moved so far is not judged; 0: judged strictly */
 } mesh_scene;
 
 typedef struct mesh_total {
     size_t scenes, edges, hidden, cut; /* compared; completely hidden; partly hidden */
     size_t lines, lines_cut;           /* intersection lines; those hidden partly or completely */
-    size_t lines_left_out;             /* lines without rows of which nothing can be seen */
+    size_t on_edges;                   /* those of them that lie on edges that are left out */
     size_t disagreements;              /* edges, lines, or whole scenes that the program refused */
     size_t refused;                    /* scenes that the oracle refused */
     double unjudged;                   /* length in t that was not judged because of slack; a whole edge counts 1 */
@@ -30,7 +29,8 @@ typedef struct mesh_total {
 /* An edge fails if program and oracle differ on more than this fraction of it. */
 #define MESH_JUDGE_LIMIT 1e-9
 
-/* Compares all edges and adds to `total`. Reports the first few failures to `out`, with the command that draws the
+/* Draws all edges and compares them and the lines in which faces cross; then leaves flat edges out and compares these
+ * lines again. Adds to `total`. The first few that fail are told on `out`, with the command that draws the
  * scene, which is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out);
 

@@ -11,6 +11,7 @@
 #include "../oracle/judge.h"
 #include "../oracle/studio.h"
 #include "base/array.h"
+#include "plots.h"
 
 /* ---- families -------------------------------------------------------------------------------------------------- */
 
@@ -415,6 +416,29 @@ static void check_pdf(const drawings *d, const row_list *r, const paper *svg, ro
     free(file.at);
 }
 
+/* TikZ, DXF and HP-GL/2 have the strokes and pens of the SVG. */
+static void check_plots(const drawings *d, const char *svg, roberts_draw_options options, findings *f)
+{
+    static const roberts_format formats[] = {ROBERTS_TIKZ, ROBERTS_DXF, ROBERTS_HPGL};
+    const double height_mm = options.page.height_mm;
+    plot wanted;
+    bool read = plot_read(&wanted, ROBERTS_SVG, svg, height_mm);
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        bytes file = {0};
+        plot own = {0};
+        options.format = formats[i];
+        if (!(read && write_all(d, &options, &file) && plot_read(&own, formats[i], file.at, height_mm) &&
+              plot_is_same(&wanted, &own, formats[i], height_mm, f->out))) {
+            if (f->out)
+                fprintf(f->out, "  format %d: not the strokes of the SVG, or not understood\n", formats[i]);
+            f->missing++;
+        }
+        plot_free(&own);
+        free(file.at);
+    }
+    plot_free(&wanted);
+}
+
 static void check_all(const drawings *d, const row_list *r, const trial_style *style,
                       const roberts_draw_options *options, findings *f)
 {
@@ -422,6 +446,7 @@ static void check_all(const drawings *d, const row_list *r, const trial_style *s
     paper svg = {0};
     if (write_all(d, options, &file) && paper_read_svg(&svg, file.at, file.size)) {
         check_lines(r, &svg, options, f);
+        check_plots(d, file.at, *options, f);
         if (style->format == ROBERTS_PDF)
             check_pdf(d, r, &svg, *options, f);
     } else {

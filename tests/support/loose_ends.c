@@ -1,4 +1,4 @@
-/* loose_ends.c - see loose_ends.h. A grid over the picture lists the segments of each cell. */
+/* loose_ends.c - finds loose ends. See loose_ends.h. A grid over the picture lists the segments of each cell. */
 #include "loose_ends.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@ typedef struct page_grid {
     double x, y, cell, near;
     long columns, rows;
     size_t *start;     /* [columns * rows + 1] */
-    uint32_t *segment; /* by cell */
+    uint32_t *segment; /* segments, sorted by cell */
 } page_grid;
 
 static bool is_line(const roberts_segment *s)
@@ -28,14 +28,14 @@ static long row(const page_grid *g, double y)
     return (long)fmin(fmax(floor((y - g->y) / g->cell), 0), (double)(g->rows - 1));
 }
 
-/* Lists a segment in all cells that it comes near to; without a list it only counts. */
+/* Lists a segment in all cells near it; without a list it only counts. */
 static void list_segment(page_grid *g, uint32_t number, size_t *at)
 {
     const roberts_segment *s = &g->d->segment[number];
     roberts_vec2 p = s->p0, q = s->p1;
     long low = column(g, fmin(p.x, q.x) - g->near), high = column(g, fmax(p.x, q.x) + g->near);
     for (long c = low; c <= high; c++) {
-        /* what of the segment is in this column, with a margin */
+        /* the part of the segment in this column, with a margin */
         double left = c == 0 ? -HUGE_VAL : g->x + (double)c * g->cell - g->near;
         double right = c == g->columns - 1 ? HUGE_VAL : g->x + (double)(c + 1) * g->cell + g->near;
         double y0 = fmin(p.y, q.y), y1 = fmax(p.y, q.y);
@@ -79,12 +79,12 @@ static bool build(page_grid *g)
     return at && g->segment;
 }
 
-/* A way in which lines leave a point; 0, 0: none yet. */
+/* A direction in which lines leave a point; 0, 0: none yet. */
 typedef struct heading {
     double x, y;
 } heading;
 
-/* Is there a second heading? Ways that differ by less than what `near` makes of the segment's length are one. */
+/* Is this a second direction? Directions that differ by less than `near` over the segment's length count as one. */
 static bool another(heading *first, double dx, double dy, double near)
 {
     double l = hypot(dx, dy);
@@ -98,7 +98,7 @@ static bool another(heading *first, double dx, double dy, double near)
     return hypot(h.x - first->x, h.y - first->y) > 4 * near / l;
 }
 
-/* Do the lines at P lead on? */
+/* Do lines continue at P? */
 static bool leads_on(const page_grid *g, roberts_vec2 P, heading first, size_t self)
 {
     size_t cell = (size_t)(row(g, P.y) * g->columns + column(g, P.x));
@@ -111,7 +111,7 @@ static bool leads_on(const page_grid *g, roberts_vec2 P, heading first, size_t s
         if (hypot(s->p0.x + t * dx - P.x, s->p0.y + t * dy - P.y) > g->near)
             continue;
         if (sqrt(l) <= 4 * g->near)
-            return true; /* too short to tell the way */
+            return true; /* too short to have a direction */
         if (another(&first, s->p0.x - P.x, s->p0.y - P.y, g->near) ||
             another(&first, s->p1.x - P.x, s->p1.y - P.y, g->near))
             return true;

@@ -4,8 +4,8 @@
 
 #include "roberts.h"
 
-/* Fraction of the picture's diagonal: ends this near to a line lie on it. Models as text have half as many correct
- * digits where lines meet at small angles. */
+/* Fraction of the picture's diagonal: ends this near to a line lie on it. Coordinates in text models are rounded, and
+ * lines that meet at small angles amplify the error. */
 #define LOOSE_END_NEAR 1e-7
 
 /* An end at which no line continues. */

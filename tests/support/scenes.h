@@ -18,41 +18,7 @@
 #include <cmocka.h>
 
 #include "base/vec.h"
-
-/* ---- random numbers: splitmix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014) --- */
-
-typedef struct rng {
-    uint64_t state;
-} rng;
-
-static inline uint64_t rng_next(rng *r)
-{
-    uint64_t z = r->state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-static inline double rng_between(rng *r, double low, double high)
-{
-    return low + (high - low) * ((double)(rng_next(r) >> 11) * 0x1p-53);
-}
-
-/* Returns an integer from low to high, both included. */
-static inline int rng_int(rng *r, int low, int high)
-{
-    return low + (int)(rng_next(r) % (uint64_t)(high - low + 1));
-}
-
-/* Sets order[0 .. count - 1] to a random permutation of 0 .. count - 1. */
-static inline void rng_permutation(rng *r, uint32_t *order, uint32_t count)
-{
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t j = (uint32_t)rng_int(r, 0, (int)i);
-        order[i] = order[j];
-        order[j] = i;
-    }
-}
+#include "rng.h"
 
 /* ---- linear maps ----------------------------------------------------------------------------------------------- */
 
@@ -149,7 +115,7 @@ static const shape shapes[SHAPES] = {
 
 /* ---- models ---------------------------------------------------------------------------------------------------- */
 
-enum { MODEL_SOLIDS = 1024, MODEL_CORNERS = 128 /* of a face */ };
+enum { MODEL_SOLIDS = 1024, MODEL_CORNERS = 128 /* corners of a face */ };
 
 typedef struct model {
     roberts_mesh mesh;

@@ -1,5 +1,5 @@
-/* test_temporary.c - the folders of temporary.h go however a test program ends: the program starts itself, with such an
- * end for its argument, and looks where its folder was. */
+/* test_temporary.c - the folders of temporary.h are removed however a test program ends. The program starts itself with
+ * a kind of end as its argument, and checks the place of its folder. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -13,7 +13,7 @@
 
 static const char *self;
 
-/* Leaves folders in the test's own, a link out of it and a pipe, and goes there. */
+/* Makes folders in the test's own folder, a link out of it and a pipe, and changes to it. */
 static void fill(void)
 {
     assert_int_equal(chdir(temporary), 0);
@@ -44,7 +44,7 @@ static int half_made(void **state)
     return -1;
 }
 
-/* What a program does that is called "test_temporary END". */
+/* The action of a program called as "test_temporary END". */
 static int end(const char *name)
 {
     const struct CMUnitTest failing[] = {
@@ -59,7 +59,7 @@ static int end(const char *name)
     fill();
     pid_t child = fork();
     if (child == 0)
-        exit(0); /* leaves alone what is not its own */
+        exit(0); /* leaves a folder that is not its own alone */
     waitpid(child, NULL, 0);
     if (access(temporary, F_OK) != 0)
         return 101;
@@ -69,7 +69,7 @@ static int end(const char *name)
     return 102;
 }
 
-/* Whole status of the program that ends so in this TMPDIR. */
+/* Returns the status of the program that ends in this way with this TMPDIR. */
 static int status_of(const char *name, const char *place)
 {
     int status;
@@ -77,7 +77,7 @@ static int status_of(const char *name, const char *place)
     pid_t child = fork();
     if (child == 0) {
         setenv("TMPDIR", place, 1);
-        signal(SIGHUP, SIG_DFL); /* not ignored, as it is under nohup */
+        signal(SIGHUP, SIG_DFL); /* in case it is ignored, as it is under nohup */
         signal(SIGINT, SIG_DFL);
         signal(SIGQUIT, SIG_DFL);
         close(STDOUT_FILENO);
@@ -109,14 +109,14 @@ static void nothing_is_left(void **state)
     }
 }
 
-/* Nothing is removed where nothing was made. */
+/* Nothing is removed if nothing was made. */
 static void places(void **state)
 {
     char place[2 * TEMPORARY_ROOM];
     (void)state;
     snprintf(place, sizeof place, "%s/missing", temporary);
     assert_int_equal(status_of("exit", place), 100);
-    memset(place, '/', sizeof place - 1); /* the root, but too long a name of it */
+    memset(place, '/', sizeof place - 1); /* an absolute path, but too long */
     place[sizeof place - 1] = '\0';
     assert_int_equal(status_of("exit", place), 100);
     assert_int_equal(status_of("exit", "here"), 3); /* in /tmp */

@@ -22,6 +22,7 @@ typedef struct body_case {
     bool even_odd, all_edges;
 } body_case;
 
+#define ROOT_5 2.2360679774997898
 #define ROOT_2 1.41421356237309504880
 #define TOP                                                                                                            \
     {                                                                                                                  \
@@ -76,6 +77,8 @@ static const body_case cases[] = {
      "10 0 1 2 3 0 4 5 6 7 4\n4 8 9 10 11\n",
      TOP, "oo", 0, 12 + 4 + 2, 0, 0, false, false},
     {"a wire", "OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", TOP, "o", 0, 0, 0, 1, false, false},
+    {"wires that meet, alone", "OFF\n5 3 0\n0 0 0\n1 0 0\n0.5 0 0\n0.5 1 0\n2 1 0\n2 0 1\n2 2 3\n2 3 4\n", TOP, "o", 0,
+     0, 0, 3.5, false, false},
     {"a wire before a sheet and behind it",
      "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 -0.5 1\n0.5 1.5 -1\n4 0 1 2 3\n2 4 5\n", TOP, "oo", 0, 4, 0, 1.5,
      false, false},
@@ -88,6 +91,9 @@ static const body_case cases[] = {
     {"an edge ends where no piece of its faces has a corner: 1 and 2 coincide in the coordinate plane",
      "OFF\n5 2 0\n0 0 0\n0 3 0\n0 3 2\n4 3 0\n0 6 0\n4 0 1 2 3\n4 4 1 2 3\n", TOP, "o", 0, 3 + 5 + 3 + 5, 4, 0, false,
      true},
+    {"... from the front, where the side from 1 to 2 has a length",
+     "OFF\n5 2 0\n0 0 0\n0 3 0\n0 3 2\n4 3 0\n0 6 0\n4 0 1 2 3\n4 4 1 2 3\n", FRONT, "o", 2 + 2 * ROOT_5, 4 + 4, 0, 0,
+     false, true},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",

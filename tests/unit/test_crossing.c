@@ -132,6 +132,12 @@ static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool ba
 }
 
 /* The face of the scene that is a face of the file. */
+static bool is_beside(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+{
+    crossing_lie lie = crossing_lie_of(rules, f, g);
+    return !(lie.over && lie.under);
+}
+
 static crossing_face face_of(const crossing_rules *rules, uint32_t number)
 {
     for (uint32_t s = 0; s < rules->scene->solid_count; s++)
@@ -184,7 +190,7 @@ static void pairs_cross_where_they_should(void **state)
                         fail_msg("%s: segment %zu is elsewhere (turned %d, %u)", cases[i].name, n, way, k);
                     assert_true(n == 0 || vec3_compare(found.item[n - 1].end[0].point, found.item[n].end[0].point) < 0);
                 }
-                free(found.item);
+                crossing_list_free(&found);
                 roberts_scene_free(scene);
             }
 }
@@ -315,8 +321,8 @@ static void triangles_cross_as_whole_numbers_say(void **state)
             }
             crossing += cross;
             sharing += cross && shared > 0;
-            touching += !cross && (crossing_is_beside(&rules, &f, &g) != crossing_is_beside(&rules, &g, &f));
-            free(found.item);
+            touching += !cross && (is_beside(&rules, &f, &g) != is_beside(&rules, &g, &f));
+            crossing_list_free(&found);
         }
         roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
@@ -363,7 +369,7 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
             for (int k = 0; k < 2; k++)
                 same += memcmp(&found.item[0].end[i], &found.item[1].end[k], 2 * sizeof(roberts_vec3)) == 0;
         assert_int_equal(same, 1);
-        free(found.item);
+        crossing_list_free(&found);
         roberts_scene_free(scene);
         roberts_mesh_free(&mesh);
     }
@@ -424,8 +430,9 @@ static size_t pairs_that_cross(const roberts_scene *scene, double touching)
             crossing_face F = crossing_face_of(&rules, body[0], f), G = crossing_face_of(&rules, body[1], g);
             assert_true(crossing_find(&rules, &F, &G, &found));
         }
-    free(found.item);
-    return found.count;
+    size_t count = found.count;
+    crossing_list_free(&found);
+    return count;
 }
 
 /* Each pair is found, once, by any grid and any number of threads, and the bytes are the same. */

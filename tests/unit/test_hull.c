@@ -314,7 +314,8 @@ static const struct {
     roberts_status status;
     const char *message;
 } refused[] = {
-    {"nothing", "OFF\n0 0 0\n", 0, ROBERTS_NOT_CLOSED, "nothing to draw: there is no face with three different corners"},
+    {"nothing", "OFF\n0 0 0\n", 0, ROBERTS_NOT_CLOSED,
+     "nothing to draw: there is no face with three different corners"},
     {"one point", "OFF\n1 0 0\n0 0 0\n", 0, ROBERTS_FLAT, "a convex hull takes four points, but there is 1"},
     {"three points", "OFF\n3 0 0\n0 0 0 1 0 0 0 1 0\n", 0, ROBERTS_FLAT,
      "a convex hull takes four points, but there are 3"},

@@ -210,10 +210,8 @@ static const struct {
     {"a face over several lines", "OFF 3 2 0\n" POINTS "3 0 \n1 \n2 \n\n3\n# c\n0\n\n1 2 7\n",
      "(0 0 0)(1 0 0)(0 1 0)[0 1 2][0 1 2/7]", ""},
     {"thin faces", "OFF 3 5 0\n" POINTS "1 0\n3 0 1 2\n2 0 1 255 0 0\n0\n1 2 .5 .5 .5\n",
-     "(0 0 0)(1 0 0)(0 1 0)[0][0 1 2][0 1/1,0,0][][2/0.5,0.5,0.5]",
-     "0: 4 faces with fewer than 3 corners: they hide nothing;"},
-    {"one thin face", "OFF 3 2 0\n" POINTS "1 0\n3 0 1 2\n", "(0 0 0)(1 0 0)(0 1 0)[0][0 1 2]",
-     "0: 1 face with fewer than 3 corners: it hides nothing;"},
+     "(0 0 0)(1 0 0)(0 1 0)[0][0 1 2][0 1/1,0,0][][2/0.5,0.5,0.5]", "0: 1 face without corners;"},
+    {"one thin face", "OFF 3 2 0\n" POINTS "1 0\n3 0 1 2\n", "(0 0 0)(1 0 0)(0 1 0)[0][0 1 2]", ""},
     {"a corner twice, a face twice", "OFF 3 2 0\n" POINTS "4 0 1 1 2\n4 0 1 1 2\n",
      "(0 0 0)(1 0 0)(0 1 0)[0 1 1 2][0 1 1 2]", ""},
     {"fewer faces", "OFF\n3 4 0\n" POINTS "3 0 1 2\n", TRIANGLE, "0: 4 faces declared, but there are 1;"},
@@ -245,27 +243,26 @@ static const struct {
      "(1 -0 1)(0.5 1000 -0.001)(0.10000000000000001 9.9999999999999998e+149 -9.9998886718268301e-321)", ""},
     {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
      "(0 0 0)(1 0 0)(1 0 0)(0 1 3)[][0 2 3]",
-     "0: 1 face with fewer than 3 corners: it hides nothing;7: 1 colour that makes no sense ignored;"
+     "0: 1 face without corners;7: 1 colour that makes no sense ignored;"
      "4: is a number missing? line 4 has 2 words, and the vertices before it have 3;"},
     {"a number missing at once", "OFF\n4 2 0\n# none\n\n0 0\n1 0 0 # 7\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
      "(0 0 1)(0 0 0)(1 0 0)(0 1 3)[][0 2 3]",
-     "0: 1 face with fewer than 3 corners: it hides nothing;9: 1 colour that makes no sense ignored;"
+     "0: 1 face without corners;9: 1 colour that makes no sense ignored;"
      "5: is a number missing? line 5 has 2 words, and the next vertices have 3;"},
     {"a vertex missing", "OFF\r\n5 2 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 1 2\r\n3 0 2 3\r\n",
      "(0 0 0)(1 0 0)(0 1 0)(0 0 1)(3 0 1)[3 0]",
-     "0: 2 faces declared, but there are 1;0: 1 face with fewer than 3 corners: it hides nothing;"
-     "8: 1 colour that makes no sense ignored;7: line 7 looks like a face, but the header says 5 vertices, and 4 "
+     "0: 2 faces declared, but there are 1;8: 1 colour that makes no sense ignored;7: line 7 looks like a face, but "
+     "the header says 5 vertices, and 4 "
      "stand before it;"},
     {"a number too many", "OFF\n4 1 0\n0 0 0\n1 0 0 7\n0 1 0\n0 0 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0)(7 0 1)(0 0 0)[3/0,0.00392157,0.00784314]",
-     "0: 1 face with fewer than 3 corners: it hides nothing;"
      "4: is a number too many? line 4 has 4 words, and the vertices before it have 3;"},
     {"a vertex too many", "OFF\n3 1 0\n" POINTS "0 0 1\n3 0 1 3\n", "(0 0 0)(1 0 0)(0 1 0)[]",
      "7: text after the last face ignored; the header says 3 vertices and 1 face;"
-     "0: 1 face with fewer than 3 corners: it hides nothing;6: 1 colour that makes no sense ignored;"
+     "0: 1 face without corners;6: 1 colour that makes no sense ignored;"
      "6: line 6 looks like a vertex, but the header says 3 vertices, and 3 stand before it;"},
     {"vertices of whole numbers and edges", "OFF\n3 3 0\n" POINTS "2 0 1\n1 2\n3 0 1 2\n",
-     "(0 0 0)(1 0 0)(0 1 0)[0 1][2][0 1 2]", "0: 2 faces with fewer than 3 corners: they hide nothing;"},
+     "(0 0 0)(1 0 0)(0 1 0)[0 1][2][0 1 2]", ""},
     {"a corner missing", "OFF\n4 3 0\n" POINTS "0 0 1\n3 0 1\n3 0 1 3\n3 1 2 3\n",
      "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 3/0,0.00392157,0.0117647][1 2 3]",
      "0: 3 faces declared, but there are 2;7: line 7 begins a face of 3 corners, and 2 numbers follow on it;"},
@@ -275,18 +272,18 @@ static const struct {
      "0: 4 faces declared, but there are 3;10: line 10 begins a face of 3 corners, and 2 numbers follow on it;"},
     {"faces without the number of corners", "OFF\n3 3 0\n" POINTS "0 1 2 0\n2 1 0 1 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0)(0 1 0)[/0.00392157,0.00784314,0][1 0][0 1 2]",
-     "0: 2 faces with fewer than 3 corners: they hide nothing;7: 1 colour that makes no sense ignored;"
+     "0: 1 face without corners;7: 1 colour that makes no sense ignored;"
      "7: line 7 begins a face of 2 corners, and 4 numbers follow on it;"},
     {"normals without NOFF", "OFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 -1\n0 1 0 0 1 0\n3 0 1 2\n", "(0 0 0)(0 0 1)(1 0 0)[]",
      "5: text after the last face ignored; the header says 3 vertices and 1 face;"
-     "0: 1 face with fewer than 3 corners: it hides nothing;4: 1 colour that makes no sense ignored;"
+     "0: 1 face without corners;4: 1 colour that makes no sense ignored;"
      "3: line 3 has 6 words, and the vertices of OFF have 3; is NOFF or COFF meant?;"},
     {"vertices with colours or without, and a thin face", "COFF\n3 2 0\n0 0 0\n1 0 0 255 0 0\n0 1 0\n2 0 1\n3 0 1 2\n",
-     "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners: it hides nothing;"},
+     "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", ""},
     {"all numbers on lines of their own, and a thin face", "OFF\n3 2 0\n0\n0\n0\n1 0\n0\n0\n1\n0\n2 0 1\n3 0 1 2\n",
-     "(0 0 0)(1 0 0)(0 1 0)[0 1][0 1 2]", "0: 1 face with fewer than 3 corners: it hides nothing;"},
+     "(0 0 0)(1 0 0)(0 1 0)[0 1][0 1 2]", ""},
     {"the first vertex beside the counts, and a thin face", "OFF 3 2 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n2 0 1\n",
-     "(0 0 0)(1 0 0)(0 1 0)[0 1 2][0 1]", "0: 1 face with fewer than 3 corners: it hides nothing;"},
+     "(0 0 0)(1 0 0)(0 1 0)[0 1 2][0 1]", ""},
     {"unused vertices", "OFF 5 1 0\n9 9 9\n" POINTS "8 8 8\n3 1 2 3\n", "(9 9 9)(0 0 0)(1 0 0)(0 1 0)(8 8 8)[1 2 3]",
      ""},
 };

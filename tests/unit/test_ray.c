@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "base/vec.h"
+#include "rng.h"
 #include "roberts.h"
 
 #define FRONT ROBERTS_FACING_FRONT
@@ -24,38 +25,19 @@
     }
 #define PI 3.14159265358979323846
 
-/* ---- random numbers: splitmix64, the same on every machine ---------------------------------------------------- */
-
-typedef struct rng {
-    uint64_t state;
-} rng;
-
-static double draw(rng *r, double lo, double hi)
-{
-    uint64_t z = (r->state += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    z ^= z >> 31;
-    return lo + (hi - lo) * ((double)(z >> 11) * 0x1p-53);
-}
-
-static roberts_vec3 draw_vec3(rng *r, double size)
-{
-    double x = draw(r, -size, size), y = draw(r, -size, size), z = draw(r, -size, size);
-    return (roberts_vec3){x, y, z};
-}
+/* ---- random shapes --------------------------------------------------------------------------------------------- */
 
 static roberts_vec2 draw_vec2(rng *r, double size)
 {
-    double x = draw(r, -size, size), y = draw(r, -size, size);
+    double x = rng_between(r, -size, size), y = rng_between(r, -size, size);
     return (roberts_vec2){x, y};
 }
 
 /* A ray from around the origin, with a direction whose length spans six decades. */
 static roberts_ray draw_ray(rng *r)
 {
-    roberts_ray ray = {draw_vec3(r, 3.0), draw_vec3(r, 1.0)};
-    ray.direction = vec3_scale(pow(10.0, draw(r, -3.0, 3.0)), ray.direction);
+    roberts_ray ray = {rng_vec3(r, 3.0), rng_vec3(r, 1.0)};
+    ray.direction = vec3_scale(pow(10.0, rng_between(r, -3.0, 3.0)), ray.direction);
     return ray;
 }
 
@@ -205,8 +187,8 @@ static void test_plane_properties(void **state)
     (void)state;
     for (int i = 0; i < 100000; i++) {
         roberts_ray ray = draw_ray(&r);
-        roberts_vec3 n = draw_vec3(&r, 1.0);
-        roberts_plane F = {n.x, n.y, n.z, draw(&r, -2.0, 2.0)};
+        roberts_vec3 n = rng_vec3(&r, 1.0);
+        roberts_plane F = {n.x, n.y, n.z, rng_between(&r, -2.0, 2.0)};
         roberts_hit hit;
         double at = plane_at(F, ray.origin), vn = vec3_dot(n, ray.direction);
         bool met = roberts_ray_plane(ray, F, &hit);
@@ -300,7 +282,7 @@ static void test_triangle_forms(void **state)
     size_t hits = 0, split = 0;
     (void)state;
     for (int i = 0; i < 1000000; i++) {
-        roberts_vec3 a = draw_vec3(&r, 2.0), b = draw_vec3(&r, 2.0), c = draw_vec3(&r, 2.0);
+        roberts_vec3 a = rng_vec3(&r, 2.0), b = rng_vec3(&r, 2.0), c = rng_vec3(&r, 2.0);
         roberts_ray ray = draw_ray(&r);
         roberts_hit hit[3] = {{0}};
         bool met[3];
@@ -342,11 +324,11 @@ static void test_triangle_halves(void **state)
     size_t hits = 0;
     (void)state;
     for (int i = 0; i < 100000; i++) {
-        roberts_vec3 a = draw_vec3(&r, 1.0), b = draw_vec3(&r, 1.0), d = draw_vec3(&r, 1.0);
+        roberts_vec3 a = rng_vec3(&r, 1.0), b = rng_vec3(&r, 1.0), d = rng_vec3(&r, 1.0);
         roberts_vec3 c = vec3_sub(vec3_add(b, d), a);
-        double alpha = draw(&r, -0.5, 1.5), beta = draw(&r, -0.5, 1.5);
+        double alpha = rng_between(&r, -0.5, 1.5), beta = rng_between(&r, -0.5, 1.5);
         roberts_vec3 p = vec3_add(a, vec3_add(vec3_scale(alpha, vec3_sub(b, a)), vec3_scale(beta, vec3_sub(d, a))));
-        roberts_vec3 s = draw_vec3(&r, 3.0);
+        roberts_vec3 s = rng_vec3(&r, 3.0);
         roberts_ray ray = {s, vec3_sub(p, s)};
         roberts_vec3 n = vec3_cross(vec3_sub(b, a), vec3_sub(d, a));
         double border = fmin(fmin(fabs(alpha), fabs(1 - alpha)), fmin(fabs(beta), fabs(1 - beta)));
@@ -438,15 +420,15 @@ static void test_inside_degenerate(void **state)
 /* Corners on an ellipse at random angles in a random plane; returns its count. */
 static size_t draw_polygon(rng *r, roberts_vec3 corner[12], roberts_vec3 *o, roberts_vec3 *u, roberts_vec3 *v)
 {
-    size_t count = (size_t)draw(r, 3.0, 13.0);
-    double first = draw(r, 0.0, 1.0);
-    *o = draw_vec3(r, 2.0);
+    size_t count = (size_t)rng_between(r, 3.0, 13.0);
+    double first = rng_between(r, 0.0, 1.0);
+    *o = rng_vec3(r, 2.0);
     do {
-        *u = draw_vec3(r, 1.0);
-        *v = draw_vec3(r, 1.0);
+        *u = rng_vec3(r, 1.0);
+        *v = rng_vec3(r, 1.0);
     } while (vec3_length(vec3_cross(*u, *v)) < 0.05);
     for (size_t i = 0; i < count; i++) {
-        double angle = 2 * PI * ((double)i + draw(r, 0.05, 0.95) + first) / (double)count;
+        double angle = 2 * PI * ((double)i + rng_between(r, 0.05, 0.95) + first) / (double)count;
         corner[i] = vec3_add(*o, vec3_add(vec3_scale(cos(angle), *u), vec3_scale(sin(angle), *v)));
     }
     return count;
@@ -461,8 +443,8 @@ static void test_polygon_forms(void **state)
     for (int i = 0; i < 200000; i++) {
         roberts_vec3 corner[12], o, u, v;
         size_t count = draw_polygon(&r, corner, &o, &u, &v);
-        double x = draw(&r, -1.2, 1.2), y = draw(&r, -1.2, 1.2);
-        roberts_vec3 p = vec3_add(o, vec3_add(vec3_scale(x, u), vec3_scale(y, v))), s = draw_vec3(&r, 4.0);
+        double x = rng_between(&r, -1.2, 1.2), y = rng_between(&r, -1.2, 1.2);
+        roberts_vec3 p = vec3_add(o, vec3_add(vec3_scale(x, u), vec3_scale(y, v))), s = rng_vec3(&r, 4.0);
         roberts_ray ray = {s, vec3_sub(p, s)};
         roberts_vec3 n = vec3_cross(u, v);
         double vn = vec3_dot(n, ray.direction) / vec3_length(n);
@@ -573,8 +555,8 @@ static void test_sphere_forms(void **state)
     (void)state;
     for (int i = 0; i < 1000000; i++) {
         roberts_ray ray = draw_ray(&r);
-        roberts_vec3 centre = draw_vec3(&r, 3.0), v = ray.direction, so = vec3_sub(centre, ray.origin);
-        double radius = draw(&r, 0.0, 2.0), length = vec3_length(v), t_h = vec3_dot(so, v) / (length * length);
+        roberts_vec3 centre = rng_vec3(&r, 3.0), v = ray.direction, so = vec3_sub(centre, ray.origin);
+        double radius = rng_between(&r, 0.0, 2.0), length = vec3_length(v), t_h = vec3_dot(so, v) / (length * length);
         double d = vec3_length(vec3_sub(so, vec3_scale(t_h, v)));
         roberts_span algebraic, geometric, circle;
         bool met = roberts_ray_sphere_geometric(ray, centre, radius, &geometric);
@@ -707,7 +689,7 @@ static void test_box_forms(void **state)
     (void)state;
     for (int i = 0; i < 300000; i++) {
         roberts_ray ray = draw_ray(&r);
-        roberts_vec3 a = draw_vec3(&r, 2.0), b = draw_vec3(&r, 2.0);
+        roberts_vec3 a = rng_vec3(&r, 2.0), b = rng_vec3(&r, 2.0);
         roberts_vec3 lo = {fmin(a.x, b.x), fmin(a.y, b.y), fmin(a.z, b.z)};
         roberts_vec3 hi = {fmax(a.x, b.x), fmax(a.y, b.y), fmax(a.z, b.z)};
         const roberts_plane planes[] = {{1, 0, 0, -lo.x}, {-1, 0, 0, hi.x}, {0, 1, 0, -lo.y},
@@ -757,7 +739,7 @@ static void test_polyhedron_forms(void **state)
         roberts_plane F[4];
         roberts_ray ray = draw_ray(&r);
         for (int k = 0; k < 4; k++)
-            p[k] = draw_vec3(&r, 3.0);
+            p[k] = rng_vec3(&r, 3.0);
         double volume = vec3_dot(vec3_cross(vec3_sub(p[1], p[0]), vec3_sub(p[2], p[0])), vec3_sub(p[3], p[0]));
         if (fabs(volume) < 1.0)
             continue;
@@ -802,7 +784,7 @@ static void test_box_bounds(void **state)
     (void)state;
     for (int i = 0; i < 100000; i++) {
         roberts_ray ray = draw_ray(&r);
-        roberts_vec3 a = draw_vec3(&r, 2.0), b = draw_vec3(&r, 2.0), c = draw_vec3(&r, 2.0);
+        roberts_vec3 a = rng_vec3(&r, 2.0), b = rng_vec3(&r, 2.0), c = rng_vec3(&r, 2.0);
         roberts_vec3 lo = {fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmin(a.z, fmin(b.z, c.z))};
         roberts_vec3 hi = {fmax(a.x, fmax(b.x, c.x)), fmax(a.y, fmax(b.y, c.y)), fmax(a.z, fmax(b.z, c.z))};
         roberts_hit hit;

@@ -404,9 +404,15 @@ static const struct {
     roberts_format format;
     const char *begins;
 } format_cases[] = {
-    {ROBERTS_SVG, "<?xml"},           {ROBERTS_PDF, "%PDF-1."},
-    {ROBERTS_PS, "%!PS-Adobe-3.0\n"}, {ROBERTS_EPS, "%!PS-Adobe-3.0 EPSF-3.0\n"},
-    {ROBERTS_PNG, "\x89PNG\r\n"},     {ROBERTS_CSV, "body,"},
+    {ROBERTS_SVG, "<?xml"},
+    {ROBERTS_PDF, "%PDF-1."},
+    {ROBERTS_PS, "%!PS-Adobe-3.0\n"},
+    {ROBERTS_EPS, "%!PS-Adobe-3.0 EPSF-3.0\n"},
+    {ROBERTS_PNG, "\x89PNG\r\n"},
+    {ROBERTS_CSV, "body,"},
+    {ROBERTS_TIKZ, "\\ifpgfpicture"},
+    {ROBERTS_DXF, "0\nSECTION\n"},
+    {ROBERTS_HPGL, "IN;"},
     {ROBERTS_JSON, "[\n{"},
 };
 enum { FORMATS = sizeof format_cases / sizeof format_cases[0] };

@@ -10,31 +10,12 @@
 #include <cmocka.h>
 
 #include "base/vec.h"
+#include "build_scene.h"
 #include "ray/tree.h"
+#include "rng.h"
 #include "roberts.h"
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
-
-/* ---- random numbers: splitmix64, the same on every machine ---------------------------------------------------- */
-
-typedef struct rng {
-    uint64_t state;
-} rng;
-
-static double draw(rng *r, double lo, double hi)
-{
-    uint64_t z = (r->state += 0x9E3779B97F4A7C15u);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    z ^= z >> 31;
-    return lo + (hi - lo) * ((double)(z >> 11) * 0x1p-53);
-}
-
-static roberts_vec3 draw_vec3(rng *r, double size)
-{
-    double x = draw(r, -size, size), y = draw(r, -size, size), z = draw(r, -size, size);
-    return (roberts_vec3){x, y, z};
-}
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
@@ -66,16 +47,6 @@ static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
               (roberts_vec3){0, 0, hi.z - lo.z});
 }
 
-static roberts_scene *build(roberts_mesh *mesh)
-{
-    roberts_scene *scene = NULL;
-    roberts_error error = {0};
-    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK)
-        fail_msg("scene: %s", error.message);
-    roberts_mesh_free(mesh);
-    return scene;
-}
-
 /* `count` blocks of random shape and turn in a cube of side 2, overlapping as they may. */
 static roberts_scene *random_scene(rng *r, int count, double size)
 {
@@ -83,13 +54,13 @@ static roberts_scene *random_scene(rng *r, int count, double size)
     for (int i = 0; i < count; i++) {
         roberts_vec3 u, v, w;
         do {
-            u = draw_vec3(r, size);
-            v = draw_vec3(r, size);
-            w = draw_vec3(r, size);
+            u = rng_vec3(r, size);
+            v = rng_vec3(r, size);
+            w = rng_vec3(r, size);
         } while (fabs(vec3_dot(u, vec3_cross(v, w))) < 0.1 * size * size * size);
-        add_block(&mesh, draw_vec3(r, 1.0), u, v, w);
+        add_block(&mesh, rng_vec3(r, 1.0), u, v, w);
     }
-    return build(&mesh);
+    return build_scene(&mesh);
 }
 
 /* nx x ny x nz boxes of 2 x 3 x 4 that touch in faces; in every other layer shifted by half a box. */
@@ -102,7 +73,7 @@ static roberts_scene *brick_scene(int nx, int ny, int nz)
                 roberts_vec3 lo = {2.0 * x + (z % 2), 3.0 * y, 4.0 * z};
                 add_box(&mesh, lo, vec3_add(lo, (roberts_vec3){2, 3, 4}));
             }
-    return build(&mesh);
+    return build_scene(&mesh);
 }
 
 static roberts_camera preset(const char *name)
@@ -167,9 +138,9 @@ static void test_random_scenes(void **state)
     size_t points = 0;
     (void)state;
     for (int i = 0; i < 60; i++) {
-        roberts_scene *scene = random_scene(&r, 2 + i, draw(&r, 0.2, 1.5));
-        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)}, eye = {.projection = ROBERTS_PERSPECTIVE};
-        eye.eye = vec3_scale(draw(&r, 6.0, 30.0) / vec3_length(camera.dir), camera.dir);
+        roberts_scene *scene = random_scene(&r, 2 + i, rng_between(&r, 0.2, 1.5));
+        roberts_camera camera = {.dir = rng_vec3(&r, 1.0)}, eye = {.projection = ROBERTS_PERSPECTIVE};
+        eye.eye = vec3_scale(rng_between(&r, 6.0, 30.0) / vec3_length(camera.dir), camera.dir);
         points += check_right("orthographic", scene, &camera, 7);
         points += check_right("perspective", scene, &eye, 7);
         roberts_scene_free(scene);
@@ -204,11 +175,12 @@ static void test_oblique_and_near(void **state)
     (void)state;
     for (int i = 0; i < 30; i++) {
         roberts_scene *scene = random_scene(&r, 10 + i, 0.4);
-        roberts_camera oblique = {.dir = draw_vec3(&r, 1.0), .oblique = {draw(&r, -1.5, 1.5), draw(&r, -1.5, 1.5)}};
-        roberts_camera amid = {.projection = ROBERTS_PERSPECTIVE, .eye = draw_vec3(&r, 1.0), .has_look_at = true};
+        roberts_camera oblique = {.dir = rng_vec3(&r, 1.0),
+                                  .oblique = {rng_between(&r, -1.5, 1.5), rng_between(&r, -1.5, 1.5)}};
+        roberts_camera amid = {.projection = ROBERTS_PERSPECTIVE, .eye = rng_vec3(&r, 1.0), .has_look_at = true};
         roberts_drawing drawing;
         amid.near_distance = i % 2 ? 0.0 : 0.1;
-        amid.look_at = vec3_add(amid.eye, draw_vec3(&r, 1.0));
+        amid.look_at = vec3_add(amid.eye, rng_vec3(&r, 1.0));
         check_right("oblique", scene, &oblique, 7);
         roberts_status status = roberts_hide(scene, &amid, NULL, &drawing, NULL);
         roberts_drawing_free(&drawing);
@@ -233,7 +205,7 @@ static void test_scales(void **state)
             add_box(&mesh, (roberts_vec3){s * x, s * y, s * z},
                     (roberts_vec3){s * (x + 1.5), s * (y + 2.5), s * (z + 1.25)});
         }
-        roberts_scene *scene = build(&mesh);
+        roberts_scene *scene = build_scene(&mesh);
         roberts_camera camera = preset("trimetric");
         check_right("scaled", scene, &camera, 5);
         roberts_scene_free(scene);
@@ -242,7 +214,7 @@ static void test_scales(void **state)
     for (int k = 0; k < 8; k++)
         add_box(&mesh, (roberts_vec3){1e8 + k, 1e8 + k % 2, -1e8 + k},
                 (roberts_vec3){1e8 + k + 1, 1e8 + 2, -1e8 + k + 2});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_camera camera = preset("iso");
     check_right("far away", scene, &camera, 5);
     roberts_scene_free(scene);
@@ -392,7 +364,7 @@ static void test_copies(void **state)
     for (uint32_t i = 0; i < copies; i++)
         add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 2, 2});
     add_box(&mesh, (roberts_vec3){0.5, 0.5, 0.5}, (roberts_vec3){1, 1, 1});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     check_right("copies", scene, &camera, 5);
     check_right("copies", scene, &eye, 5);
     roberts_drawing drawing = hide(scene, &camera, true);
@@ -415,12 +387,12 @@ static void test_bars(void **state)
     roberts_mesh mesh = {0};
     (void)state;
     for (int i = 0; i < 60; i++) {
-        double angle = draw(&r, 0.0, 3.0), x = 50 * cos(angle), y = 50 * sin(angle);
-        roberts_vec3 o = {-x / 2 + draw(&r, -5, 5), -y / 2 + draw(&r, -5, 5), i};
-        add_block(&mesh, o, (roberts_vec3){x, y, draw(&r, -0.2, 0.2)}, (roberts_vec3){-y / 200, x / 200, 0},
+        double angle = rng_between(&r, 0.0, 3.0), x = 50 * cos(angle), y = 50 * sin(angle);
+        roberts_vec3 o = {-x / 2 + rng_between(&r, -5, 5), -y / 2 + rng_between(&r, -5, 5), i};
+        add_block(&mesh, o, (roberts_vec3){x, y, rng_between(&r, -0.2, 0.2)}, (roberts_vec3){-y / 200, x / 200, 0},
                   (roberts_vec3){0, 0, 0.5});
     }
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_camera camera = preset("top"), iso = preset("iso"),
                    eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, 8, 200}};
     assert_true(check_right("bars", scene, &camera, 5) > 20000);
@@ -484,7 +456,7 @@ static void test_crossed_in_contact(void **state)
         roberts_mesh mesh = {0};
         for (int k = 0; k < 2; k++)
             add_block(&mesh, table[i].o[k], table[i].u[k], table[i].v[k], table[i].w);
-        roberts_scene *scene = build(&mesh);
+        roberts_scene *scene = build_scene(&mesh);
         for (int keep = 0; keep < 2; keep++) { /* here many points are undecided */
             roberts_drawing drawing = hide(scene, &table[i].camera, keep);
             roberts_verification found;
@@ -517,7 +489,7 @@ static void test_sliver(void **state)
         add_block(&mesh, o, u, v, (roberts_vec3){0, 0, 0.000790569414});
         add_block(&mesh, (roberts_vec3){130.517223, 268.619390, 147.020613}, (roberts_vec3){0.757015, -3.583583, 0},
                   (roberts_vec3){2.208371, 0.466508, 0}, (roberts_vec3){0, 0, 0.000790569414});
-        roberts_scene *scene = build(&mesh);
+        roberts_scene *scene = build_scene(&mesh);
         roberts_camera camera = {.dir = {.31, .47, .83}, .up = {0, 0, 1}};
         roberts_hide_options options = roberts_hide_options_default();
         roberts_drawing drawing = {0};
@@ -539,8 +511,8 @@ static void test_wide_epsilon(void **state)
     size_t points = 0, undecided = 0;
     (void)state;
     for (int i = 0; i < 40; i++) {
-        roberts_scene *scene = random_scene(&r, 30, draw(&r, 0.2, 1.0));
-        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)};
+        roberts_scene *scene = random_scene(&r, 30, rng_between(&r, 0.2, 1.0));
+        roberts_camera camera = {.dir = rng_vec3(&r, 1.0)};
         roberts_hide_options options = roberts_hide_options_default();
         roberts_verify_options verify = roberts_verify_options_default();
         roberts_drawing drawing = {0};
@@ -604,7 +576,7 @@ static void test_rule(void **state)
         roberts_verification found;
         add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
         add_box(&mesh, rule_cases[i].lo, rule_cases[i].hi);
-        roberts_scene *scene = build(&mesh);
+        roberts_scene *scene = build_scene(&mesh);
         roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
         roberts_drawing drawing = {.count = 1, .segment = &row};
         roberts_verify_options options = roberts_verify_options_default();
@@ -630,7 +602,7 @@ static void test_corner_over_edge(void **state)
     add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
     add_block(&mesh, (roberts_vec3){4, 0, 1}, (roberts_vec3){2, 2, 0}, (roberts_vec3){-2, 2, 0},
               (roberts_vec3){0, 0, 1});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
     roberts_drawing drawing = {.count = 1, .segment = &row};
     roberts_verify_options options = roberts_verify_options_default();
@@ -705,7 +677,7 @@ static void test_pick_table(void **state)
     add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 4, 1});
     add_box(&mesh, (roberts_vec3){1, 1, 1}, (roberts_vec3){3, 3, 2});
     add_box(&mesh, (roberts_vec3){5, 1, 0}, (roberts_vec3){8, 4, 2});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     for (size_t i = 0; i < COUNT(pick_cases); i++) {
         roberts_picked picked;
         assert_int_equal(roberts_pick(scene, &camera, pick_cases[i].x, pick_cases[i].y, &picked, NULL), ROBERTS_OK);
@@ -741,7 +713,7 @@ static void test_pick_perspective(void **state)
     (void)state;
     add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
     add_box(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 3}); /* the box's middle: (0, 0, 1), D = 10 */
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     /* the tower's top, at height 3, reaches to 1 * 10 / 8 = 1.25 of the picture; behind it lies the floor */
     assert_int_equal(roberts_pick(scene, &camera, 1.2, 0, &picked, NULL), ROBERTS_OK);
     assert_int_equal(picked.count, 2);
@@ -769,7 +741,7 @@ static void test_pick_cut(void **state)
     camera.has_look_at = true;
     add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
     add_box(&mesh, (roberts_vec3){1, -1, 0}, (roberts_vec3){2, 1, 5});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_pick(scene, &camera, 6, 0, &picked, NULL), ROBERTS_OK); /* the tower is cut at 4 .. 8 */
     assert_int_equal(picked.count, 1);
     assert_true(picked.hit[0].solid == 1 && picked.hit[0].face == ROBERTS_NONE &&
@@ -793,7 +765,7 @@ static void test_pick_ties(void **state)
     (void)state;
     for (int i = 0; i < 3; i++)
         add_box(&mesh, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1 - 1e-13 * i});
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_pick(scene, &top, 0, 0, &picked, NULL), ROBERTS_OK);
     assert_int_equal(picked.count, 3);
     for (uint32_t i = 0; i < 3; i++)
@@ -817,7 +789,7 @@ static void test_pick_agrees(void **state)
     (void)state;
     for (int i = 0; i < 16; i++) {
         roberts_scene *scene = random_scene(&r, 12, 0.6);
-        roberts_camera camera = {.dir = draw_vec3(&r, 1.0)};
+        roberts_camera camera = {.dir = rng_vec3(&r, 1.0)};
         if (i % 2) {
             camera.projection = ROBERTS_PERSPECTIVE;
             camera.eye = vec3_scale(9.0 / vec3_length(camera.dir), camera.dir);
@@ -909,9 +881,9 @@ static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, s
     for (int i = 0; i < walks; i++) {
         uint32_t points = i % 3 ? 1 : 1 + (uint32_t)(i * 37) % TREE_POINTS;
         double near = i % 6 ? 2.0 : 0.25; /* all over the scene, or close together */
-        roberts_vec3 middle = draw_vec3(r, 2.0 - near);
+        roberts_vec3 middle = rng_vec3(r, 2.0 - near);
         for (uint32_t k = 0; k < points; k++, rays++) {
-            point[k] = vec3_add(middle, draw_vec3(r, near));
+            point[k] = vec3_add(middle, rng_vec3(r, near));
             skip[k] = rays % 3 ? 99 : (uint32_t)rays % 10;
             if (rays % 7 == 0 && count)
                 point[k] = rays % 2 ? box[(uint32_t)rays % count].lo : box[(uint32_t)rays % count].hi; /* on borders */
@@ -932,7 +904,8 @@ static void test_tree(void **state)
     (void)state;
     check_tree(box, 0, &r, 10, 0);
     for (int k = 0; k < MANY; k++) { /* some flat, some points */
-        roberts_vec3 a = draw_vec3(&r, 1.5), size = {draw(&r, 0, 0.5), k % 3 ? draw(&r, 0, 0.5) : 0, k % 7 ? 0.25 : 0};
+        roberts_vec3 a = rng_vec3(&r, 1.5),
+                     size = {rng_between(&r, 0, 0.5), k % 3 ? rng_between(&r, 0, 0.5) : 0, k % 7 ? 0.25 : 0};
         box[k] = (tree_box){a, vec3_add(a, size)};
     }
     for (uint32_t count = 1; count <= MANY; count += count < 10 ? 1 : 49)
@@ -948,7 +921,8 @@ static void test_tree(void **state)
     check_tree(box, MANY, &r, 100, 60);
     for (int k = 0; k < MANY;
          k++) { /* some reach out of single precision, or have no end at all, on both sides or on one */
-        roberts_vec3 a = draw_vec3(&r, 1.5), size = {draw(&r, 0, 0.5), draw(&r, 0, 0.5), draw(&r, 0, 0.5)};
+        roberts_vec3 a = rng_vec3(&r, 1.5),
+                     size = {rng_between(&r, 0, 0.5), rng_between(&r, 0, 0.5), rng_between(&r, 0, 0.5)};
         double far = k % 2 ? 1e300 : INFINITY;
         box[k] = (tree_box){a, vec3_add(a, size)};
         double *lo[] = {&box[k].lo.x, &box[k].lo.y, &box[k].lo.z}, *hi[] = {&box[k].hi.x, &box[k].hi.y, &box[k].hi.z};

@@ -2,16 +2,7 @@
  * parts, curved bodies. See also test_verify_spoiled.c. */
 #include "roberts.h"
 #include "scenes.h"
-
-static roberts_scene *build(roberts_mesh *mesh)
-{
-    roberts_scene *scene = NULL;
-    roberts_error error = {0};
-    if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK)
-        fail_msg("scene refused: %s", error.message);
-    roberts_mesh_free(mesh);
-    return scene;
-}
+#include "build_scene.h"
 
 static void add_vertices(roberts_mesh *mesh, const double (*p)[3], size_t count)
 {
@@ -56,7 +47,7 @@ static roberts_scene *l_block(bool inward)
             corner[inward ? count - 1 - k : k] = f < 6 ? side[k] : f == 6 ? 5 - k : 6 + k;
         add_face(&mesh, corner, count);
     }
-    return build(&mesh);
+    return build_scene(&mesh);
 }
 
 /* All faces on the sight line are met, whichever way they are wound. Seen from the top, the picture's origin is (1, 1),
@@ -120,7 +111,7 @@ static void test_parts(void **state)
     add_vertices(&mesh, p, 7);
     add_face(&mesh, (uint32_t[]){0, 1, 2, 3}, 4);
     add_face(&mesh, (uint32_t[]){0, 4, 5, 6}, 4);
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_drawing drawing = draw(scene, &camera);
     size_t last = drawing.count;
     assert_int_equal(verify(scene, &camera, &drawing, NULL).contradictions, 0);
@@ -160,7 +151,7 @@ static void test_smooth(void **state)
             add_face(&mesh, (uint32_t[]){a, a + 1, a + SIDE + 1}, 3);
             add_face(&mesh, (uint32_t[]){a, a + SIDE + 1, a + SIDE}, 3);
         }
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_drawing drawing = draw(scene, &camera);
     roberts_verify_options options = roberts_verify_options_default();
     assert_int_equal(verify(scene, &camera, &drawing, NULL).contradictions, 0);
@@ -188,7 +179,7 @@ static void test_first_face_taken(void **state)
     add_vertices(&mesh, p, 5);
     add_face(&mesh, face[0], 4);
     add_face(&mesh, face[1], 4);
-    roberts_scene *scene = build(&mesh);
+    roberts_scene *scene = build_scene(&mesh);
     roberts_drawing drawing = draw(scene, &camera);
     assert_int_equal(verify(scene, &camera, &drawing, NULL).contradictions, 0);
     for (size_t i = 0; i < drawing.count; i++) {

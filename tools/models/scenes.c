@@ -1,5 +1,5 @@
-/* scenes.c - scenes for pictures. Things that stand on something stand on it exactly: heights are integers or halves,
- * and the lowest face of a turned solid is given its height. */
+/* scenes.c - scenes for pictures. All contacts are exact: heights are integers or halves, and the lowest face of a
+ * turned solid gets exactly its height. */
 #include "exact.h"
 #include "figures.h"
 #include "models.h"

@@ -1,0 +1,78 @@
+/* cut_lines.c - see cut_lines.h. The near plane is a plane of one depth in view space, and nothing is nearer. So the
+ * lines are the sides of faces with both ends at the greatest depth of all. */
+#include "hide/cut_lines.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+
+static bool is_mapped(const hide_fronts *fronts, uint32_t body)
+{
+    return !fronts->culled[body];
+}
+
+static double greatest_depth(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    double most = -INFINITY;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t v = scene->solid[s].vertex; is_mapped(fronts, s) && v < scene->solid[s + 1].vertex; v++)
+            most = greater(most, fronts->P[v].z);
+    return most;
+}
+
+/* Adds the sides of a face that lie at the depth `least` or nearer. False: no memory. */
+static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, double least, seen_line **line,
+                      size_t *count, size_t *room)
+{
+    const roberts_scene *scene = fronts->scene;
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
+    for (uint32_t k = first; k < end; k++) {
+        uint32_t v[2] = {scene->corner[k], scene->corner[k + 1 < end ? k + 1 : first]};
+        if (fronts->P[v[0]].z < least || fronts->P[v[1]].z < least)
+            continue;
+        if (!array_reserve(line, room, *count + 1, sizeof **line))
+            return false;
+        (*line)[(*count)++] = (seen_line){.edge = ROBERTS_NONE,
+                                          .v = {v[0], v[1]},
+                                          .own = {{seen_face_key(scene, body, face), ROBERTS_NONE}, NULL},
+                                          .t1 = 1.0,
+                                          .class = ROBERTS_CREASE};
+    }
+    return true;
+}
+
+roberts_status cut_lines_find(const hide_fronts *fronts, seen_further *lines, roberts_error *error)
+{
+    const roberts_scene *scene = fronts->scene;
+    double least = greatest_depth(fronts) - CUT_TOUCHING * (fronts->space.epsilon + fronts->space.depth_rounding);
+    seen_line *line = NULL;
+    size_t count = 0, room = 0;
+    uint32_t cut = ROBERTS_NONE; /* a body that is not convex */
+    uint32_t *first = alloc_array((size_t)scene->solid_count + 1, sizeof *first);
+    bool enough = first != NULL;
+    for (uint32_t s = 0; enough && s < scene->solid_count; s++) {
+        bool convex = scene_is_convex(scene, s);
+        first[s] = (uint32_t)count;
+        for (uint32_t f = scene->solid[s].face; enough && is_mapped(fronts, s) && f < scene->solid[s + 1].face; f++)
+            if (fronts->seen->facing[f] == VIEW_FRONT || (!convex && fronts->seen->facing[f] == VIEW_BACK))
+                enough = add_sides(fronts, s, f, least, &line, &count, &room);
+        if (!convex && count > first[s])
+            cut = s;
+    }
+    if (enough)
+        first[scene->solid_count] = (uint32_t)count;
+    lines->line = line;
+    lines->first = first;
+    if (enough && cut != ROBERTS_NONE)
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "regions: the near plane cuts body %u, which is not convex", cut);
+    return enough ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+}
+
+void cut_lines_free(seen_further *lines)
+{
+    free((void *)lines->line);
+    free((void *)lines->first);
+    *lines = (seen_further){0};
+}

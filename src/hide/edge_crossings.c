@@ -1,0 +1,320 @@
+/* edge_crossings.c - see edge_crossings.h.
+ *
+ * The search for crossings finds pairs of faces of which one has a side in the other's plane: touches. The edges of
+ * these faces are asked here, body by body. A side may be several edges, where vertices of other faces lie on it. */
+#include "hide/edge_crossings.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+#define WORTH_A_PLANE 4096
+
+/* An edge of face[0] of a touch that is left out and may lie in face[1]. */
+typedef struct touching_edge {
+    crossing_touch of;
+    uint32_t edge;
+} touching_edge;
+
+typedef struct edge_finder {
+    const hide_fronts *fronts;
+    const crossing_rules *rules;
+    const crossing_touch *touch; /* [touch_count] by face[0], then face[1]; each once */
+    size_t touch_count;
+    unsigned char *touches; /* [face_count] is the face, by its first piece, face[0] of a touch? */
+    touching_edge *found;
+    size_t count, room;
+    crossing_list *out;
+} edge_finder;
+
+/* ---- the faces of an edge -------------------------------------------------------------------------------------- */
+
+/* The first piece of the planar face that a piece belongs to. */
+static uint32_t first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
+{
+    const scene_surface *surface = scene->surface;
+    if (!scene_is_convex(scene, body))
+        while (piece > scene->solid[body].face && surface->plane_of[piece - 1] == surface->plane_of[piece])
+            piece--;
+    return piece;
+}
+
+/* How many faces has the edge, which is not a wire? */
+static uint32_t faces_at(const roberts_scene *scene, uint32_t body, uint32_t edge)
+{
+    if (scene_is_convex(scene, body) || !(scene->surface->edge_is[edge] & EDGE_MANY))
+        return 2;
+    const scene_many *many = scene_many_at(scene, edge);
+    return many->end - many->first;
+}
+
+/* Its face k, a piece; ROBERTS_NONE: there is none. */
+static uint32_t face_at(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t k)
+{
+    if (scene_is_convex(scene, body) || !(scene->surface->edge_is[edge] & EDGE_MANY)) {
+        uint32_t f = scene_edge_stored(scene, body, edge)->f[k];
+        return f == ROBERTS_NONE ? f : scene->solid[body].face + f;
+    }
+    return scene->surface->many_face[scene_many_at(scene, edge)->first + k] & ~MANY_TURNED;
+}
+
+static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t first)
+{
+    for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
+        uint32_t f = face_at(scene, body, edge, k);
+        if (f != ROBERTS_NONE && first_piece(scene, body, f) == first)
+            return true;
+    }
+    return false;
+}
+
+/* The face of smallest number that the edge has and that does not lie in the plane of g. False: there is none. */
+static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
+{
+    const roberts_scene *scene = e->fronts->scene;
+    uint32_t least = ROBERTS_NONE;
+    for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
+        uint32_t f = face_at(scene, body, edge, k);
+        if (f == ROBERTS_NONE || scene_face_number(scene, f) >= least || e->fronts->seen->facing[f] == VIEW_EDGE_ON)
+            continue;
+        crossing_face F = crossing_face_of(e->rules, body, f);
+        crossing_lie lie = crossing_lie_of(e->rules, &F, g);
+        if (!lie.over && !lie.under)
+            continue;
+        least = scene_face_number(scene, f);
+        *out = F;
+    }
+    return least != ROBERTS_NONE;
+}
+
+/* ---- lines ----------------------------------------------------------------------------------------------------- */
+
+static void ends_of(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t v[2])
+{
+    const scene_edge *e = scene_edge_stored(scene, body, edge);
+    v[0] = scene->solid[body].vertex + e->v[0];
+    v[1] = scene->solid[body].vertex + e->v[1];
+}
+
+/* The segments from `from` on lie on these edges. */
+static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second)
+{
+    for (size_t k = from; k < list->count; k++) {
+        list->item[k].edge[0] = first;
+        list->item[k].edge[1] = second;
+    }
+}
+
+/* What of an edge lies inside of the face that it touches. False: no memory. */
+static bool find_inside(edge_finder *e, const touching_edge *t)
+{
+    size_t from = e->out->count;
+    uint32_t v[2];
+    crossing_face F, G = crossing_face_of(e->rules, t->of.body[1], t->of.face[1]);
+    if (!first_across(e, t->of.body[0], t->edge, &G, &F))
+        return true;
+    ends_of(e->fronts->scene, t->of.body[0], t->edge, v);
+    bool enough = crossing_find_in(e->rules, &F, v, &G, e->out);
+    name_edges(e->out, from, t->edge, ROBERTS_NONE);
+    return enough;
+}
+
+/* What two edges have in common, each of which touches a face of the other. False: no memory. */
+static bool find_common(edge_finder *e, const touching_edge *a, const touching_edge *b)
+{
+    size_t from = e->out->count;
+    uint32_t v[2], u[2];
+    crossing_face F, G = crossing_face_of(e->rules, b->of.body[0], b->of.face[0]);
+    if (a->edge == b->edge || !first_across(e, a->of.body[0], a->edge, &G, &F) ||
+        !first_across(e, b->of.body[0], b->edge, &F, &G))
+        return true;
+    ends_of(e->fronts->scene, a->of.body[0], a->edge, v);
+    ends_of(e->fronts->scene, b->of.body[0], b->edge, u);
+    bool enough = crossing_find_common(e->rules, &F, v, &G, u, e->out);
+    name_edges(e->out, from, a->edge, b->edge);
+    return enough;
+}
+
+/* ---- touches --------------------------------------------------------------------------------------------------- */
+
+static int compare_pairs(const uint32_t a[2], const uint32_t b[2])
+{
+    for (int i = 0; i < 2; i++)
+        if (a[i] != b[i])
+            return a[i] < b[i] ? -1 : 1;
+    return 0;
+}
+
+static int compare_touches(const void *a, const void *b)
+{
+    return compare_pairs(((const crossing_touch *)a)->face, ((const crossing_touch *)b)->face);
+}
+
+static size_t drop_doubles(crossing_touch *touch, size_t count)
+{
+    size_t to = 0;
+    if (count > 1)
+        qsort(touch, count, sizeof *touch, compare_touches);
+    for (size_t k = 0; k < count; k++)
+        if (to == 0 || compare_touches(&touch[to - 1], &touch[k]) != 0)
+            touch[to++] = touch[k];
+    return to;
+}
+
+/* The first touch whose faces are these or come after them. */
+static size_t first_touch(const edge_finder *e, uint32_t f, uint32_t g)
+{
+    const uint32_t key[2] = {f, g};
+    size_t low = 0, high = e->touch_count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (compare_pairs(e->touch[middle].face, key) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Lists an edge that is left out with all faces that one of its faces, given by its first piece, touches. */
+static bool list_touches(edge_finder *e, uint32_t body, uint32_t edge, uint32_t first)
+{
+    const roberts_scene *scene = e->fronts->scene;
+    for (size_t k = first_touch(e, first, 0); k < e->touch_count && e->touch[k].face[0] == first; k++) {
+        const crossing_touch *t = &e->touch[k];
+        if (t->body[1] == body && has_face(scene, body, edge, t->face[1]))
+            continue;
+        if (!array_reserve(&e->found, &e->room, e->count + 1, sizeof *e->found))
+            return false;
+        e->found[e->count++] = (touching_edge){*t, edge};
+    }
+    return true;
+}
+
+/* Lists the edges of a body that are left out and whose faces touch other faces. */
+static bool list_edges(edge_finder *e, uint32_t body)
+{
+    const roberts_scene *scene = e->fronts->scene;
+    for (uint32_t edge = scene->solid[body].edge; edge < scene->solid[body + 1].edge; edge++) {
+        bool asked = false;
+        for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
+            uint32_t f = face_at(scene, body, edge, k), first = f == ROBERTS_NONE ? f : first_piece(scene, body, f);
+            if (f == ROBERTS_NONE || !e->touches[first])
+                continue;
+            if (!asked && !seen_is_left_out(e->fronts->seen, body, edge))
+                break;
+            asked = true;
+            if (!list_touches(e, body, edge, first))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* By pairs of faces, whichever touches the other. */
+static int compare_edges(const void *pa, const void *pb)
+{
+    const touching_edge *a = pa, *b = pb;
+    bool back[2] = {a->of.face[0] > a->of.face[1], b->of.face[0] > b->of.face[1]};
+    for (int i = 0; i < 2; i++) {
+        uint32_t f = a->of.face[back[0] ? 1 - i : i], g = b->of.face[back[1] ? 1 - i : i];
+        if (f != g)
+            return f < g ? -1 : 1;
+    }
+    if (back[0] != back[1])
+        return back[1] ? -1 : 1;
+    return (a->edge > b->edge) - (a->edge < b->edge);
+}
+
+/* Do the edges touch one another's faces? */
+static bool touch_each_other(const touching_edge *a, const touching_edge *b)
+{
+    return a->of.face[0] == b->of.face[1] && a->of.face[1] == b->of.face[0];
+}
+
+/* Finds the lines of all edges listed. Those that touch the second face of a pair come after those that touch the first
+ * one. */
+static bool find_lines(edge_finder *e)
+{
+    bool enough = true;
+    if (e->count > 1)
+        qsort(e->found, e->count, sizeof *e->found, compare_edges);
+    for (size_t i = 0; enough && i < e->count; i++) {
+        const touching_edge *t = &e->found[i];
+        enough = find_inside(e, t);
+        for (size_t k = i + 1; enough && k < e->count; k++) {
+            const touching_edge *u = &e->found[k];
+            if (touch_each_other(t, u))
+                enough = find_common(e, t, u);
+            else if (compare_touches(&t->of, &u->of) != 0)
+                break;
+        }
+    }
+    return enough;
+}
+
+bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules, crossing_list *found)
+{
+    if (found->touch_count == 0)
+        return true;
+    edge_finder e = {.fronts = fronts,
+                     .rules = rules,
+                     .touch = found->touch,
+                     .touch_count = drop_doubles(found->touch, found->touch_count),
+                     .touches = alloc_zeroed(fronts->scene->face_count, sizeof *e.touches),
+                     .out = found};
+    bool enough = e.touches;
+    for (size_t k = 0; enough && k < e.touch_count; k++)
+        e.touches[e.touch[k].face[0]] = 1;
+    for (size_t k = 0; enough && k < e.touch_count; k++)
+        if (k == 0 || e.touch[k].body[0] != e.touch[k - 1].body[0])
+            enough = list_edges(&e, e.touch[k].body[0]);
+    enough = enough && find_lines(&e);
+    free(e.touches);
+    free(e.found);
+    return enough;
+}
+
+/* ---- bodies that touch ----------------------------------------------------------------------------------------- */
+
+/* Has one of two bodies that lie on the two sides of face f, of the first, an edge in that face that is left out? */
+static bool is_line_in_contact(const hide_fronts *fronts, const uint32_t body[2], uint32_t f)
+{
+    const roberts_scene *scene = fronts->scene;
+    plane F = scene->face_plane[f];
+    double touching = fronts->space.epsilon * scene->unit + scene_deviation(scene, f);
+    for (int i = 0; i < 2; i++)
+        for (uint32_t e = scene->solid[body[i]].edge; e < scene->solid[body[i] + 1].edge; e++) {
+            uint32_t v[2];
+            ends_of(scene, body[i], e, v);
+            if (fabs(plane_at(F, vec3_sub(scene->point[v[0]], scene->centre))) <= touching &&
+                fabs(plane_at(F, vec3_sub(scene->point[v[1]], scene->centre))) <= touching &&
+                seen_is_left_out(fronts->seen, body[i], e))
+                return true;
+        }
+    return false;
+}
+
+bool edge_crossings_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
+    double touching = fronts->space.epsilon * scene->unit;
+    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
+        return false;
+    for (uint32_t f = s->face; f < s[1].face; f++) {
+        plane F = scene->face_plane[f];
+        double least = -touching - scene_deviation(scene, f);
+        uint32_t v = b->vertex, on = 0;
+        for (; v < b[1].vertex; v++) {
+            double inside = plane_at(F, vec3_sub(scene->point[v], scene->centre));
+            if (!(inside <= touching))
+                break;
+            on += inside >= least;
+        }
+        if (v == b[1].vertex && (on < 2 || !is_line_in_contact(fronts, (uint32_t[]){solid, body}, f)))
+            return true;
+    }
+    return false;
+}

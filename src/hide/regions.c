@@ -1,0 +1,470 @@
+/* regions.c - what is seen of each face, as polygons with holes.
+ *
+ *   1. All edges are hidden, flat ones too, and what is visible of them becomes a planar map (planar_map.c). Visible
+ *      lines meet in their ends, one ends on another where it passes behind it, or they lie on one another. Only where
+ *      faces touch do they cross.
+ *   2. The lines part the picture into cells (map_cells.c). Nothing that bounds what is seen of a face lies within a
+ *      cell, so one point of it tells which face is seen in all of it.
+ *   3. Lines with the same face on both sides are taken away. The cycles that are left bound the regions.
+ *
+ * Regions tile the picture because cells do, whatever the rounding was. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/threads.h"
+#include "hide/map_cells.h"
+#include "hide/segments.h"
+
+/* Part of a stretch: where a point in it is taken. */
+#define ASIDE 0.4557
+
+enum { CELLS_PER_THREAD = 2000 };
+
+/* A ring in the making. */
+typedef struct region_ring {
+    uint32_t half;  /* its leftmost corner begins it */
+    uint32_t face;  /* of the scene */
+    uint32_t outer; /* the ring round the piece that it bounds: itself, or that round the hole */
+    uint32_t root;  /* of its cells */
+    size_t corners;
+    double area;
+    roberts_vec2 at;
+} region_ring;
+
+typedef struct cell_sight {
+    uint32_t face; /* seen in the cell; ROBERTS_NONE: none */
+    double z_min, z_max;
+} cell_sight;
+
+typedef struct region_work {
+    const hide_job *job;
+    planar_map map;
+    map_cells cells;
+    uint32_t *start, *half; /* the half-edges of each cell: [cells + 1], [2 lines] */
+    cell_sight *sight;      /* [cells] */
+    uint8_t *gone;          /* [lines] the same face is seen on both sides */
+    uint32_t *root;         /* [cells] the cells that are joined, by a cell of theirs */
+    region_ring *ring;      /* [ring_count] */
+    size_t ring_count, ring_room;
+} region_work;
+
+/* ---- lines ----------------------------------------------------------------------------------------------------- */
+
+static bool take_lines(region_work *w, const roberts_drawing *drawing)
+{
+    const double per = w->job->seen.view.per_unit;
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        if (s->state == ROBERTS_VISIBLE && s->line != ROBERTS_WIRE &&
+            !planar_map_add(&w->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
+                            (roberts_vec2){per * s->p1.x, per * s->p1.y}))
+            return false;
+    }
+    return true;
+}
+
+/* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
+
+/* Lists the half-edges of each cell. */
+static bool list_halves(region_work *w)
+{
+    size_t halves = 2 * w->map.line_count;
+    w->start = alloc_zeroed(w->cells.cell_count + 2, sizeof *w->start);
+    w->half = alloc_array(halves, sizeof *w->half);
+    if (!w->start || !w->half)
+        return false;
+    for (uint32_t h = 0; h < halves; h++)
+        w->start[map_cell_of(&w->cells, h) + 2]++;
+    for (size_t c = 0; c <= w->cells.cell_count; c++)
+        w->start[c + 1] += w->start[c];
+    for (uint32_t h = 0; h < halves; h++)
+        w->half[w->start[map_cell_of(&w->cells, h) + 1]++] = h;
+    return true;
+}
+
+static roberts_vec2 corner_of(const region_work *w, uint32_t half)
+{
+    return w->map.node[map_from(&w->map, half)];
+}
+
+static int compare_doubles(const void *pa, const void *pb)
+{
+    double a = *(const double *)pa, b = *(const double *)pb;
+    return (a > b) - (a < b);
+}
+
+/* Numbers of one thread. */
+typedef struct region_scratch {
+    double *item;
+    size_t room;
+    char apart[THREADS_APART];
+} region_scratch;
+
+/* The middle of the widest stretch of a cell at height y, and its width; a width of 0: there is none. False: no
+ * memory. */
+static bool widest_at(const region_work *w, uint32_t cell, double y, region_scratch *scratch, double *x, double *width)
+{
+    size_t count = 0, first = w->start[cell], end = w->start[cell + 1];
+    *width = 0.0;
+    for (size_t k = first; k < end; k++) {
+        roberts_vec2 P = corner_of(w, w->half[k]), Q = corner_of(w, w->half[k] ^ 1);
+        if ((P.y <= y) == (Q.y <= y))
+            continue;
+        if (!array_reserve(&scratch->item, &scratch->room, count + 1, sizeof *scratch->item))
+            return false;
+        scratch->item[count++] = P.x + (y - P.y) / (Q.y - P.y) * (Q.x - P.x);
+    }
+    if (count > 1)
+        qsort(scratch->item, count, sizeof *scratch->item, compare_doubles);
+    for (size_t k = 0; k + 1 < count; k += 2)
+        if (scratch->item[k + 1] - scratch->item[k] > *width) {
+            *width = scratch->item[k + 1] - scratch->item[k];
+            *x = scratch->item[k] + ASIDE * *width;
+        }
+    return true;
+}
+
+/* A point well inside a cell, but not in the middle: there a line may lie that a face behind what is seen touches from
+ * behind. False: no memory. */
+static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
+{
+    static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height; at any of them */
+    uint32_t first = w->start[cell], end = w->start[cell + 1];
+    double low = INFINITY, high = -INFINITY, most = 0.0;
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec2 P = corner_of(w, w->half[k]);
+        low = lesser(low, P.y);
+        high = greater(high, P.y);
+    }
+    roberts_vec2 A = corner_of(w, w->half[first]), B = corner_of(w, w->half[first + 1]);
+    roberts_vec2 C = corner_of(w, w->half[end - 1]);
+    *inside = (roberts_vec2){0.3127 * A.x + 0.3681 * B.x + 0.3192 * C.x, 0.3127 * A.y + 0.3681 * B.y + 0.3192 * C.y};
+    for (size_t i = 0; end - first > 3 && i < sizeof heights / sizeof heights[0]; i++) {
+        double y = low + heights[i] * (high - low), x = 0.0, width;
+        if (!widest_at(w, cell, y, scratch, &x, &width))
+            return false;
+        if (width > most) {
+            most = width;
+            *inside = (roberts_vec2){x, y};
+        }
+    }
+    return true;
+}
+
+/* The first piece of a face of the input. */
+static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
+{
+    uint32_t number = scene_face_number(scene, face);
+    while (number != ROBERTS_NONE && face > 0 && scene_face_number(scene, face - 1) == number)
+        face--;
+    return face;
+}
+
+/* Finds what is seen in a cell. False: no memory. */
+static bool look_into(const region_work *w, uint32_t cell, region_scratch *scratch, cell_sight *sight)
+{
+    const hide_fronts *fronts = &w->job->fronts;
+    const roberts_scene *scene = fronts->scene;
+    roberts_vec2 inside;
+    plane F;
+    *sight = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
+    if (!point_inside(w, cell, scratch, &inside))
+        return false;
+    uint32_t face = hide_face_seen_at(fronts, &w->job->grid, inside.x, inside.y, &F);
+    if (face == ROBERTS_NONE)
+        return true;
+    sight->face = whole_face(scene, face);
+    double low = INFINITY, high = -INFINITY;
+    for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
+        low = lesser(low, fronts->P[scene->corner[k]].z);
+        high = greater(high, fronts->P[scene->corner[k]].z);
+    }
+    for (uint32_t k = w->start[cell]; k < w->start[cell + 1]; k++) {
+        roberts_vec2 P = corner_of(w, w->half[k]);
+        double z = (F.a * P.x + F.b * P.y + F.d) / -F.c;
+        z = z < low ? low : z > high ? high : z;
+        sight->z_min = lesser(sight->z_min, z);
+        sight->z_max = greater(sight->z_max, z);
+    }
+    return true;
+}
+
+static bool look_into_all(region_work *w)
+{
+    uint32_t count = (uint32_t)w->cells.cell_count;
+    int threads = threads_for(w->job->options->threads, 1 + count / CELLS_PER_THREAD);
+    region_scratch *scratches = alloc_zeroed((size_t)threads, sizeof *scratches);
+    w->sight = alloc_array(count, sizeof *w->sight);
+    if (!scratches || !w->sight) {
+        free(scratches);
+        return false;
+    }
+    bool lost = false;
+    w->sight[0] = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
+#endif
+    for (uint32_t c = 1; c < count; c++)
+        lost = lost || !look_into(w, c, &scratches[thread_self()], &w->sight[c]);
+    for (int i = 0; i < threads; i++)
+        free(scratches[i].item);
+    free(scratches);
+    return !lost;
+}
+
+/* ---- rings ----------------------------------------------------------------------------------------------------- */
+
+static uint32_t root_of(region_work *w, uint32_t cell)
+{
+    while (w->root[cell] != cell) {
+        w->root[cell] = w->root[w->root[cell]];
+        cell = w->root[cell];
+    }
+    return cell;
+}
+
+/* Takes away lines with the same face on both sides. */
+static bool join_cells(region_work *w)
+{
+    w->gone = alloc_array(w->map.line_count, 1);
+    w->root = alloc_array(w->cells.cell_count, sizeof *w->root);
+    if (!w->gone || !w->root)
+        return false;
+    for (uint32_t c = 0; c < w->cells.cell_count; c++)
+        w->root[c] = c;
+    for (uint32_t i = 0; i < w->map.line_count; i++) {
+        uint32_t c = map_cell_of(&w->cells, 2 * i), d = map_cell_of(&w->cells, 2 * i + 1);
+        w->gone[i] = w->sight[c].face == w->sight[d].face;
+        if (w->gone[i]) {
+            c = root_of(w, c);
+            d = root_of(w, d);
+            w->root[c > d ? c : d] = c < d ? c : d;
+        }
+    }
+    return true;
+}
+
+static bool comes_before(roberts_vec2 a, roberts_vec2 b)
+{
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+/* The ring that a half-edge is part of, which becomes done. */
+static region_ring ring_of(region_work *w, uint32_t half, uint8_t *done)
+{
+    uint32_t cell = map_cell_of(&w->cells, half);
+    region_ring ring = {.half = half, .face = w->sight[cell].face, .root = root_of(w, cell), .at = corner_of(w, half)};
+    for (uint32_t h = half; !done[h]; h = map_next(&w->cells, &w->map, h, w->gone)) {
+        roberts_vec2 P = corner_of(w, h);
+        done[h] = 1;
+        ring.corners++;
+        if (comes_before(P, ring.at)) {
+            ring.at = P;
+            ring.half = h;
+        }
+    }
+    ring.area = map_area(&w->cells, &w->map, ring.half, w->gone);
+    return ring;
+}
+
+static bool trace_rings(region_work *w)
+{
+    uint32_t halves = 2 * (uint32_t)w->map.line_count;
+    uint8_t *done = alloc_zeroed(halves, 1);
+    uint32_t *outer = alloc_array(w->cells.cell_count, sizeof *outer); /* by root */
+    bool enough = done && outer;
+    for (uint32_t h = 0; enough && h < halves; h++) {
+        if (done[h] || w->gone[h >> 1] || w->sight[map_cell_of(&w->cells, h)].face == ROBERTS_NONE)
+            continue;
+        enough = array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring);
+        if (enough)
+            w->ring[w->ring_count++] = ring_of(w, h, done);
+    }
+    for (uint32_t r = 0; enough && r < w->ring_count; r++)
+        if (w->ring[r].area > 0.0)
+            outer[w->ring[r].root] = r;
+    for (uint32_t r = 0; enough && r < w->ring_count; r++)
+        w->ring[r].outer = outer[w->ring[r].root];
+    free(done);
+    free(outer);
+    return enough;
+}
+
+/* A ring's place in the table. */
+typedef struct ring_place {
+    uint32_t face, ring;
+    bool hole;
+    roberts_vec2 outer, at;
+    uint32_t half;
+} ring_place;
+
+static int compare_places(const void *pa, const void *pb)
+{
+    const ring_place *a = pa, *b = pb;
+    if (a->face != b->face)
+        return a->face < b->face ? -1 : 1;
+    if (comes_before(a->outer, b->outer) || comes_before(b->outer, a->outer))
+        return comes_before(a->outer, b->outer) ? -1 : 1;
+    if (a->hole != b->hole)
+        return a->hole ? 1 : -1;
+    if (comes_before(a->at, b->at) || comes_before(b->at, a->at))
+        return comes_before(a->at, b->at) ? -1 : 1;
+    return (a->half > b->half) - (a->half < b->half);
+}
+
+static ring_place *sort_rings(const region_work *w)
+{
+    ring_place *place = alloc_array(w->ring_count, sizeof *place);
+    for (uint32_t r = 0; place && r < w->ring_count; r++) {
+        const region_ring *own = &w->ring[r];
+        place[r] = (ring_place){own->face, r, own->outer != r, w->ring[own->outer].at, own->at, own->half};
+    }
+    if (place && w->ring_count > 1)
+        qsort(place, w->ring_count, sizeof *place, compare_places);
+    return place;
+}
+
+/* ---- the table ------------------------------------------------------------------------------------------------- */
+
+static uint32_t solid_of(const roberts_scene *scene, uint32_t face)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].face <= face)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The colour that the input gives a face. */
+static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint32_t number)
+{
+    uint32_t low = source->solid[solid].face, high = source->solid[solid + 1].face;
+    while (number != ROBERTS_NONE && source->face_color && low < high) {
+        uint32_t middle = low + (high - low) / 2, found = scene_face_number(source, middle);
+        if (found == number)
+            return source->face_color[middle];
+        if (found < number)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return (roberts_color){0};
+}
+
+static void put_corners(const region_work *w, const region_ring *ring, roberts_region_list *out)
+{
+    double unit = w->job->seen.view.unit;
+    uint32_t h = ring->half;
+    for (size_t k = 0; k < ring->corners; k++, h = map_next(&w->cells, &w->map, h, w->gone)) {
+        roberts_vec2 P = corner_of(w, h);
+        out->corner[out->corner_count++] = (roberts_vec2){P.x * unit, P.y * unit};
+    }
+}
+
+/* Puts the depths of all cells to their regions. number: of each face's region. */
+static void put_depths(const region_work *w, const uint32_t *number, roberts_region_list *out)
+{
+    double unit = w->job->seen.view.unit;
+    for (size_t c = 0; c < w->cells.cell_count; c++) {
+        const cell_sight *sight = &w->sight[c];
+        if (sight->face == ROBERTS_NONE)
+            continue;
+        roberts_region *region = &out->region[number[sight->face]];
+        region->z_min = lesser(region->z_min, sight->z_min * unit);
+        region->z_max = greater(region->z_max, sight->z_max * unit);
+    }
+}
+
+static bool write_regions(const region_work *w, roberts_region_list *out)
+{
+    const roberts_scene *scene = w->job->seen.scene;
+    double unit = w->job->seen.view.unit;
+    size_t faces = 0, corners = 0;
+    ring_place *place = sort_rings(w);
+    uint32_t *number = alloc_array(scene->face_count, sizeof *number);
+    for (size_t k = 0; place && k < w->ring_count; k++) {
+        faces += k == 0 || place[k].face != place[k - 1].face;
+        corners += w->ring[k].corners;
+    }
+    out->region = alloc_array(faces, sizeof *out->region);
+    out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
+    out->corner = alloc_array(corners, sizeof *out->corner);
+    bool enough = place && number && out->region && out->ring_start && out->corner;
+    for (size_t k = 0; enough && k < w->ring_count; k++) {
+        const region_ring *ring = &w->ring[place[k].ring];
+        if (k == 0 || ring->face != place[k - 1].face) {
+            uint32_t solid = solid_of(scene, ring->face), face = scene_face_number(scene, ring->face);
+            number[ring->face] = (uint32_t)out->count;
+            out->region[out->count++] = (roberts_region){.solid = solid,
+                                                         .face = face,
+                                                         .first_ring = k,
+                                                         .z_min = INFINITY,
+                                                         .z_max = -INFINITY,
+                                                         .color = color_of(w->job->seen.source, solid, face)};
+        }
+        out->region[out->count - 1].ring_count++;
+        out->region[out->count - 1].area += ring->area * unit * unit;
+        out->ring_start[out->ring_count++] = out->corner_count;
+        put_corners(w, ring, out);
+    }
+    if (enough) {
+        out->ring_start[out->ring_count] = out->corner_count;
+        put_depths(w, number, out);
+    }
+    free(place);
+    free(number);
+    return enough;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------- */
+
+bool regions_find(const hide_job *job, const roberts_drawing *drawing, roberts_region_list *out)
+{
+    const view *v = &job->seen.view;
+    region_work w = {.job = job};
+    bool enough = take_lines(&w, drawing) &&
+                  planar_map_divide(&w.map, REGION_TOUCHING * (v->epsilon + v->across_rounding)) &&
+                  map_cells_find(&w.cells, &w.map) && list_halves(&w) && look_into_all(&w) && join_cells(&w) &&
+                  trace_rings(&w) && write_regions(&w, out);
+    planar_map_free(&w.map);
+    map_cells_free(&w.cells);
+    free(w.start);
+    free(w.half);
+    free(w.sight);
+    free(w.gone);
+    free(w.root);
+    free(w.ring);
+    return enough;
+}
+
+roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera *camera,
+                               const roberts_hide_options *options, roberts_region_list *out, roberts_error *error)
+{
+    roberts_hide_options own = options ? *options : roberts_hide_options_default();
+    roberts_drawing drawing;
+    own.all_edges = true;
+    own.keep_hidden = own.levels = own.unite = false;
+    *out = (roberts_region_list){0};
+    hide_job job = {.options = &own, .regions = out};
+    roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
+    roberts_drawing_free(&drawing);
+    if (status != ROBERTS_OK)
+        roberts_regions_free(out);
+    return status;
+}
+
+void roberts_regions_free(roberts_region_list *regions)
+{
+    if (!regions)
+        return;
+    free(regions->region);
+    free(regions->ring_start);
+    free(regions->corner);
+    *regions = (roberts_region_list){0};
+}

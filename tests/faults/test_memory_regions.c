@@ -1,0 +1,93 @@
+/* test_memory_regions.c - finding and saving visible regions with each allocation of ours failing in turn: a status, no
+ * crash, no leak. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "memory.h"
+#include "roberts.h"
+
+/* Pyramids side by side and over one another, so that all steps have something to do: lines that cross, several groups
+ * of lines, holes. */
+static roberts_scene *make_scene(void)
+{
+    static const uint32_t face[5][4] = {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+    static const double place[4][4] = {{0, 0, 0, 4}, {0, 0, 5, 1}, {20, 3, 0, 2}, {2, 2, 0, 4}}; /* x, y, z, size */
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    for (uint32_t i = 0; i < 4; i++) {
+        const double *p = place[i], s = p[3];
+        const roberts_vec3 corner[5] = {{p[0] - s, p[1] - s, p[2]},
+                                        {p[0] + s, p[1] - s, p[2]},
+                                        {p[0] + s, p[1] + s, p[2]},
+                                        {p[0] - s, p[1] + s, p[2]},
+                                        {p[0], p[1], p[2] + s}};
+        for (int k = 0; k < 5; k++)
+            assert_int_equal(roberts_mesh_add_vertex(&mesh, corner[k], NULL, NULL), ROBERTS_OK);
+        for (int f = 0; f < 5; f++) {
+            uint32_t own[4];
+            for (int k = 0; k < 4; k++)
+                own[k] = face[f][k] + 5 * i;
+            assert_int_equal(roberts_mesh_add_face(&mesh, own, f == 0 ? 4 : 3, NULL), ROBERTS_OK);
+        }
+    }
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
+static void survives(const roberts_camera *camera, size_t least)
+{
+    roberts_scene *scene = make_scene();
+    roberts_hide_options options = roberts_hide_options_default();
+    options.threads = 1;
+    size_t before = memory_blocks, failures = 0;
+    for (size_t n = 1;; n++) {
+        roberts_error error = {0};
+        roberts_region_list regions;
+        memory_fail(n);
+        roberts_status status = roberts_regions(scene, camera, &options, &regions, &error);
+        if (status == ROBERTS_OK)
+            status = roberts_regions_save(&regions, NULL, "/dev/null", &error);
+        bool failed = memory_failed();
+        memory_fail(0);
+        roberts_regions_free(&regions);
+        assert_int_equal(memory_blocks, before);
+        if (!failed) {
+            assert_int_equal(status, ROBERTS_OK);
+            break;
+        }
+        failures++;
+        assert_int_equal(status, ROBERTS_NO_MEMORY);
+        assert_string_equal(error.message, "not enough memory");
+    }
+    assert_true(failures >= least);
+    roberts_scene_free(scene);
+}
+
+static void test_from_above(void **state)
+{
+    (void)state;
+    survives(&(roberts_camera){.dir = {0.1, 0.2, 1}}, 60);
+}
+
+static void test_near_plane(void **state)
+{
+    (void)state;
+    survives(&(roberts_camera){.projection = ROBERTS_PERSPECTIVE,
+                               .eye = {-3, 0, 4.5},
+                               .look_at = {20, 3, 0},
+                               .has_look_at = true,
+                               .near_distance = 4},
+             60);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_from_above), cmocka_unit_test(test_near_plane)};
+    return cmocka_run_group_tests_name("memory, regions", tests, NULL, NULL);
+}

@@ -1,0 +1,430 @@
+/* test_layers.c - cells that a sheet of a surface fills: what lies behind is hidden there at once, and the sheet's own
+ * lines are seen at once. None of this may change a line. So scenes are drawn with one cell, which no sheet fills since
+ * its border lies in it, and with many. Rays check the first drawing. */
+#include <stdio.h>
+
+#include "roberts.h"
+#include "scenes.h"
+
+/* ---- meshes ---- */
+
+typedef struct sheet {
+    roberts_mesh mesh;
+    uint32_t vertices;
+} sheet;
+
+static uint32_t add_vertex(sheet *s, double x, double y, double z)
+{
+    uint32_t index;
+    assert_int_equal(roberts_mesh_add_vertex(&s->mesh, (roberts_vec3){x, y, z}, &index, NULL), ROBERTS_OK);
+    s->vertices = index + 1;
+    return index;
+}
+
+static void add_face(sheet *s, uint32_t a, uint32_t b, uint32_t c)
+{
+    uint32_t corner[3] = {a, b, c};
+    assert_int_equal(roberts_mesh_add_face(&s->mesh, corner, 3, NULL), ROBERTS_OK);
+}
+
+static void add_wire(sheet *s, roberts_vec3 p, roberts_vec3 q)
+{
+    uint32_t corner[2] = {add_vertex(s, p.x, p.y, p.z), add_vertex(s, q.x, q.y, q.z)};
+    assert_int_equal(roberts_mesh_add_face(&s->mesh, corner, 2, NULL), ROBERTS_OK);
+}
+
+static void add_triangle(sheet *s, roberts_vec3 p, roberts_vec3 q, roberts_vec3 r)
+{
+    uint32_t a = add_vertex(s, p.x, p.y, p.z), b = add_vertex(s, q.x, q.y, q.z);
+    add_face(s, a, b, add_vertex(s, r.x, r.y, r.z));
+}
+
+/* Something behind all sheets, and across their borders. */
+static void add_backdrop(sheet *s, double side, double z)
+{
+    for (int k = 0; k < 5; k++) {
+        double at = side * (0.11 + 0.19 * k);
+        add_triangle(s, (roberts_vec3){-0.3, at, z - k}, (roberts_vec3){side + 0.4, at + 0.3, z - k},
+                     (roberts_vec3){at, side + 0.2, z - k});
+    }
+}
+
+/* How a patch is made. */
+typedef struct patch {
+    double x, y, z; /* of its first corner */
+    double step;    /* of the raster */
+    double rough;   /* heights differ by as much */
+    double turned;  /* which part of the triangles runs the other way round */
+    double missing; /* which part of them is left out */
+    int nx, ny;     /* squares */
+    int hole[4];    /* squares x0..x1-1, y0..y1-1 that are left out */
+} patch;
+
+/* Squares in two triangles each. The vertex of column i and row j is first + i * (ny + 1) + j. */
+static uint32_t add_patch(sheet *s, const patch *p, rng *r)
+{
+    uint32_t first = s->vertices, down = (uint32_t)p->ny + 1;
+    for (int i = 0; i <= p->nx; i++)
+        for (int j = 0; j <= p->ny; j++)
+            add_vertex(s, p->x + p->step * i, p->y + p->step * j, p->z + p->rough * rng_int(r, -8, 8) / 8);
+    for (int i = 0; i < p->nx; i++)
+        for (int j = 0; j < p->ny; j++) {
+            uint32_t v = first + (uint32_t)i * down + (uint32_t)j;
+            const uint32_t corner[2][3] = {{v, v + down, v + down + 1}, {v, v + down + 1, v + 1}};
+            if (p->hole[0] <= i && i < p->hole[1] && p->hole[2] <= j && j < p->hole[3])
+                continue;
+            for (int k = 0; k < 2; k++) {
+                if (rng_between(r, 0, 1) < p->missing)
+                    continue;
+                bool turned = rng_between(r, 0, 1) < p->turned;
+                add_face(s, corner[k][0], corner[k][turned ? 2 : 1], corner[k][turned ? 1 : 2]);
+            }
+        }
+    return first;
+}
+
+/* ---- comparing ---- */
+
+/* Is it the same line, with the same part of it seen? */
+static bool same_segment(const roberts_drawing *a, const roberts_segment *s, const roberts_drawing *b,
+                         const roberts_segment *t)
+{
+    if (s->line != t->line || s->state != t->state || s->t0 != t->t0 || s->t1 != t->t1 || s->solid != t->solid ||
+        s->v0 != t->v0 || s->v1 != t->v1 || s->by != t->by)
+        return false;
+    return s->line != ROBERTS_INTERSECTION ||
+           memcmp(a->crossing[s->edge].face, b->crossing[t->edge].face, sizeof a->crossing[0].face) == 0;
+}
+
+/* Intersections of which nothing is seen may have rows or not. */
+static size_t next_row(const roberts_drawing *d, size_t i)
+{
+    while (i < d->count && d->segment[i].line == ROBERTS_INTERSECTION && d->segment[i].state == ROBERTS_HIDDEN)
+        i++;
+    return i;
+}
+
+static void expect_same(const roberts_drawing *a, const roberts_drawing *b, const char *name, uint32_t grid)
+{
+    size_t i = next_row(a, 0), k = next_row(b, 0);
+    for (; i < a->count && k < b->count; i = next_row(a, i + 1), k = next_row(b, k + 1)) {
+        const roberts_segment *s = &a->segment[i], *t = &b->segment[k];
+        if (!same_segment(a, s, b, t))
+            fail_msg("%s, grid %u: body %u, edge %d-%d is %s from %.17g to %.17g; one cell: body %u, edge %d-%d %s "
+                     "from %.17g to %.17g",
+                     name, grid, t->solid, (int)t->v0, (int)t->v1, t->state ? "hidden" : "visible", t->t0, t->t1,
+                     s->solid, (int)s->v0, (int)s->v1, s->state ? "hidden" : "visible", s->t0, s->t1);
+    }
+    if (i < a->count || k < b->count)
+        fail_msg("%s, grid %u: %zu rows, one cell has %zu", name, grid, b->count, a->count);
+}
+
+/* What has been compared. */
+typedef struct tally {
+    size_t segments, hidden;
+} tally;
+
+static const roberts_camera cameras[] = {
+    {.dir = {0, 0, 1}, .up = {0, 1, 0}},
+    {.dir = {0.21, -0.33, 1}, .up = {0, 1, 0}},
+    {.dir = {0.4, 0.3, -1}, .up = {0, 1, 0}},
+    {.projection = ROBERTS_PERSPECTIVE, .eye = {5, 3, 40}, .up = {0, 1, 0}},
+};
+
+static void draw(const roberts_scene *scene, const roberts_camera *camera, bool hidden, uint32_t grid,
+                 roberts_drawing *drawing)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    options.all_edges = true;
+    options.keep_hidden = hidden;
+    options.grid = grid;
+    options.threads = 1;
+    *drawing = (roberts_drawing){0};
+    assert_int_equal(roberts_hide(scene, camera, &options, drawing, NULL), ROBERTS_OK);
+}
+
+static void expect_true(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
+                        const char *name)
+{
+    roberts_verify_options options = roberts_verify_options_default();
+    roberts_verification found;
+    options.all_edges = true;
+    assert_int_equal(roberts_verify(scene, camera, drawing, &options, &found, NULL), ROBERTS_OK);
+    if (found.contradictions > 0)
+        fail_msg("%s: %zu of %zu rays contradict the drawing", name, found.contradictions, found.points);
+}
+
+/* Draws the scene with one cell and with many. Hidden lines are kept, or not: then more is left out. */
+static void compare_scene(sheet *s, const char *name, tally *t)
+{
+    static const uint32_t grids[] = {2, 3, 5, 8, 13, 16, 37, 64};
+    roberts_scene *scene = NULL;
+    assert_int_equal(roberts_scene_build(&s->mesh, NULL, &scene, NULL), ROBERTS_OK);
+    for (size_t c = 0; c < 2 * (sizeof cameras / sizeof cameras[0]); c++) {
+        const roberts_camera *camera = &cameras[c / 2];
+        roberts_drawing one, many;
+        draw(scene, camera, c % 2, 1, &one);
+        expect_true(scene, camera, &one, name);
+        t->segments += one.count;
+        for (size_t i = 0; i < one.count; i++)
+            t->hidden += one.segment[i].state == ROBERTS_HIDDEN;
+        for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++) {
+            draw(scene, camera, c % 2, grids[g], &many);
+            expect_same(&one, &many, name, grids[g]);
+            roberts_drawing_free(&many);
+        }
+        roberts_drawing_free(&one);
+    }
+    roberts_scene_free(scene);
+    roberts_mesh_free(&s->mesh);
+}
+
+static void expect_compared(const tally *t, size_t segments)
+{
+    assert_true(t->segments >= segments);
+    assert_true(t->hidden > t->segments / 20);
+}
+
+/* ---- cases ---- */
+
+/* Patches over a backdrop, from the top one down. */
+static const struct {
+    const char *name;
+    int patches;
+    patch patch[3];
+} patch_cases[] = {
+    {"a flat sheet", 1, {{.step = 1, .nx = 8, .ny = 8}}},
+    {"a rough sheet", 1, {{.step = 1, .rough = 0.4, .nx = 8, .ny = 8}}},
+    {"a steep sheet", 1, {{.step = 1, .rough = 9, .nx = 8, .ny = 8}}},
+    {"one with mixed winding", 1, {{.step = 1, .rough = 0.4, .turned = 0.5, .nx = 8, .ny = 8}}},
+    {"one with a hole at the borders of cells", 1, {{.step = 1, .nx = 8, .ny = 8, .hole = {2, 4, 3, 6}}}},
+    {"... rough", 1, {{.step = 1, .rough = 0.3, .nx = 8, .ny = 8, .hole = {4, 5, 4, 5}}}},
+    {"one with many holes", 1, {{.step = 1, .rough = 0.3, .missing = 0.1, .nx = 12, .ny = 12}}},
+    {"sheets over one another",
+     3,
+     {{.step = 1, .z = 4, .rough = 0.3, .nx = 7, .ny = 7},
+      {.step = 0.7, .z = 2, .rough = 0.3, .nx = 12, .ny = 12},
+      {.step = 0.5, .rough = 0.2, .nx = 16, .ny = 16}}},
+    {"... through one another",
+     3,
+     {{.step = 1, .z = 0.5, .rough = 1, .nx = 7, .ny = 7},
+      {.step = 0.7, .z = 0.2, .rough = 1, .nx = 11, .ny = 11},
+      {.step = 0.5, .rough = 1, .nx = 15, .ny = 15}}},
+    {"... touching, one plane", 2, {{.step = 1, .nx = 8, .ny = 8}, {.x = 0.5, .step = 1, .nx = 7, .ny = 8}}},
+    {"... touching within epsilon",
+     2,
+     {{.step = 1, .z = 1e-11, .nx = 8, .ny = 8}, {.x = 0.25, .step = 0.5, .nx = 15, .ny = 16}}},
+    {"... just apart", 2, {{.step = 1, .z = 1e-7, .nx = 8, .ny = 8}, {.step = 0.75, .nx = 10, .ny = 10}}},
+    {"a fine half beside a coarse one", 2, {{.step = 1, .nx = 4, .ny = 8}, {.x = 4, .step = 0.5, .nx = 8, .ny = 16}}},
+    {"... with holes",
+     2,
+     {{.step = 1, .missing = 0.1, .nx = 4, .ny = 8}, {.x = 4, .step = 0.5, .missing = 0.1, .nx = 8, .ny = 16}}},
+    {"a sheet with a closed slit", 2, {{.step = 1, .nx = 4, .ny = 8}, {.x = 4, .step = 1, .nx = 4, .ny = 8}}},
+    {"... open by little", 2, {{.step = 1, .nx = 4, .ny = 8}, {.x = 4.000001, .step = 1, .nx = 4, .ny = 8}}},
+    {"... one side lower", 2, {{.step = 1, .z = 0.001, .nx = 4, .ny = 8}, {.x = 3.999, .step = 1, .nx = 4, .ny = 8}}},
+};
+
+static void test_patches(void **state)
+{
+    tally t = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof patch_cases / sizeof patch_cases[0]; i++) {
+        rng r = {i + 1};
+        sheet s = {0};
+        for (int k = 0; k < patch_cases[i].patches; k++)
+            add_patch(&s, &patch_cases[i].patch[k], &r);
+        add_backdrop(&s, 8, -12);
+        compare_scene(&s, patch_cases[i].name, &t);
+    }
+    expect_compared(&t, 20000);
+}
+
+/* Wires over a sheet, in it, through it and behind it. */
+static void test_wires(void **state)
+{
+    static const double height[][2] = {{2, 2}, {1e-12, 1e-12}, {0, 0}, {-1e-12, -1e-12}, {-2, -2}, {1, -1}, {1e-6, 2}};
+    tally t = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof height / sizeof height[0]; i++) {
+        rng r = {i + 100};
+        sheet s = {0};
+        char name[64];
+        snprintf(name, sizeof name, "a wire from %g to %g", height[i][0], height[i][1]);
+        add_patch(&s, &(patch){.step = 1, .rough = i % 2 ? 0.25 : 0, .nx = 8, .ny = 8}, &r);
+        add_wire(&s, (roberts_vec3){0.3, 0.7, height[i][0]}, (roberts_vec3){7.1, 6.2, height[i][1]});
+        add_wire(&s, (roberts_vec3){2, 1, height[i][0]}, (roberts_vec3){2, 7, height[i][1]});
+        add_backdrop(&s, 8, -5);
+        compare_scene(&s, name, &t);
+    }
+    expect_compared(&t, 5000);
+}
+
+/* Fins on a sheet: faces at edges that two faces of the sheet share already, over the sheet or under it. */
+static void test_fins(void **state)
+{
+    static const double tip[] = {3, 0.5, 1e-3, -1e-3, -2};
+    tally t = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof tip / sizeof tip[0]; i++) {
+        const patch p = {.step = 1, .rough = i % 2 ? 0.25 : 0, .nx = 8, .ny = 8};
+        rng r = {i + 200};
+        sheet s = {0};
+        char name[64];
+        snprintf(name, sizeof name, "fins with tips at %g", tip[i]);
+        uint32_t first = add_patch(&s, &p, &r);
+        for (int k = 0; k < 24; k++) {
+            int x = rng_int(&r, 0, 6), y = rng_int(&r, 0, 6), along = rng_int(&r, 0, 2);
+            uint32_t a = first + (uint32_t)(x * 9 + y), b = a + (along == 0 ? 9u : along == 1 ? 1u : 10u);
+            add_face(&s, a, b, add_vertex(&s, x + rng_between(&r, -1, 2), y + rng_between(&r, -1, 2), tip[i]));
+        }
+        add_backdrop(&s, 8, -5);
+        compare_scene(&s, name, &t);
+    }
+    expect_compared(&t, 5000);
+}
+
+/* A fan that goes so often round its tip, in a ring of finer triangles: every edge has a face on its left and one on
+ * its right, but faces lie over one another at the tip. */
+static void add_winding(sheet *s, int turns, double lift, double tip)
+{
+    enum { SPOKES = 7, RINGS = 4 };
+    int count = SPOKES * turns;
+    uint32_t first = s->vertices;
+    const double round = 6.283185307179586;
+    for (int i = 0; i < count; i++)
+        for (int k = 1; k <= RINGS; k++) {
+            double angle = round * i / SPOKES, up = lift * sin(round * i / count);
+            add_vertex(s, 4 + k * cos(angle), 4 + k * sin(angle), k * up);
+        }
+    uint32_t middle = add_vertex(s, 4, 4, tip);
+    for (int i = 0; i < count; i++) {
+        uint32_t a = first + (uint32_t)(RINGS * i), b = first + (uint32_t)(RINGS * ((i + 1) % count));
+        add_face(s, middle, a, b);
+        for (uint32_t k = 0; k + 1 < RINGS; k++) {
+            add_face(s, a + k, a + k + 1, b + k + 1);
+            add_face(s, a + k, b + k + 1, b + k);
+        }
+    }
+}
+
+static void test_winding(void **state)
+{
+    tally t = {0};
+    (void)state;
+    for (int turns = 1; turns <= 3; turns++)
+        for (int steep = 0; steep < 4; steep++) {
+            sheet s = {0};
+            char name[60];
+            double lift = steep == 1 ? 0.02 : 0.4 * steep;
+            snprintf(name, sizeof name, "a surface that goes %d times round, lift %g", turns, lift);
+            add_winding(&s, turns, lift, steep == 3 ? 2 : 0);
+            add_backdrop(&s, 8, -6);
+            compare_scene(&s, name, &t);
+        }
+    expect_compared(&t, 4000);
+}
+
+/* The great dodecahedron, its pentagons cut into triangles from their middles or from a corner: its surface goes twice
+ * round each vertex. */
+static void test_great_dodecahedron(void **state)
+{
+    tally t = {0};
+    (void)state;
+    for (int from_middle = 0; from_middle < 2; from_middle++) {
+        roberts_mesh star = {0};
+        sheet s = {0};
+        assert_int_equal(roberts_mesh_read_file(&star, "models/star/great-dodecahedron.off", NULL, NULL), ROBERTS_OK);
+        for (size_t v = 0; v < star.vertex_count; v++)
+            add_vertex(&s, star.vertex[v].x, star.vertex[v].y, star.vertex[v].z);
+        for (size_t f = 0; f < star.face_count; f++) {
+            const uint32_t *c = star.corner + star.face_start[f], n = star.face_start[f + 1] - star.face_start[f];
+            roberts_vec3 m = {0, 0, 0};
+            for (uint32_t i = 0; i < n; i++)
+                m = vec3_add(m, vec3_scale(1.0 / n, star.vertex[c[i]]));
+            uint32_t middle = from_middle ? add_vertex(&s, m.x, m.y, m.z) : c[0];
+            for (uint32_t i = 0; i < n; i++)
+                if (c[i] != middle && c[(i + 1) % n] != middle)
+                    add_face(&s, middle, c[i], c[(i + 1) % n]);
+        }
+        compare_scene(&s, from_middle ? "great dodecahedron from its middles" : "great dodecahedron", &t);
+        roberts_mesh_free(&star);
+    }
+    expect_compared(&t, 1000);
+}
+
+/* A sheet that is rolled up, closed to a tube, or closed with a twist; seen from all sides. */
+static void test_rolls(void **state)
+{
+    enum { AROUND = 30, ALONG = 6 };
+    tally t = {0};
+    (void)state;
+    for (int kind = 0; kind < 3; kind++) {
+        sheet s = {0};
+        const double round = 6.283185307179586;
+        for (int i = 0; i < AROUND; i++)
+            for (int k = 0; k <= ALONG; k++) {
+                double a = round * (kind == 0 ? 1.7 : 1.0) * i / AROUND, w = k - 0.5 * ALONG;
+                double radius = kind == 0 ? 2 + 0.05 * i : 3, half = kind == 2 ? 0.5 * a : 1.2;
+                double out = radius + 0.4 * w * cos(half), up = 0.7 * w * sin(half);
+                add_vertex(&s, 4 + out * cos(a), 4 + up, out * sin(a));
+            }
+        for (int i = 0; i < AROUND - (kind == 0); i++)
+            for (int k = 0; k < ALONG; k++) {
+                bool last = i + 1 == AROUND, twist = last && kind == 2;
+                int base = last ? 0 : (i + 1) * (ALONG + 1);
+                uint32_t a = (uint32_t)(i * (ALONG + 1) + k), b = (uint32_t)(base + (twist ? ALONG - k : k));
+                uint32_t c = (uint32_t)(base + (twist ? ALONG - k - 1 : k + 1));
+                add_face(&s, a, b, c);
+                add_face(&s, a, c, a + 1);
+            }
+        compare_scene(&s, kind == 0 ? "a roll" : kind == 1 ? "a tube" : "a twisted band", &t);
+    }
+    expect_compared(&t, 4000);
+}
+
+/* Anything at random: sheets that are rough, turned in part, with holes, with triangles and wires across them. */
+static void test_random(void **state)
+{
+    tally t = {0};
+    (void)state;
+    for (uint64_t seed = 1; seed <= 28; seed++) {
+        rng r = {seed};
+        sheet s = {0};
+        char name[64];
+        int sheets = rng_int(&r, 1, 3);
+        snprintf(name, sizeof name, "random scene %d", (int)seed);
+        for (int k = 0; k < sheets; k++) {
+            patch p = {.x = rng_int(&r, -1, 1) * 0.5, .y = rng_int(&r, -1, 1) * 0.5, .z = rng_int(&r, -2, 2)};
+            p.nx = rng_int(&r, 2, 9);
+            p.ny = rng_int(&r, 2, 9);
+            p.step = 8.0 / (p.nx > p.ny ? p.nx : p.ny);
+            p.rough = rng_int(&r, 0, 4) * 0.4;
+            p.turned = rng_int(&r, 0, 1) * 0.4;
+            p.missing = rng_int(&r, 0, 1) * 0.06;
+            add_patch(&s, &p, &r);
+        }
+        for (int k = rng_int(&r, 0, 4); k > 0; k--) {
+            roberts_vec3 p[3];
+            for (int i = 0; i < 3; i++)
+                p[i] = (roberts_vec3){rng_int(&r, 0, 8), rng_int(&r, 0, 8), rng_int(&r, -4, 4)};
+            if (k % 2)
+                add_wire(&s, p[0], p[1]);
+            else
+                add_triangle(&s, p[0], p[1], p[2]);
+        }
+        add_backdrop(&s, 8, -9);
+        compare_scene(&s, name, &t);
+    }
+    expect_compared(&t, 20000);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_patches), cmocka_unit_test(test_wires),
+        cmocka_unit_test(test_winding), cmocka_unit_test(test_great_dodecahedron),
+        cmocka_unit_test(test_fins),    cmocka_unit_test(test_rolls),
+        cmocka_unit_test(test_random),
+    };
+    return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
+}

@@ -1,0 +1,525 @@
+/* test_regions.c - visible regions tile the shadow of a scene's picture, each of the face that is seen there.
+ *
+ * The shadow is the union of the pictures of all faces. Its area is found here by cutting the picture into upright
+ * strips in which no two sides cross. Who is seen at a point is asked of roberts_pick(), which casts a ray. */
+#include <math.h>
+#include <stdio.h>
+
+#include "scenes.h"
+
+#include "roberts.h"
+
+enum { SCENES = 60, POINTS = 12, MOST_FACES = 80, MOST_CORNERS = 4 };
+
+/* ---- scenes ---------------------------------------------------------------------------------------------------- */
+
+/* Six faces of a parallelepiped: corner + i u + j v + k w. */
+static void add_box(roberts_mesh *mesh, roberts_vec3 corner, roberts_vec3 u, roberts_vec3 v, roberts_vec3 w)
+{
+    static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    uint32_t at = (uint32_t)mesh->vertex_count;
+    for (int i = 0; i < 8; i++) {
+        double a = i & 1, b = i >> 1 & 1, c = i >> 2 & 1;
+        roberts_vec3 p = {corner.x + a * u.x + b * v.x + c * w.x, corner.y + a * u.y + b * v.y + c * w.y,
+                          corner.z + a * u.z + b * v.z + c * w.z};
+        assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
+    }
+    for (int f = 0; f < 6; f++) {
+        uint32_t own[4];
+        for (int k = 0; k < 4; k++)
+            own[k] = at + face[f][k];
+        assert_int_equal(roberts_mesh_add_face(mesh, own, 4, NULL), ROBERTS_OK);
+    }
+}
+
+static void add_triangle(roberts_mesh *mesh, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c)
+{
+    const roberts_vec3 p[3] = {a, b, c};
+    uint32_t at = (uint32_t)mesh->vertex_count, own[3] = {at, at + 1, at + 2};
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(roberts_mesh_add_vertex(mesh, p[k], NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_mesh_add_face(mesh, own, 3, NULL), ROBERTS_OK);
+}
+
+static roberts_vec3 random_point(rng *r, double size)
+{
+    return (roberts_vec3){rng_between(r, -size, size), rng_between(r, -size, size), rng_between(r, -size, size)};
+}
+
+static roberts_vec3 grid_point(rng *r, int size)
+{
+    return (roberts_vec3){rng_int(r, -size, size), rng_int(r, -size, size), rng_int(r, -size, size)};
+}
+
+/* Skew boxes in one another. */
+static void make_skew(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 1, 6); i > 0; i--)
+        add_box(mesh, random_point(r, 3), random_point(r, 3), random_point(r, 3), random_point(r, 3));
+}
+
+/* Boxes on a grid: they touch, lie flush, hold or repeat one another, and have faces in one plane. */
+static void make_blocks(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 2, 10); i > 0; i--)
+        add_box(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), 0, 0}, (roberts_vec3){0, rng_int(r, 1, 3), 0},
+                (roberts_vec3){0, 0, rng_int(r, 1, 3)});
+}
+
+/* The same, sheared along the grid. */
+static void make_sheared(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 2, 7); i > 0; i--)
+        add_box(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), rng_int(r, -1, 1), 0},
+                (roberts_vec3){0, rng_int(r, 1, 3), rng_int(r, -1, 1)}, (roberts_vec3){0, 0, rng_int(r, 1, 3)});
+}
+
+/* Triangles through one another. */
+static void make_soup(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 2, 20); i > 0; i--)
+        add_triangle(mesh, random_point(r, 4), random_point(r, 4), random_point(r, 4));
+}
+
+/* Triangles with corners on a grid: many share corners and planes, and some are seen edge-on. */
+static void make_grid_soup(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 2, 14); i > 0; i--)
+        add_triangle(mesh, grid_point(r, 2), grid_point(r, 2), grid_point(r, 2));
+}
+
+/* Horizontal triangles in few planes, over and in one another. */
+static void make_layers(rng *r, roberts_mesh *mesh)
+{
+    for (int i = rng_int(r, 2, 12); i > 0; i--) {
+        double z = rng_int(r, 0, 2);
+        roberts_vec3 p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = (roberts_vec3){rng_int(r, -4, 4), rng_int(r, -4, 4), z};
+        add_triangle(mesh, p[0], p[1], p[2]);
+    }
+}
+
+typedef void make_fn(rng *r, roberts_mesh *mesh);
+
+static const struct {
+    const char *name;
+    make_fn *make;
+} families[] = {
+    {"skew boxes", make_skew},
+    {"blocks", make_blocks},
+    {"sheared blocks", make_sheared},
+    {"triangles", make_soup},
+    {"triangles on a grid", make_grid_soup},
+    {"layers", make_layers},
+};
+
+/* ---- the shadow ------------------------------------------------------------------------------------------------ */
+
+typedef struct face_picture {
+    roberts_vec2 p[MOST_CORNERS];
+    uint32_t count;
+} face_picture;
+
+/* Where a corner is in the picture from above: of the camera below, or from an eye at this height. */
+static roberts_vec2 seen_from_above(roberts_vec3 p, roberts_vec3 middle, double height)
+{
+    if (height == 0)
+        return (roberts_vec2){p.x - middle.x, p.y - middle.y};
+    return (roberts_vec2){p.x / (1 - p.z / height), p.y / (1 - p.z / height)};
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    double p = *(const double *)a, q = *(const double *)b;
+    return (p > q) - (p < q);
+}
+
+typedef struct span {
+    double low, high;
+} span;
+
+static int compare_spans(const void *a, const void *b)
+{
+    double p = ((const span *)a)->low, q = ((const span *)b)->low;
+    return (p > q) - (p < q);
+}
+
+/* How much of an upright line lies in some of the convex polygons. */
+static double covered(const face_picture *face, size_t count, double x)
+{
+    span own[MOST_FACES];
+    size_t found = 0;
+    for (size_t f = 0; f < count; f++) {
+        span s = {HUGE_VAL, -HUGE_VAL};
+        for (uint32_t k = 0; k < face[f].count; k++) {
+            roberts_vec2 p = face[f].p[k], q = face[f].p[(k + 1) % face[f].count];
+            if ((p.x <= x) == (q.x <= x))
+                continue;
+            double y = p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y);
+            s = (span){fmin(s.low, y), fmax(s.high, y)};
+        }
+        if (s.low < s.high)
+            own[found++] = s;
+    }
+    qsort(own, found, sizeof *own, compare_spans);
+    double sum = 0, at = -HUGE_VAL;
+    for (size_t i = 0; i < found; i++) {
+        sum += fmax(0, own[i].high - fmax(own[i].low, at));
+        at = fmax(at, own[i].high);
+    }
+    return sum;
+}
+
+/* The area of the union of convex polygons. */
+static double shadow(const face_picture *face, size_t count)
+{
+    enum { SIDES = MOST_FACES * MOST_CORNERS };
+    static roberts_vec2 side[SIDES][2];
+    static double cut[SIDES + SIDES * SIDES / 2];
+    size_t sides = 0, cuts = 0;
+    for (size_t f = 0; f < count; f++)
+        for (uint32_t k = 0; k < face[f].count; k++) {
+            side[sides][0] = face[f].p[k];
+            side[sides][1] = face[f].p[(k + 1) % face[f].count];
+            cut[cuts++] = side[sides++][0].x;
+        }
+    for (size_t i = 0; i < sides; i++)
+        for (size_t j = 0; j < i; j++) {
+            roberts_vec2 a = side[i][0], b = side[i][1], c = side[j][0], d = side[j][1];
+            double turn = (b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x);
+            double t = ((c.x - a.x) * (d.y - c.y) - (c.y - a.y) * (d.x - c.x)) / turn;
+            if (turn != 0 && t > 0 && t < 1)
+                cut[cuts++] = a.x + t * (b.x - a.x);
+        }
+    qsort(cut, cuts, sizeof *cut, compare_numbers);
+    double sum = 0;
+    for (size_t i = 0; i + 1 < cuts; i++)
+        if (cut[i + 1] > cut[i])
+            sum += (cut[i + 1] - cut[i]) * covered(face, count, 0.5 * (cut[i] + cut[i + 1]));
+    return sum;
+}
+
+static double shadow_of(const roberts_mesh *mesh, double height)
+{
+    face_picture face[MOST_FACES];
+    roberts_vec3 low = mesh->vertex[0], high = low;
+    for (size_t i = 0; i < mesh->vertex_count; i++) {
+        roberts_vec3 p = mesh->vertex[i];
+        low = (roberts_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
+        high = (roberts_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
+    }
+    roberts_vec3 middle = {0.5 * (low.x + high.x), 0.5 * (low.y + high.y), 0.5 * (low.z + high.z)};
+    assert_true(mesh->face_count <= MOST_FACES);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t *corner = mesh->corner + mesh->face_start[f];
+        face[f].count = mesh->face_start[f + 1] - mesh->face_start[f];
+        for (uint32_t k = 0; k < face[f].count; k++)
+            face[f].p[k] = seen_from_above(mesh->vertex[corner[k]], middle, height);
+    }
+    return shadow(face, mesh->face_count);
+}
+
+/* ---- regions --------------------------------------------------------------------------------------------------- */
+
+static double ring_area(const roberts_region_list *l, size_t ring)
+{
+    size_t first = l->ring_start[ring], end = l->ring_start[ring + 1];
+    roberts_vec2 o = l->corner[first];
+    double sum = 0;
+    for (size_t i = first; i < end; i++) {
+        roberts_vec2 p = l->corner[i], q = l->corner[i + 1 < end ? i + 1 : first];
+        sum += (p.x - o.x) * (q.y - o.y) - (p.y - o.y) * (q.x - o.x);
+    }
+    return 0.5 * sum;
+}
+
+/* Is (x, y) in the region, and how far is it from the border? */
+static bool holds(const roberts_region_list *l, const roberts_region *region, double x, double y, double *off)
+{
+    bool inside = false;
+    for (size_t r = region->first_ring; r < region->first_ring + region->ring_count; r++)
+        for (size_t i = l->ring_start[r]; i < l->ring_start[r + 1]; i++) {
+            roberts_vec2 p = l->corner[i], q = l->corner[i + 1 < l->ring_start[r + 1] ? i + 1 : l->ring_start[r]];
+            double dx = q.x - p.x, dy = q.y - p.y;
+            double t = fmin(fmax(((x - p.x) * dx + (y - p.y) * dy) / (dx * dx + dy * dy), 0), 1);
+            *off = fmin(*off, hypot(p.x + t * dx - x, p.y + t * dy - y));
+            if ((p.y <= y) != (q.y <= y) && x < p.x + (y - p.y) / dy * dx)
+                inside = !inside;
+        }
+    return inside;
+}
+
+typedef struct tally {
+    size_t regions, rings, points, seen;
+} tally;
+
+/* Rings are what the header promises: in order, closed, of three corners or more, first a piece and then its holes. */
+static void check_rings(const char *name, const roberts_region_list *l)
+{
+    size_t ring = 0;
+    for (size_t i = 0; i < l->count; i++) {
+        const roberts_region *r = &l->region[i];
+        double sum = 0;
+        if (r->first_ring != ring || r->ring_count == 0 || !(ring_area(l, ring) > 0) || !(r->z_min <= r->z_max))
+            fail_msg("%s: region %zu begins with ring %zu of area %g; depths %g, %g", name, i, r->first_ring,
+                     ring_area(l, r->first_ring), r->z_min, r->z_max);
+        for (size_t k = 0; k < r->ring_count; k++, ring++) {
+            if (l->ring_start[ring + 1] < l->ring_start[ring] + 3)
+                fail_msg("%s: ring %zu has %zu corners", name, ring, l->ring_start[ring + 1] - l->ring_start[ring]);
+            sum += ring_area(l, ring);
+        }
+        if (!(fabs(sum - r->area) <= 1e-12 * (1 + r->area)))
+            fail_msg("%s: region %zu has area %.17g, its rings %.17g", name, i, r->area, sum);
+        if (i > 0 && (r->solid < r[-1].solid || (r->solid == r[-1].solid && r->face <= r[-1].face)))
+            fail_msg("%s: region %zu is out of order", name, i);
+    }
+    assert_int_equal(ring, l->ring_count);
+    assert_int_equal(l->ring_start[ring], l->corner_count);
+}
+
+/* Every corner is an end of a visible segment. */
+static void check_corners(const char *name, const roberts_region_list *l, const roberts_drawing *d)
+{
+    for (size_t c = 0; c < l->corner_count; c++) {
+        double off = HUGE_VAL;
+        for (size_t i = 0; i < d->count && off > 0; i++) {
+            const roberts_segment *s = &d->segment[i];
+            off = fmin(off, hypot(s->p0.x - l->corner[c].x, s->p0.y - l->corner[c].y));
+            off = fmin(off, hypot(s->p1.x - l->corner[c].x, s->p1.y - l->corner[c].y));
+        }
+        if (off > 0)
+            fail_msg("%s: corner %.17g, %.17g is %g from the next end", name, l->corner[c].x, l->corner[c].y, off);
+    }
+}
+
+/* At random points the face of the one region that is there is seen, or nothing where there is none. */
+static void check_points(const char *name, const roberts_scene *scene, const roberts_camera *camera,
+                         const roberts_region_list *l, const roberts_drawing *d, rng *r, tally *t)
+{
+    double near = 1e-7 * hypot(d->window_max.x - d->window_min.x, d->window_max.y - d->window_min.y);
+    for (int n = 0; n < POINTS; n++) {
+        double x = rng_between(r, d->window_min.x, d->window_max.x),
+               y = rng_between(r, d->window_min.y, d->window_max.y);
+        double off = HUGE_VAL;
+        const roberts_region *there = NULL;
+        for (size_t i = 0; i < l->count; i++)
+            if (holds(l, &l->region[i], x, y, &off)) {
+                if (there)
+                    fail_msg("%s: %.17g, %.17g lies in faces %u and %u", name, x, y, there->face, l->region[i].face);
+                there = &l->region[i];
+            }
+        if (off <= near)
+            continue;
+        roberts_picked picked;
+        assert_int_equal(roberts_pick(scene, camera, x, y, &picked, NULL), ROBERTS_OK);
+        if (picked.count == 0 ? there != NULL
+                              : !there || there->face != picked.hit[0].face || there->solid != picked.hit[0].solid)
+            fail_msg("%s: at %.17g, %.17g the region is of face %ld, but face %ld is seen", name, x, y,
+                     there ? (long)there->face : -1L, picked.count ? (long)picked.hit[0].face : -1L);
+        t->points++;
+        t->seen += picked.count > 0;
+        roberts_picked_free(&picked);
+    }
+}
+
+/* All checks but that of the shadow. Returns the sum of all areas. crossings: lines may cross where faces touch. */
+static double check_scene(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool crossings,
+                          rng *r, tally *t)
+{
+    roberts_region_list l;
+    roberts_drawing d;
+    roberts_error error = {0};
+    roberts_hide_options options = roberts_hide_options_default();
+    options.all_edges = true;
+    if (roberts_regions(scene, camera, NULL, &l, &error) != ROBERTS_OK)
+        fail_msg("%s: %s", name, error.message);
+    assert_int_equal(roberts_hide(scene, camera, &options, &d, NULL), ROBERTS_OK);
+    double sum = 0;
+    for (size_t i = 0; i < l.count; i++)
+        sum += l.region[i].area;
+    check_rings(name, &l);
+    if (!crossings)
+        check_corners(name, &l, &d);
+    check_points(name, scene, camera, &l, &d, r, t);
+    t->regions += l.count;
+    t->rings += l.ring_count;
+    roberts_drawing_free(&d);
+    roberts_regions_free(&l);
+    return sum;
+}
+
+static const roberts_camera from_above = {.dir = {0, 0, 1}, .up = {0, 1, 0}};
+
+static void test_random_scenes(void **state)
+{
+    rng r = {20261123};
+    (void)state;
+    for (size_t f = 0; f < sizeof families / sizeof families[0]; f++) {
+        tally t = {0};
+        for (int n = 0; n < SCENES; n++) {
+            roberts_mesh mesh = {0};
+            roberts_scene *scene;
+            char name[100];
+            families[f].make(&r, &mesh);
+            assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+            const double heights[] = {0, 40, 15};
+            for (size_t v = 0; v < sizeof heights / sizeof heights[0]; v++) {
+                roberts_camera camera = from_above;
+                if (heights[v] > 0)
+                    camera = (roberts_camera){.projection = ROBERTS_PERSPECTIVE,
+                                              .eye = {0, 0, heights[v]},
+                                              .has_look_at = true,
+                                              .up = {0, 1, 0}};
+                snprintf(name, sizeof name, "%s, scene %d, view %zu", families[f].name, n, v);
+                double area = check_scene(name, scene, &camera, f != 0 && f != 3, &r, &t);
+                double all = shadow_of(&mesh, heights[v]);
+                if (!(fabs(area - all) <= 1e-9 * all))
+                    fail_msg("%s: the regions have area %.17g, their shadow %.17g", name, area, all);
+            }
+            snprintf(name, sizeof name, "%s, scene %d, aslant", families[f].name, n);
+            check_scene(name, scene, &(roberts_camera){.dir = random_point(&r, 1)}, f != 0 && f != 3, &r, &t);
+            snprintf(name, sizeof name, "%s, scene %d, along a diagonal", families[f].name, n);
+            check_scene(name, scene, &(roberts_camera){.dir = {1, 1, 1}}, true, &r, &t);
+            roberts_scene_free(scene);
+            roberts_mesh_free(&mesh);
+        }
+        print_message("note: %s: %zu regions of %zu rings; %zu points, %zu on faces\n", families[f].name, t.regions,
+                      t.rings, t.points, t.seen);
+        assert_true(t.regions > SCENES && t.points > SCENES && t.seen > SCENES / 2);
+    }
+}
+
+/* The near plane cuts solids, and what it cuts is seen. */
+static void test_near_plane(void **state)
+{
+    rng r = {7};
+    tally t = {0};
+    (void)state;
+    for (int n = 0; n < 120; n++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene;
+        char name[100];
+        for (int i = 0; i < 12; i++) {
+            roberts_vec3 u = random_point(&r, 0.5), v = random_point(&r, 0.5), w = random_point(&r, 0.5);
+            roberts_vec3 at = random_point(&r, 3);
+            at.x += at.x < 0 ? -2 : 2; /* none holds the eye */
+            add_box(&mesh, at, u, v, w);
+        }
+        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
+                                 .eye = {0, 0, 0},
+                                 .look_at = {4, rng_between(&r, -1, 1), rng_between(&r, -1, 1)},
+                                 .has_look_at = true,
+                                 .near_distance = 0.5};
+        snprintf(name, sizeof name, "near plane, scene %d", n);
+        check_scene(name, scene, &camera, true, &r, &t);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+    print_message("note: near plane: %zu regions of %zu rings; %zu points, %zu on faces\n", t.regions, t.rings,
+                  t.points, t.seen);
+    assert_true(t.regions > 200 && t.seen > 40);
+}
+
+/* By hand: a small square in front of the middle of a large one leaves a hole in it. */
+static void test_hole(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_region_list l;
+    (void)state;
+    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 0, 0}, (roberts_vec3){0, 4, 0}, (roberts_vec3){0, 0, 1});
+    add_box(&mesh, (roberts_vec3){1, 1, 2}, (roberts_vec3){2, 0, 0}, (roberts_vec3){0, 2, 0}, (roberts_vec3){0, 0, 1});
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_regions(scene, &from_above, NULL, &l, NULL), ROBERTS_OK);
+    assert_int_equal(l.count, 2);
+    assert_int_equal(l.region[0].solid, 0);
+    assert_int_equal(l.region[0].face, 1);
+    assert_int_equal(l.region[0].ring_count, 2);
+    assert_true(l.region[0].area == 12 && ring_area(&l, 0) == 16 && ring_area(&l, 1) == -4);
+    assert_true(l.region[0].z_min == -0.5 && l.region[0].z_max == -0.5);
+    assert_int_equal(l.region[1].solid, 1);
+    assert_int_equal(l.region[1].face, 7);
+    assert_true(l.region[1].area == 4 && l.region[1].z_max == 1.5);
+    assert_true(l.corner[0].x == -2 && l.corner[0].y == -2);
+    roberts_regions_free(&l);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+static bool same_regions(const roberts_region_list *a, const roberts_region_list *b)
+{
+    if (a->count != b->count || a->ring_count != b->ring_count || a->corner_count != b->corner_count)
+        return false;
+    for (size_t i = 0; i < a->count; i++)
+        if (a->region[i].face != b->region[i].face || a->region[i].area != b->region[i].area ||
+            a->region[i].z_min != b->region[i].z_min || a->region[i].z_max != b->region[i].z_max)
+            return false;
+    return !memcmp(a->corner, b->corner, a->corner_count * sizeof *a->corner) &&
+           !memcmp(a->ring_start, b->ring_start, a->ring_count * sizeof *a->ring_start);
+}
+
+/* Neither threads nor grid change a bit. */
+static void test_threads_and_grid(void **state)
+{
+    rng r = {99};
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    (void)state;
+    for (int i = 0; i < 400; i++)
+        add_box(&mesh, random_point(&r, 20), random_point(&r, 2), random_point(&r, 2), random_point(&r, 2));
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_region_list first = {0};
+    const uint32_t grids[] = {0, 1, 7, 0}, threads[] = {1, 3, 1, 5};
+    for (size_t i = 0; i < 4; i++) {
+        roberts_region_list l;
+        roberts_hide_options options = roberts_hide_options_default();
+        options.grid = grids[i];
+        options.threads = threads[i];
+        assert_int_equal(roberts_regions(scene, &from_above, &options, &l, NULL), ROBERTS_OK);
+        if (i == 0)
+            first = l;
+        else if (!same_regions(&first, &l))
+            fail_msg("grid %u, %u threads: other regions", grids[i], threads[i]);
+        if (i > 0)
+            roberts_regions_free(&l);
+    }
+    assert_true(first.count > 200);
+    roberts_regions_free(&first);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+/* What cannot be done is said. */
+static void test_refused(void **state)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_region_list l;
+    roberts_error error = {0};
+    (void)state;
+    add_triangle(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){9, -1, 0}, (roberts_vec3){-1, 9, 0});
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_camera camera = {
+        .projection = ROBERTS_PERSPECTIVE, .eye = {1, 1, 1}, .look_at = {6, 1, 0.5}, .has_look_at = true};
+    assert_int_equal(roberts_regions(scene, &camera, NULL, &l, &error), ROBERTS_BAD_VIEW);
+    assert_string_equal(error.message, "regions: the near plane cuts body 0, which is not convex");
+    assert_int_equal(l.count, 0);
+    assert_int_equal(roberts_regions(scene, &(roberts_camera){0}, NULL, &l, &error), ROBERTS_BAD_VIEW);
+    roberts_regions_free(&l);
+    roberts_regions_free(NULL);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_hole),       cmocka_unit_test(test_random_scenes),
+        cmocka_unit_test(test_near_plane), cmocka_unit_test(test_threads_and_grid),
+        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests_name("regions", tests, NULL, NULL);
+}
