@@ -59,7 +59,8 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # Tests that take longer than a second or two: `make test-quick` omits them.
-SLOW     := cross_oracle fault_files faults install memory_order mesh_oracle union union_drawing metamorphic off oracle render same_bytes hull_memory union_oracle
+SLOW     := cross_oracle fault_files faults hull_memory install memory_order mesh_oracle metamorphic off oracle paper \
+            render same_bytes union union_drawing union_oracle verify_spoiled
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh

@@ -147,9 +147,9 @@ static double largest(roberts_vec3 a)
 static void add_wires(const roberts_mesh *mesh, roberts_vec3 *low, roberts_vec3 *high)
 {
     for (uint32_t f = 0; f < mesh->face_count; f++) {
-        const uint32_t *corner = mesh->corner + mesh->face_start[f];
-        for (uint32_t i = 0; mesh->face_start[f + 1] - mesh->face_start[f] == 2 && i < 2; i++)
-            box_add(low, high, mesh->vertex[corner[i]]);
+        uint32_t first = mesh->face_start[f];
+        for (uint32_t i = first; mesh->face_start[f + 1] - first == 2 && i < first + 2; i++)
+            box_add(low, high, mesh->vertex[mesh->corner[i]]);
     }
 }
 

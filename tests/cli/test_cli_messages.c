@@ -55,7 +55,8 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("models/table.off empty.off"), 0);
     put("lined.off", "OFF\n4 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n2 0 3\n1 1\n"); /* nothing to warn of */
     assert_int_equal(run("-v -f null lined.off"), 0);
-    assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69), 0);
+    assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69),
+                     0);
     assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
