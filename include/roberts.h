@@ -388,7 +388,8 @@ typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment; /**< [count] */
     size_t crossing_count;
-    roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; faces toward the viewer */
+    roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; with hidden lines, of all
+                                     faces that are not edge-on */
     size_t crossing_pairs;      /**< pairs of faces that cross there */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
     bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see

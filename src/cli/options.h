@@ -23,11 +23,11 @@ typedef struct description {
 typedef struct cli_options {
     char **input; /* [input_count], of argv; "-" is standard input; at least one */
     size_t input_count;
-    const char *output; /* "-" is standard output */
-    const char *batch;  /* NULL, or the folder for a picture of each input; then `output` is not used */
+    const char *output;  /* "-" is standard output */
+    const char *batch;   /* NULL, or the folder for a picture of each input; then `output` is not used */
     const char *regions; /* NULL, or the file for the visible regions of faces; "-" is standard output */
-    uint32_t turntable; /* 0, or how many pictures; then `output` has a place for their numbers */
-    bool is_sheet;      /* several views on one page; then the camera is not used */
+    uint32_t turntable;  /* 0, or how many pictures; then `output` has a place for their numbers */
+    bool is_sheet;       /* several views on one page; then the camera is not used */
     roberts_sheet_angle sheet;
     FILE *log;         /* for messages */
     const char *label; /* NULL, or which of several pictures this is: messages begin with it */

@@ -2,7 +2,8 @@
  *
  * Source: the lecture's "la face la plus proche qui recouvre le pave". Here not only a face may cover a cell, but also
  * the whole front of a solid, if its outline holds the cell. Each cell keeps its nearest cover. Covers are compared by
- * their farthest depth over the cell: everything that is nowhere nearer than that lies behind the cover.
+ * their farthest depth over the cell: everything that is nowhere nearer than that lies behind the cover. A face of
+ * a body that is not convex covers cells by itself.
  *
  * Covers have cells of their own, finer than those of Objet[i][j] (see cells.h), because a front does not cover the
  * cells that its outline crosses. */

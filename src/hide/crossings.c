@@ -5,40 +5,43 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
 #include "hide/edge_crossings.h"
 #include "hide/face_pairs.h"
+#include "hide/places.h"
 
-/* Cells that a thread takes at a time; with fewer entries than this a thread costs more than it does. */
+/* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
 #define WORTH_A_THREAD 8192
-/* In a longer list the planes of faces are not kept. */
+/* What is kept of the faces of a cell, for so many of them. */
 #define KEPT_FACES 512
-/* In place of a column, of which there are fewer. */
-#define NO_CELL UINT16_MAX
-/* Pictures of faces of more corners are not kept apart. */
+/* Faces of more corners are not tested in the picture. */
 #define FEW_CORNERS 8
 /* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
 #define LOOSE 4.0
 
-/* The first of the cells that list a front, if these are all that its box touches. */
-typedef struct first_cell {
-    uint16_t column, row;
-} first_cell;
+/* The corners of a triangle about which all faces are one sheet (see stars.h). Each other corner has a number that no
+ * vertex has, and that no other entry has. */
+typedef struct star_corners {
+    uint32_t v[4]; /* v[3] is none */
+    float z1;      /* nearest depth of the face */
+} star_corners;
 
 /* What each thread has for itself. */
 typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
-    const first_cell *first; /* [front_count] */
-    const float *nearest;    /* [cells] all that is deeper is hidden there; NULL: nothing is */
+    const places *places;
+    const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not asked */
     crossing_rules rules;
     crossing_list found;
-    uint64_t *pair; /* [pair_count] faces of several pieces, first pieces of both: they are asked at the end */
+    uint64_t *pair; /* [pair_count] first pieces of two faces, one of them in several; they are tested at the end */
     size_t pair_count, pair_room;
-    crossing_face *face; /* [KEPT_FACES] of the entries of the cell at hand, as far as `kept` says */
+    crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
+    star_corners *star; /* [KEPT_FACES] of the entries of this cell; NULL: there are no surfaces */
     face_list list[2];
     crossing_face last; /* the first face of the pair met last, if hidden lines are kept */
     char apart[THREADS_APART];
@@ -46,7 +49,7 @@ typedef struct finder {
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
-/* Is one face beside a side of the other in the picture? What is within rounding of the side is beside it. */
+/* Does a side of f separate the two faces in the picture? A corner of g within rounding of the side is beside it. */
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
@@ -65,6 +68,15 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
     return false;
 }
 
+/* Do two triangles share a side? */
+static bool share_side(const hide_face *f, const hide_face *g)
+{
+    uint32_t shared = 0;
+    for (uint32_t i = 0; i < 3; i++)
+        shared += f->corner[i] == g->corner[0] || f->corner[i] == g->corner[1] || f->corner[i] == g->corner[2];
+    return f->count == 3 && g->count == 3 && shared > 1;
+}
+
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
     uint64_t pair = f < g ? (uint64_t)f << 32 | g : (uint64_t)g << 32 | f;
@@ -76,14 +88,14 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
     return true;
 }
 
-/* The faces of two pieces. False: no memory. */
+/* Tests the faces of two pieces. False: no memory. */
 static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 {
     if (f->body == g->body && f->first == g->first)
         return true;
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return add_pair(t, f->first, g->first);
-    /* the same way round, whichever comes first */
+    /* always in the same order, so that the result is the same */
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
@@ -118,14 +130,14 @@ static bool list_faces(const hide_fronts *fronts, const hide_front *front, const
     return true;
 }
 
-/* Two fronts of different bodies, one of which at least is a whole solid. */
+/* Tests two fronts of different bodies, at least one of them a whole solid. */
 static bool meet_solids(finder *t, uint32_t a, uint32_t b)
 {
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[a], *g = &fronts->front[b];
     const hide_box *p = &fronts->front_box[a], *q = &fronts->front_box[b];
-    if ((scene_is_convex(fronts->scene, f->solid) && edge_crossings_apart(fronts, f->solid, g->solid)) ||
-        (scene_is_convex(fronts->scene, g->solid) && edge_crossings_apart(fronts, g->solid, f->solid)))
+    if ((scene_is_convex(fronts->scene, f->solid) && bodies_are_apart(fronts, f->solid, g->solid)) ||
+        (scene_is_convex(fronts->scene, g->solid) && bodies_are_apart(fronts, g->solid, f->solid)))
         return true;
     return list_faces(fronts, f, q, &t->list[0]) && list_faces(fronts, g, p, &t->list[1]) &&
            face_lists_meet(t->list, (uint32_t[]){f->solid, g->solid}, &(face_taker){meet_pair, t, 0});
@@ -133,7 +145,7 @@ static bool meet_solids(finder *t, uint32_t a, uint32_t b)
 
 /* ---- cells ----------------------------------------------------------------------------------------------------- */
 
-/* The face of entry k of a list, which is kept with the cell. */
+/* The face of entry k of a list. It is kept until the next cell. */
 static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, crossing_face *other)
 {
     crossing_face *f = k < KEPT_FACES ? &t->face[k] : other;
@@ -144,7 +156,7 @@ static crossing_face *face_at(finder *t, const hide_front *front, uint32_t k, cr
     return f;
 }
 
-/* Entries i < k of a cell's list whose boxes meet. */
+/* Tests entries i < k of a cell's list, whose boxes meet. */
 static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_t k)
 {
     const hide_fronts *fronts = t->fronts;
@@ -157,68 +169,132 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     uint32_t turned[2][SEEN_TURNED];
     const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
     const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
+    if (share_side(&F, &G))
+        return true;
     if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
-        return true; /* nearly all neighbours are */
+        return true; /* so are nearly all neighbours */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
-/* Is a pair sought in the cell? `deeper`: the nearest depth of the deeper one of the two. */
+/* Does the cell test a pair that it lists? deeper: the nearest depth of the deeper front. */
 static inline bool is_sought(const finder *t, size_t cell, float deeper)
 {
     return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
 }
 
-/* Has another cell before this one listed and sought both fronts? If that is not known: false. */
-static inline bool is_met_before(const finder *t, uint32_t a, uint32_t b, uint32_t column, uint32_t row)
+/* The entries of a cell that are tested. */
+typedef struct cell_list {
+    const objet_entry *list; /* [count] */
+    uint32_t first, count;   /* first: its place in the entries of the grid */
+    uint32_t column, row;
+} cell_list;
+
+/* Has an earlier cell tested the pair? False also where that is not known. */
+static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
-    const first_cell *f = &t->first[a], *g = &t->first[b];
+    const first_cell *f = &t->places->first[a], *g = &t->places->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
         return false;
     uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
     float deeper = t->fronts->front_box[b].z1;
-    for (uint32_t i = left; i <= column; i++)
-        for (uint32_t j = low; j <= row; j++)
-            if ((i < column || j < row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
+    for (uint32_t i = left; i <= c->column; i++)
+        for (uint32_t j = low; j <= c->row; j++)
+            if ((i < c->column || j < c->row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
                 return true;
     return false;
 }
 
-/* All pairs of one cell. Fronts are listed nearest first, so that those behind a front end the search. */
-static bool meet_cell(finder *t, uint32_t column, uint32_t row)
+/* Fills `star` for a list. */
+static void find_stars(finder *t, const objet_entry *list, uint32_t count)
+{
+    const hide_fronts *fronts = t->fronts;
+    uint32_t none = ROBERTS_NONE;
+    for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
+        const hide_front *front = &fronts->front[list[k].front];
+        uint32_t turned[SEEN_TURNED];
+        const hide_face F = hide_outline(fronts, list[k].front, turned);
+        star_corners *star = &t->star[k];
+        bool triangle = front->kind == HIDE_SURFACE_FACE && F.count == 3;
+        for (uint32_t i = 0; i < 3; i++)
+            star->v[i] = triangle && t->places->sheet[F.corner[i]] ? F.corner[i] : none--;
+        star->v[3] = none--;
+        star->z1 = fronts->front_box[list[k].front].z1;
+    }
+}
+
+/* Do two faces share a corner about which all faces are one sheet? Then they do not cross. */
+static inline bool share_star(const star_corners *f, const star_corners *g)
+{
+    return four_signs(four_either(four_same(g->v, f->v[0]),
+                                  four_either(four_same(g->v, f->v[1]), four_same(g->v, f->v[2])))) != 0;
+}
+
+/* How many entries of a list begin nearer than `least`? */
+static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t count, float least)
+{
+    uint32_t low = 0;
+    while (low < count) {
+        uint32_t middle = low + (count - low) / 2;
+        if (t->fronts->front_box[list[middle].front].z1 < least)
+            count = middle;
+        else
+            low = middle + 1;
+    }
+    return count;
+}
+
+/* Tests entry i with those that follow it. Fronts are listed nearest first, so the first front behind it ends the
+ * search. */
+static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
 {
     const objet *grid = t->grid;
     const hide_fronts *fronts = t->fronts;
-    size_t cell = (size_t)column * grid->frame.ny + row;
-    const objet_entry *list = grid->entry + grid->start[cell];
-    uint32_t count = grid->start[cell + 1] - grid->start[cell];
-    float least = t->nearest ? t->nearest[cell] : -INFINITY;
-    if (grid->apart && grid->apart[cell])
-        return true;
-    memset(t->kept, 0, (count < KEPT_FACES ? count : KEPT_FACES) * sizeof *t->kept);
-    for (uint32_t i = 0; i + 1 < count; i++) {
-        const hide_box *own = &fronts->front_box[list[i].front];
-        uint32_t most = objet_most(objet_sides(list[i].sides)), first = grid->start[cell], end = first + count;
-        const hide_front *front = &fronts->front[list[i].front];
-        bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* the other faces of its solid do not cross it */
-        for (uint32_t k = first + i + 1; k < end; k += 4) {
-            if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
-                k = grid->next[k] - 4;
+    const hide_box *own = &fronts->front_box[c->list[i].front];
+    const hide_front *front = &fronts->front[c->list[i].front];
+    uint32_t most = objet_most(objet_sides(c->list[i].sides)), first = c->first, end = first + c->count;
+    uint32_t kept = t->star ? first + (c->count < KEPT_FACES ? c->count : KEPT_FACES) : 0;
+    bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* faces of one solid do not cross */
+    for (uint32_t k = first + i + 1; k < end; k += 4) {
+        if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
+            k = grid->next[k] - 4;
+            continue;
+        }
+        if (k < kept && t->star[k - first].z1 < own->z0)
+            return true;
+        for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
+            uint32_t at = k + (uint32_t)bits_trailing_zeros(near);
+            if (at < kept && share_star(&t->star[i], &t->star[at - first]))
                 continue;
-            }
-            for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
-                uint32_t at = k + (uint32_t)bits_trailing_zeros(near) - first;
-                const hide_box *box = &fronts->front_box[list[at].front];
-                if (box->z1 < own->z0 || box->z1 < least) {
-                    k = end;
-                    break;
-                }
-                if (!is_met_before(t, list[i].front, list[at].front, column, row) && boxes_meet(own, box) &&
-                    !meet_entries(t, list, i, at))
-                    return false;
-            }
+            const hide_box *box = &fronts->front_box[grid->entry[at].front];
+            if (box->z1 < own->z0)
+                return true;
+            if (!places_apart(t->places, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
+                !is_met_before(t, c, c->list[i].front, grid->entry[at].front) &&
+                !meet_entries(t, c->list, i, at - first))
+                return false;
         }
     }
+    return true;
+}
+
+/* Tests all pairs of one cell. */
+static bool meet_cell(finder *t, uint32_t column, uint32_t row)
+{
+    const objet *grid = t->grid;
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    cell_list c = {grid->entry + grid->start[cell], grid->start[cell], grid->start[cell + 1] - grid->start[cell],
+                   column, row};
+    if (grid->apart && grid->apart[cell])
+        return true;
+    if (t->nearest)
+        c.count = count_seen(t, c.list, c.count, t->nearest[cell]);
+    memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
+    if (t->star)
+        find_stars(t, c.list, c.count);
+    for (uint32_t i = 0; i + 1 < c.count; i++)
+        if (!meet_those_behind(t, &c, i))
+            return false;
     return true;
 }
 
@@ -241,7 +317,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
 
 /* ---- faces of several pieces ----------------------------------------------------------------------------------- */
 
-/* The pairs that any thread has listed, each once. */
+/* Brings the pairs that the threads have listed together, each once. */
 static bool unite_pairs(finder *finders, int threads)
 {
     finder *all = &finders[0];
@@ -300,7 +376,7 @@ static bool meet_pairs(finder *finders, int threads)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* A segment with the numbers of its faces. */
+/* A segment, with the numbers of its faces in the file. */
 typedef struct named {
     uint32_t number[2];
     crossing_segment is;
@@ -338,7 +414,7 @@ static bool is_same(const named *a, const named *b)
     return compare_named(a, &c) == 0;
 }
 
-/* The face of smaller number first. */
+/* Puts the face of smaller number first. */
 static named name_segment(const roberts_scene *scene, const crossing_segment *s)
 {
     named n = {{scene_face_number(scene, s->face[0]), scene_face_number(scene, s->face[1])}, *s};
@@ -353,7 +429,7 @@ static named name_segment(const roberts_scene *scene, const crossing_segment *s)
     return n;
 }
 
-/* Puts what the threads have found in order, each segment once: several cells may have found it. */
+/* Sorts what the threads have found. Several cells may have found a segment; it is kept once. */
 static bool gather(crossings *c, const roberts_scene *scene, const finder *finders, int threads)
 {
     size_t count = 0;
@@ -386,37 +462,18 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
     return enough;
 }
 
-/* A front is listed in all cells that its box touches if these are two columns and two rows at the most. */
-static first_cell *find_first_cells(const hide_fronts *fronts, const objet *grid, int threads)
-{
-    first_cell *first = alloc_array(fronts->front_count, sizeof *first);
-    (void)threads;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#endif
-    for (uint32_t k = 0; k < (first ? fronts->front_count : 0); k++) {
-        const hide_box *box = &fronts->front_box[k];
-        double m = grid->frame.margin + hide_loose(fronts, k);
-        uint32_t column = scan_column(&grid->frame, (double)box->x0 - m);
-        uint32_t row = scan_row(&grid->frame, (double)box->y0 - m);
-        bool small = scan_column(&grid->frame, (double)box->x1 + m) - column < 2 &&
-                     scan_row(&grid->frame, (double)box->y1 + m) - row < 2;
-        first[k] = (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
-    }
-    return first;
-}
-
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
-                         const first_cell *first)
+                         const places *where)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
         finders[i].grid = grid;
-        finders[i].first = first;
+        finders[i].places = where;
         finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        if (!finders[i].face)
+        finders[i].star = where->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
+        if (!finders[i].face || (where->sheet && !finders[i].star))
             return false;
     }
     return true;
@@ -501,8 +558,9 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
-    first_cell *first = find_first_cells(fronts, grid, count);
-    bool enough = finders && first && finders_init(finders, count, fronts, grid, first) &&
+    places where = {0};
+    bool enough = finders && places_find(&where, fronts, grid, count) &&
+                  finders_init(finders, count, fronts, grid, &where) &&
                   (fronts->seen->rules.hidden ? face_pairs_find(fronts, count, meet_pair, finders)
                                               : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
@@ -511,11 +569,12 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         crossing_list_free(&finders[i].found);
         free(finders[i].pair);
         free(finders[i].face);
+        free(finders[i].star);
         free(finders[i].list[0].item);
         free(finders[i].list[1].item);
     }
     free(finders);
-    free(first);
+    places_free(&where);
     return enough;
 }
 

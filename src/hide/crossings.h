@@ -1,11 +1,10 @@
-/* crossings.h - the lines in which faces toward the viewer cross: which pairs of faces may, and the lines that they
- * give. Whether two faces cross, and where, is decided in model/crossing.h.
+/* crossings.h - the lines in which visible faces cross: finding the pairs of faces that may cross, and their lines.
+ * model/crossing.h decides whether two faces cross, and where.
  *
- * Only what can be seen is looked for. Candidates are pairs of fronts in one cell of Objet[i][j] whose boxes meet; of a
- * convex solid the front faces count, of another body all faces that are not edge-on. What covers hide is no front, and
- * has no lines; and where hidden lines are not wanted, no pair is sought behind a sheet that fills the cell (see
- * layers.h). The grid and the threads change no line that is seen: lines are put in the order of the faces of the
- * file. */
+ * Candidates are pairs of fronts in one cell of Objet[i][j] whose boxes meet. A convex solid has only its front faces
+ * there, another body all faces that are not edge-on. A solid that covers hide has no fronts and no lines. If hidden
+ * lines are not wanted, no pair is tested behind a sheet that fills the cell (see layers.h). The grid and the threads
+ * do not change the visible lines. Lines are in the order of the faces of the file. */
 #ifndef ROBERTS_HIDE_CROSSINGS_H
 #define ROBERTS_HIDE_CROSSINGS_H
 
@@ -16,7 +15,7 @@
 typedef struct crossings {
     crossing_segment *item; /* [count] by the numbers of their faces, then by their ends; each once */
     seen_point (*end)[2];   /* [count] their ends */
-    roberts_crossing *name; /* [count] what rows say of them */
+    roberts_crossing *name; /* [count] their names in rows */
     size_t count;
     size_t pairs;  /* of faces */
     united pieces; /* of the lines, where bodies are taken together as one */

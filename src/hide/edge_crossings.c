@@ -8,9 +8,6 @@
 
 #include "base/array.h"
 
-/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
-#define WORTH_A_PLANE 4096
-
 /* An edge of face[0] of a touch that is left out and may lie in face[1]. */
 typedef struct touching_edge {
     crossing_touch of;
@@ -69,23 +66,27 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
     return false;
 }
 
-/* The face of smallest number that the edge has and that does not lie in the plane of g. False: there is none. */
+/* The face of smallest number that the edge has and that does not lie in the plane of g. False: there is none, or the
+ * faces do not lie on both sides of that plane. */
 static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
 {
     const roberts_scene *scene = e->fronts->scene;
     uint32_t least = ROBERTS_NONE;
+    bool over = false, under = false;
     for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
         uint32_t f = face_at(scene, body, edge, k);
-        if (f == ROBERTS_NONE || scene_face_number(scene, f) >= least || e->fronts->seen->facing[f] == VIEW_EDGE_ON)
+        if (f == ROBERTS_NONE || e->fronts->seen->facing[f] == VIEW_EDGE_ON)
             continue;
         crossing_face F = crossing_face_of(e->rules, body, f);
         crossing_lie lie = crossing_lie_of(e->rules, &F, g);
-        if (!lie.over && !lie.under)
+        over = over || lie.over;
+        under = under || lie.under;
+        if ((!lie.over && !lie.under) || scene_face_number(scene, f) >= least)
             continue;
         least = scene_face_number(scene, f);
         *out = F;
     }
-    return least != ROBERTS_NONE;
+    return over && under;
 }
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
@@ -274,47 +275,4 @@ bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules,
     free(e.touches);
     free(e.found);
     return enough;
-}
-
-/* ---- bodies that touch ----------------------------------------------------------------------------------------- */
-
-/* Has one of two bodies that lie on the two sides of face f, of the first, an edge in that face that is left out? */
-static bool is_line_in_contact(const hide_fronts *fronts, const uint32_t body[2], uint32_t f)
-{
-    const roberts_scene *scene = fronts->scene;
-    plane F = scene->face_plane[f];
-    double touching = fronts->space.epsilon * scene->unit + scene_deviation(scene, f);
-    for (int i = 0; i < 2; i++)
-        for (uint32_t e = scene->solid[body[i]].edge; e < scene->solid[body[i] + 1].edge; e++) {
-            uint32_t v[2];
-            ends_of(scene, body[i], e, v);
-            if (fabs(plane_at(F, vec3_sub(scene->point[v[0]], scene->centre))) <= touching &&
-                fabs(plane_at(F, vec3_sub(scene->point[v[1]], scene->centre))) <= touching &&
-                seen_is_left_out(fronts->seen, body[i], e))
-                return true;
-        }
-    return false;
-}
-
-bool edge_crossings_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
-{
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
-    double touching = fronts->space.epsilon * scene->unit;
-    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
-        return false;
-    for (uint32_t f = s->face; f < s[1].face; f++) {
-        plane F = scene->face_plane[f];
-        double least = -touching - scene_deviation(scene, f);
-        uint32_t v = b->vertex, on = 0;
-        for (; v < b[1].vertex; v++) {
-            double inside = plane_at(F, vec3_sub(scene->point[v], scene->centre));
-            if (!(inside <= touching))
-                break;
-            on += inside >= least;
-        }
-        if (v == b[1].vertex && (on < 2 || !is_line_in_contact(fronts, (uint32_t[]){solid, body}, f)))
-            return true;
-    }
-    return false;
 }

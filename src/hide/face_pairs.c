@@ -5,11 +5,12 @@
 
 #include "base/array.h"
 #include "base/threads.h"
-#include "hide/edge_crossings.h"
 #include "model/box_tree.h"
 
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024
+/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+#define WORTH_A_PLANE 4096
 
 /* What the tree finds: a convex solid, or one face of another body. */
 typedef struct unit {
@@ -82,6 +83,24 @@ static bool find_units(pair_search *s)
     return s->unit && s->box && (s->count == 0 || box_tree_add(&s->tree, s->box, s->count, 0, &root));
 }
 
+bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *s = &scene->solid[solid], *b = &scene->solid[body];
+    double touching = fronts->space.epsilon * scene->unit;
+    if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
+        return false;
+    for (uint32_t f = s->face; f < s[1].face; f++) {
+        plane F = scene->face_plane[f];
+        uint32_t v = b->vertex;
+        while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
+            v++;
+        if (v == b[1].vertex)
+            return true;
+    }
+    return false;
+}
+
 /* ---- two units ------------------------------------------------------------------------------------------------- */
 
 /* Lists the faces of a unit that meet a box. */
@@ -152,8 +171,8 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
     const face_taker to = {s->take, s->context, w->self};
     if (f->piece != ROBERTS_NONE && g->piece != ROBERTS_NONE)
         return s->take(s->context, w->self, &(face_pair){{f->body, g->body}, {f->piece, g->piece}});
-    if ((f->piece == ROBERTS_NONE && edge_crossings_apart(s->fronts, f->body, g->body)) ||
-        (g->piece == ROBERTS_NONE && edge_crossings_apart(s->fronts, g->body, f->body)))
+    if ((f->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, f->body, g->body)) ||
+        (g->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, g->body, f->body)))
         return true;
     return list_faces(s->fronts, f, &s->box[b], &w->list[0]) && list_faces(s->fronts, g, &s->box[a], &w->list[1]) &&
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);

@@ -39,6 +39,10 @@ bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker
  * memory. */
 bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context);
 
+/* Is all of a body outside of the plane of some face of a convex solid? Then no faces of theirs cross. False: it is not
+ * known. */
+bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body);
+
 /* ---- boxes ----------------------------------------------------------------------------------------------------- */
 
 static inline bool boxes_meet(const hide_box *a, const hide_box *b)

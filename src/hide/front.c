@@ -138,8 +138,35 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     return true;
 }
 
+static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
+{
+    double depth = INFINITY;
+    for (uint32_t i = 0; i < corners; i++)
+        depth = lesser(depth, fronts->P[corner[i]].z);
+    return depth;
+}
+
+/* Enters a face into the covers, unless its box is too small to hold a cell. Its depth is taken cell by cell. */
+static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *front, const seen_face *look,
+                            const hide_box *box)
+{
+    const scan_frame *frame = &fronts->cover.frame;
+    if (!fronts->cover.depth || (double)(box->x1 - box->x0) < frame->dx || (double)(box->y1 - box->y0) < frame->dy)
+        return;
+    hide_face face = {.F = look->F, .corner = look->corner, .count = look->count}, *f = &face;
+    set_trust(fronts, front->solid, front->piece, look->stretch, f);
+    cover_add(&fronts->cover, s, fronts->P,
+              &(cover_front){.corner = f->corner,
+                             .count = f->count,
+                             .by = ROBERTS_NONE,
+                             .face = f,
+                             .face_count = 1,
+                             .depth = farthest(fronts, f->corner, f->count),
+                             .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
+}
+
 /* Makes each face of a body that is not convex a front, unless it is edge-on. */
-static BITS_RARE void add_surface(hide_fronts *fronts, front_tile *tile, uint32_t body)
+static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
@@ -155,11 +182,13 @@ static BITS_RARE void add_surface(hide_fronts *fronts, front_tile *tile, uint32_
         tile->most_corners = look.count > tile->most_corners ? look.count : tile->most_corners;
         hide_bounds own = bounds_of(fronts, look.corner, look.count);
         fronts->front_box[to] = hide_box_around(&own);
-        fronts->front[to++] = (hide_front){.solid = body,
-                                           .own = seen_face_key(scene, body, face),
-                                           .piece = face,
-                                           .listed = true,
-                                           .kind = HIDE_SURFACE_FACE};
+        fronts->front[to] = (hide_front){.solid = body,
+                                         .own = seen_face_key(scene, body, face),
+                                         .piece = face,
+                                         .listed = true,
+                                         .kind = HIDE_SURFACE_FACE};
+        cover_with_face(fronts, s, &fronts->front[to], &look, &fronts->front_box[to]);
+        to++;
     }
     tile->surface = to;
 }
@@ -183,14 +212,6 @@ static bool enter_runs(hide_fronts *fronts, const front_faces *found, const uint
         if (!runs_enter(&fronts->face_runs, &fronts->space, found->face[k].corner, found->face[k].count))
             return false;
     return runs_enter(&fronts->outline_runs, &fronts->space, outline, corners);
-}
-
-static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
-{
-    double depth = INFINITY;
-    for (uint32_t i = 0; i < corners; i++)
-        depth = lesser(depth, fronts->P[corner[i]].z);
-    return depth;
 }
 
 /* Is the box many cells of covers across? */
@@ -235,7 +256,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     uint32_t *outline = fronts->outline + tile->outline;
     seen_map_body(fronts->seen, solid);
     if (!scene_is_convex(scene, solid)) {
-        add_surface(fronts, tile, solid);
+        add_surface(fronts, &scratch->scan, tile, solid);
         return true;
     }
     front_faces found = find_faces(fronts, tile, solid);

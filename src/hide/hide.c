@@ -148,7 +148,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
         if (k + SOLIDS_AHEAD < count && !job->fronts.culled[job->order.solid[k + SOLIDS_AHEAD]])
             hide_fronts_fetch(&job->fronts, job->order.solid[k + SOLIDS_AHEAD]);
         hide_worker_begin(w, ROBERTS_NONE);
-        if (scene_is_convex(job->seen.scene, s) && !segments_hide(job, w, s))
+        if (segments_at_once(job, s) && !segments_hide(job, w, s))
             return false;
         if (!picture_order_keep(&job->order, k, w))
             return false;

@@ -382,11 +382,16 @@ static bool find_further(const hide_job *job, hide_worker *w, hide_chunk *out, u
     return true;
 }
 
-/* The lines of a convex body are taken all together: they have the same own faces. Those of another body are taken a
- * group at a time. */
+bool segments_at_once(const hide_job *job, uint32_t body)
+{
+    const scene_solid *s = &job->seen.scene->solid[body];
+    return scene_is_convex(job->seen.scene, body) || s[1].edge - s->edge <= HIDE_GROUP;
+}
+
+/* Those of other bodies are taken a group at a time. */
 static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    if (scene_is_convex(job->seen.scene, body))
+    if (segments_at_once(job, body))
         return (job->order.solid ? picture_order_recall(&job->order, body, w) : segments_hide(job, w, body)) &&
                add_lines(job, w, out, body);
     seen_walk walk = seen_walk_begin(&job->seen, body);

@@ -18,7 +18,11 @@ typedef struct hide_job {
     crossings crossings; /* lines that are no edges */
 } hide_job;
 
-/* Takes up the lines of a convex body that are not covered, and finds what is hidden of them, with the bodies seen
+/* Are all lines of the body taken together? Those of a convex body are, as they have the same own faces; and those of
+ * any body of few edges. */
+bool segments_at_once(const hide_job *job, uint32_t body);
+
+/* Takes up the lines of such a body that are not covered, and finds what is hidden of them, with the bodies seen
  * there where hidden segments are kept. Of a body that has no segments there are none. False: no memory. */
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/box.h"
 #include "base/sort.h"
 #include "model/body_edges.h"
@@ -21,6 +22,9 @@ enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 
 /* A factor beyond what rounding can add to a bound. */
 #define GLANCE_MARGIN 1.01
+
+/* Edges between asking for one and needing it. */
+#define EDGES_AHEAD 8
 
 /* A solid of a size beyond these needs a frame of its own, and gets no glance. */
 #define GLANCE_LARGE 0x1p200
@@ -228,6 +232,8 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     found->count = 0;
     if (!point_grid_near(grid, point[a], point[b], w->rules.touching, found))
         return PLAIN_NO_MEMORY;
+    for (size_t i = 0; i < found->count; i++)
+        FETCH_AHEAD(&point[found->item[i]]);
     for (size_t i = 0; i < found->count; i++) {
         uint32_t v = found->item[i];
         double t;
@@ -237,29 +243,63 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     return PLAIN_YES;
 }
 
+/* Lists each of the ends once, ascending. NULL: no memory. */
+static uint32_t *list_vertices(const plain_work *w, const uint32_t *end, size_t count, size_t *vertices)
+{
+    uint32_t *vertex = alloc_array(count, sizeof *vertex);
+    unsigned char *is_end = alloc_zeroed(w->scene->vertex_count, 1);
+    *vertices = 0;
+    for (size_t i = 0; is_end && i < count; i++)
+        is_end[end[i]] = 1;
+    for (uint32_t v = 0; vertex && is_end && v < w->scene->vertex_count; v++)
+        if (is_end[v])
+            vertex[(*vertices)++] = v;
+    if (!is_end) {
+        free(vertex);
+        vertex = NULL;
+    }
+    free(is_end);
+    return vertex;
+}
+
+/* Does no vertex touch one of the edges? Edges are taken cell after cell, so that what one of them has asked for is
+ * still at hand for the next. */
+static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges)
+{
+    plain_answer answer = PLAIN_NO_MEMORY;
+    point_list found = {0};
+    uint32_t *key = alloc_array(edges, sizeof *key), *order = alloc_array(edges, sizeof *order);
+    for (size_t i = 0; key && i < edges; i++)
+        key[i] = point_grid_cell(grid, w->scene->point[end[2 * i]]);
+    if (key && order && edges < ROBERTS_NONE && radix_order(key, (uint32_t)edges, order))
+        answer = PLAIN_YES;
+    for (size_t i = 0; answer == PLAIN_YES && i < edges; i++) {
+        if (i + 2 * EDGES_AHEAD < edges) {
+            FETCH_AHEAD(&end[2 * (size_t)order[i + 2 * EDGES_AHEAD]]);
+            FETCH_AHEAD(&w->scene->point[end[2 * (size_t)order[i + EDGES_AHEAD]]]);
+        }
+        answer = is_clear(w, grid, end[2 * (size_t)order[i]], end[2 * (size_t)order[i] + 1], &found);
+    }
+    free(found.item);
+    free(key);
+    free(order);
+    return answer;
+}
+
 /* Does no end of an odd edge touch another odd edge? */
 static plain_answer are_clear(const plain_work *w)
 {
     uint32_t *end = NULL, *vertex = NULL;
-    size_t count = 0, vertices = 0;
+    size_t count = 0, vertices;
     point_grid grid = {0};
-    point_list found = {0};
     plain_answer answer = list_odd(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
     if (answer == PLAIN_YES && count > 0) {
-        if ((vertex = alloc_array(count, sizeof *vertex))) {
-            memcpy(vertex, end, count * sizeof *vertex);
-            qsort(vertex, count, sizeof *vertex, sort_compare_numbers);
-            for (size_t i = 0; i < count; i++)
-                if (i == 0 || vertex[i] != vertex[i - 1])
-                    vertex[vertices++] = vertex[i];
-        }
-        if (!vertex || !point_grid_build(&grid, w->scene->point, vertex, vertices))
-            answer = PLAIN_NO_MEMORY;
-        for (size_t i = 0; answer == PLAIN_YES && i < count; i += 2)
-            answer = is_clear(w, &grid, end[i], end[i + 1], &found);
+        vertex = list_vertices(w, end, count, &vertices);
+        answer = vertex && point_grid_build(&grid, w->scene->point, vertex, vertices)
+                     ? ask_edges(w, &grid, end, count / 2)
+                     : PLAIN_NO_MEMORY;
     }
     point_grid_free(&grid);
-    free(found.item);
     free(vertex);
     free(end);
     return answer;

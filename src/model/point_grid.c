@@ -23,6 +23,11 @@ static size_t cell_of(const point_grid *grid, uint32_t i, uint32_t j, uint32_t k
     return ((size_t)i * grid->count[1] + j) * grid->count[2] + k;
 }
 
+uint32_t point_grid_cell(const point_grid *grid, roberts_vec3 P)
+{
+    return (uint32_t)cell_of(grid, cell_along(grid, P.x, 0), cell_along(grid, P.y, 1), cell_along(grid, P.z, 2));
+}
+
 /* Chooses the cell size so that there are about as many cells as points. */
 static void choose_cells(point_grid *grid, roberts_vec3 size, size_t count)
 {
@@ -54,8 +59,7 @@ bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_
     uint32_t *cell = alloc_array(count, sizeof *cell);
     bool enough = grid->start && grid->item && cell;
     for (size_t i = 0; enough && i < count; i++) {
-        roberts_vec3 p = point[listed[i]];
-        cell[i] = (uint32_t)cell_of(grid, cell_along(grid, p.x, 0), cell_along(grid, p.y, 1), cell_along(grid, p.z, 2));
+        cell[i] = point_grid_cell(grid, point[listed[i]]);
         grid->start[cell[i] + 1]++;
     }
     for (size_t c = 0; enough && c < cells; c++)

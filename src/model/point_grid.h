@@ -17,6 +17,9 @@ typedef struct point_grid {
  * needed. */
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
 
+/* The number of the cell that holds P. */
+uint32_t point_grid_cell(const point_grid *grid, roberts_vec3 P);
+
 /* The points found by a query. */
 typedef struct point_list {
     uint32_t *item; /* [count] */

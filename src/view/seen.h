@@ -289,7 +289,7 @@ static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double 
 {
     plane F = of[edge->f[0]], G = of[edge->f[1]];
     double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
-    return a * a + b * b + c * c < chord;
+    return a * a < chord && a * a + b * b + c * c < chord;
 }
 
 /* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an
@@ -334,11 +334,12 @@ BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 static inline void seen_again(seen_walk *w, uint32_t edge, seen_line *line)
 {
     line->edge = edge;
-    w->all = true; /* it is not flat, or flat edges are wanted */
-    if (w->slow)
+    if (w->slow) {
         seen_slow_line(w, edge, line);
-    else
-        seen_solid_line(w, w->stored + (edge - w->edge), line);
+        return;
+    }
+    w->all = true; /* it is not flat, or flat edges are wanted */
+    seen_solid_line(w, w->stored + (edge - w->edge), line);
 }
 
 #endif

@@ -55,7 +55,8 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("models/table.off empty.off"), 0);
     put("lined.off", "OFF\n4 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n2 0 3\n1 1\n"); /* nothing to warn of */
     assert_int_equal(run("-v -f null lined.off"), 0);
-    assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69), 0);
+    assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69),
+                     0);
     assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
@@ -368,6 +369,12 @@ static const struct {
     {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
     {"--unit in --scale 1:1", ""},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
+    {"--layers numbered -f pdf", "--layers has no effect: only layers of svg are numbered\n"},
+    {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
+    {"--background red -f hpgl", "--background has no effect: hpgl has no background\n"},
+    {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},
+    {"--style crease:width=1 --style outline:color=red -f hpgl", ""},
+    {"--style outline:color=red -f dxf", ""},
     {"--dpi 20 -o in/a.png", ""},
     {"--style hidden:color=red", "--style hidden has no effect: hidden lines are not drawn without --hidden dashed or "
                                  "solid\n"},

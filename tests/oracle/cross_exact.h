@@ -352,6 +352,19 @@ struct cross_finder {
         return true;
     }
 
+    /* Do the faces that end at X lie on both sides of g? */
+    bool straddles(const std::vector<size_t> &group, const carrier &e, const vec<rational> &X, size_t g) const
+    {
+        bool over = false, under = false;
+        for (size_t f : group) {
+            const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
+            const int side = ends_at(f, e, X) * sign_of(dot(o.newell<rational>(o.faces[g]), m));
+            over = over || side > 0;
+            under = under || side < 0;
+        }
+        return over && under;
+    }
+
     /* What lies on one edge. */
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
@@ -419,7 +432,7 @@ struct cross_finder {
         size_t f = first_across(group, e, X, theirs[0]), g = theirs[0];
         if (f != NONE && theirs.size() > 1)
             g = first_across(theirs, e, X, f);
-        if (f == NONE || g == NONE)
+        if (f == NONE || g == NONE || !straddles(group, e, X, g) || (theirs.size() > 1 && !straddles(theirs, e, X, f)))
             return;
         for (size_t k = begin; !divide && k < out.size(); k++)
             if (out[k].f == f && out[k].g == g && same(out[k].b, e.at(from))) {

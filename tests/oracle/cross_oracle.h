@@ -4,11 +4,12 @@
  *   Two faces cross at a point X if each has points on both sides of the other's plane, however near to X. They do not
  *   cross where a bounding side of one of them runs along the other's plane: there, that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
- *   An edge that is left out, since its faces are flat to one another (by less than a tenth of a degree) and lie on
- * both sides of it in the picture, is such a line as far as it lies inside of a face that is none of its own; and as
- * far as another edge that is left out lies on it. Its faces are that face, or the first one of the other edge, and the
- * first of its own that does not lie in one plane with that. A face hides a point of it as one of an edge
- * (mesh_oracle.h); its own two faces do not.
+ *   An edge is left out if its faces are flat to one another, by less than a tenth of a degree, and lie on both sides
+ * of it in the picture. As far as it lies inside another face, with its own faces on both sides of that one, it is an
+ *   intersection line. So is what two edges that are left out have in common, if the faces of each lie on both sides of
+ *   those of the other. The line's faces are the other face, or the first one of the other edge, and the first of its
+ * own that is not in one plane with that. A face hides a point of a line as one of an edge (mesh_oracle.h); the line's
+ * own faces do not.
  *
  * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from any start
  * and in either direction, does not exist. */

@@ -347,15 +347,9 @@ static void read_dxf(reader *r, const char *text)
 
 static const double hpgl_unit_mm = 0.025;
 
-static const int hpgl_class[] = {-1,
-                                 ROBERTS_BACK,
-                                 ROBERTS_WIRE,
-                                 ROBERTS_INTERSECTION,
-                                 ROBERTS_CREASE,
-                                 ROBERTS_BORDER,
-                                 ROBERTS_OUTLINE,
-                                 PAPER_FRAME,
-                                 PAPER_SYMBOL};
+static const int hpgl_class[] = {
+    -1,          ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
+    PAPER_FRAME, PAPER_SYMBOL};
 
 /* x,y,x,y,... up to a semicolon. */
 static void read_hpgl_points(reader *r, const char **at)

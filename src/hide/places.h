@@ -1,0 +1,59 @@
+/* places.h - where fronts lie, for the search for crossings: what decides quickly that two of them do not cross. */
+#ifndef ROBERTS_HIDE_PLACES_H
+#define ROBERTS_HIDE_PLACES_H
+
+#include <stdatomic.h>
+
+#include "hide/objet.h"
+
+/* In place of a column, of which there are fewer. */
+#define NO_CELL UINT16_MAX
+
+/* The first of the cells that list a front, if its box touches no other cells than these; else NO_CELL. */
+typedef struct first_cell {
+    uint16_t column, row;
+} first_cell;
+
+/* The box of a whole solid along the axes of the model. Many solids are such boxes themselves. */
+typedef struct model_box {
+    hide_bounds is;
+    atomic_uchar flat; /* flatness */
+} model_box;
+
+/* Has a solid an edge that is not drawn because it is flat? */
+typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
+
+typedef struct places {
+    const hide_fronts *fronts;
+    first_cell *first;    /* [front_count] */
+    model_box *model;     /* [whole] */
+    uint32_t whole;       /* number of whole solids, which come before single faces */
+    unsigned char *sheet; /* [vertices] of stars_find(); NULL: nothing is known */
+} places;
+
+/* False: no memory; places_free() is due in any case. */
+bool places_find(places *p, const hide_fronts *fronts, const objet *grid, int threads);
+void places_free(places *p);
+
+/* Finds model[front].flat. */
+bool places_find_flat(const places *p, uint32_t front);
+
+static inline bool places_flat(const places *p, uint32_t front)
+{
+    unsigned char known = atomic_load_explicit(&p->model[front].flat, memory_order_relaxed);
+    return known == FLAT_UNKNOWN ? places_find_flat(p, front) : known == FLAT_SOMEWHERE;
+}
+
+/* Do the boxes of two whole solids in the model keep them apart? Boxes that touch do, unless a flat edge of one solid
+ * may lie in a face of the other. */
+static inline bool places_apart(const places *p, uint32_t a, uint32_t b)
+{
+    if (a >= p->whole || b >= p->whole)
+        return false;
+    const hide_bounds *f = &p->model[a].is, *g = &p->model[b].is;
+    return (f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
+            f->high.z <= g->low.z || g->high.z <= f->low.z) &&
+           !places_flat(p, a) && !places_flat(p, b);
+}
+
+#endif

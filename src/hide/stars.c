@@ -1,0 +1,100 @@
+/* stars.c - see stars.h. */
+#include "hide/stars.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* What is known of a star: whether faces go round it once, or more often, or it is no sheet. */
+enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
+
+typedef struct stars {
+    const hide_fronts *fronts;
+    atomic_uchar *star; /* [vertices] */
+    bool alone;         /* there is one thread */
+} stars;
+
+/* Returns what was known before. */
+static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
+{
+    atomic_uchar *star = &s->star[vertex];
+    if (!s->alone)
+        return atomic_fetch_or_explicit(star, what, memory_order_relaxed);
+    unsigned char before = atomic_load_explicit(star, memory_order_relaxed);
+    atomic_store_explicit(star, (unsigned char)(before | what), memory_order_relaxed);
+    return before;
+}
+
+/* Has the edge one face on its left in the picture and one on its right? */
+static inline bool joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
+{
+    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
+        return false;
+    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
+    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
+    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
+}
+
+static void mark_folds(const stars *s, uint32_t body)
+{
+    const roberts_scene *scene = s->fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    const scene_edge *edge = scene->edge + own->stored;
+    const uint8_t *is = scene->surface->edge_is + own->edge;
+    for (uint32_t e = 0; e < own[1].edge - own->edge; e++)
+        if (!joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
+            mark(s, own->vertex + edge[e].v[0], NO_SHEET);
+            mark(s, own->vertex + edge[e].v[1], NO_SHEET);
+        }
+}
+
+/* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
+static void mark_round(const stars *s, const uint32_t *corner)
+{
+    const roberts_vec3 *P = s->fronts->P;
+    double y[3] = {P[corner[0]].y, P[corner[1]].y, P[corner[2]].y};
+    for (int i = 0; i < 3; i++)
+        if (y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2] && mark(s, corner[i], ROUND_ONCE) & ROUND_ONCE)
+            mark(s, corner[i], ROUND_TWICE);
+}
+
+static void mark_front(const stars *s, uint32_t front)
+{
+    uint32_t turned[SEEN_TURNED];
+    const hide_face face = hide_outline(s->fronts, front, turned);
+    if (s->fronts->front[front].kind != HIDE_SURFACE_FACE)
+        return;
+    if (face.count == 3)
+        mark_round(s, face.corner);
+    for (uint32_t i = 0; face.count > 3 && i < face.count; i++)
+        mark(s, face.corner[i], NO_SHEET);
+}
+
+/* Where the near plane has cut the scene, a border that it has made is no edge. */
+bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
+{
+    const roberts_scene *scene = fronts->scene;
+    if (!scene->surface || fronts->seen->clip.clipped)
+        return true;
+    const stars s = {fronts, alloc_zeroed(scene->vertex_count, sizeof *s.star), threads == 1};
+    *sheet = alloc_array(scene->vertex_count, sizeof **sheet);
+    if (s.star && *sheet) {
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
+#endif
+        for (uint32_t body = 0; body < scene->solid_count; body++)
+            if (!scene_is_convex(scene, body) && !fronts->culled[body])
+                mark_folds(&s, body);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+        for (uint32_t k = 0; k < fronts->front_count; k++)
+            mark_front(&s, k);
+        for (uint32_t v = 0; v < scene->vertex_count; v++)
+            (*sheet)[v] = atomic_load_explicit(&s.star[v], memory_order_relaxed) == ROUND_ONCE;
+    }
+    bool found = s.star && *sheet;
+    free(s.star);
+    return found;
+}
