@@ -387,7 +387,7 @@ static void test_random(void **state)
 {
     tally t = {0};
     (void)state;
-    for (uint64_t seed = 1; seed <= 28; seed++) {
+    for (uint64_t seed = 1; seed <= 40; seed++) {
         rng r = {seed};
         sheet s = {0};
         char name[64];
