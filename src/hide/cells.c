@@ -106,7 +106,8 @@ static double entries(const sizes *s, uint32_t count, double filled, double nx, 
 static void divide_slender(const sizes *s, uint32_t boxes, double filled, double *nx, double *ny)
 {
     double count = boxes, least = INFINITY, shape = s->width > 0.0 && s->height > 0.0 ? s->width / s->height : 1.0;
-    for (double side = sqrt(*nx * *ny); side * side <= CELLS_PER_BOX * count; side *= 1.25) {
+    double side = sqrt(*nx * *ny);
+    while (side * side <= CELLS_PER_BOX * count) {
         double x = greater(1.0, side * sqrt(shape)), y = greater(1.0, side / sqrt(shape));
         double all = entries(s, boxes, filled, x, y), cost = all * (COST_OF_ENTRY + all / (x * y));
         if (all > ENTRIES_PER_SLENDER * count || x > SIDE_MOST || y > SIDE_MOST)
@@ -116,6 +117,7 @@ static void divide_slender(const sizes *s, uint32_t boxes, double filled, double
             *nx = x;
             *ny = y;
         }
+        side *= 1.25;
     }
 }
 

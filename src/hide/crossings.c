@@ -49,7 +49,19 @@ typedef struct finder {
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
-/* Does a side of f separate the two faces in the picture? A corner of g within rounding of the side is beside it. */
+/* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
+static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
+{
+    double dx = B.x - A.x, dy = B.y - A.y;
+    for (uint32_t k = 0; k < f->count; k++)
+        if (!(dx * (P[f->corner[k]].y - A.y) - dy * (P[f->corner[k]].x - A.x) <= most))
+            return false;
+    return true;
+}
+
+/* Does a side of f separate the two faces in the picture? A corner within rounding of the side may be on either side of
+ * it. The picture of a face that is nearly edge-on may be turned, or cross itself, as far as its corners are not in one
+ * plane. So f itself is asked as well. */
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
@@ -57,11 +69,8 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
     roberts_vec3 A = P[f->corner[f->count - 1]];
     for (uint32_t i = 0; i < f->count; i++) {
         roberts_vec3 B = P[f->corner[i]];
-        double dx = B.x - A.x, dy = B.y - A.y, most = loose * (fabs(dx) + fabs(dy));
-        uint32_t k = 0;
-        while (k < g->count && dx * (P[g->corner[k]].y - A.y) - dy * (P[g->corner[k]].x - A.x) <= most)
-            k++;
-        if (k == g->count)
+        double most = loose * (fabs(B.x - A.x) + fabs(B.y - A.y));
+        if (is_right_of(P, A, B, g, most) && is_right_of(P, B, A, f, most))
             return true;
         A = B;
     }
@@ -72,9 +81,11 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
 static bool share_side(const hide_face *f, const hide_face *g)
 {
     uint32_t shared = 0;
+    if (f->count != 3 || g->count != 3)
+        return false;
     for (uint32_t i = 0; i < 3; i++)
         shared += f->corner[i] == g->corner[0] || f->corner[i] == g->corner[1] || f->corner[i] == g->corner[2];
-    return f->count == 3 && g->count == 3 && shared > 1;
+    return shared > 1;
 }
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)

@@ -140,11 +140,14 @@ static bool fold_all(const layers *l)
     return !lost;
 }
 
-/* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to say. */
+/* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to say, or this is no
+ * triangle. */
 static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 {
     uint32_t turned[SEEN_TURNED];
     const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
+    if (F->count != 3)
+        return -1;
     for (uint32_t i = 0; i < 3; i++) {
         roberts_vec3 P = fronts->P[F->corner[i]], Q = fronts->P[F->corner[i < 2 ? i + 1 : 0]];
         double left = (Q.x - P.x) * (y - P.y) - (Q.y - P.y) * (x - P.x);

@@ -384,7 +384,7 @@ static void read_hpgl(reader *r, const char *text)
     uint32_t chosen = 0;
     expect(r, &at, "IN;NP16;");
     while (!r->failed && *at) {
-        if (passed(&at, "\n")) {
+        if (passed(&at, "\n") || passed(&at, "LT;") || passed(&at, "PU;")) {
             continue;
         } else if (passed(&at, "SP0;")) {
             chosen = 0;
@@ -409,8 +409,6 @@ static void read_hpgl(reader *r, const char *text)
             pen->dashed = true;
             pen->down_mm = share * n[0];
             pen->up_mm = n[0] - pen->down_mm;
-        } else if (passed(&at, "LT;") || passed(&at, "PU;")) {
-            continue;
         } else if (passed(&at, "PU")) {
             read_numbers(r, &at, n, 2);
             lift_to(r, n[0] * hpgl_unit_mm, n[1] * hpgl_unit_mm);

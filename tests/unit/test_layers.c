@@ -314,7 +314,7 @@ static void test_winding(void **state)
     for (int turns = 1; turns <= 3; turns++)
         for (int steep = 0; steep < 4; steep++) {
             sheet s = {0};
-            char name[60];
+            char name[80];
             double lift = steep == 1 ? 0.02 : 0.4 * steep;
             snprintf(name, sizeof name, "a surface that goes %d times round, lift %g", turns, lift);
             add_winding(&s, turns, lift, steep == 3 ? 2 : 0);
