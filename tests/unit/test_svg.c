@@ -346,7 +346,7 @@ static void pdf_objects_are_where_the_table_says(void **state)
 {
     roberts_drawing drawing = model_drawing("table", "iso");
     roberts_draw_options options = roberts_draw_options_default();
-    size_t size, table, length;
+    size_t size, table, length = 0;
     (void)state;
     options.format = ROBERTS_PDF;
     char *bytes = written(&drawing, &options, &size), *end = bytes + size;
