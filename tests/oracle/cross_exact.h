@@ -47,7 +47,8 @@ struct cross_finder {
         double low[3], high[3];
     };
     std::vector<box> boxes;
-    std::vector<size_t> first; /* see first_alike() */
+    std::vector<size_t> first;                                    /* see first_alike() */
+    std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge: see take_edges() */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -185,6 +186,33 @@ struct cross_finder {
         }
     };
 
+    /* Bodies that only touch keep their own edges: where the sides between two positions have two faces for each pair
+     * of the file's vertices, these are an edge each. Else all of them are one edge. */
+    void take_edges()
+    {
+        std::map<std::array<uint32_t, 2>, std::map<std::array<uint32_t, 2>, std::vector<size_t>>> sides;
+        for (size_t f = 0; f < o.faces.size(); f++) {
+            const uint32_t begin = o.mesh.face_start[o.faces[f].number], end = o.mesh.face_start[o.faces[f].number + 1];
+            for (uint32_t i = begin; i < end; i++) {
+                const uint32_t p = o.mesh.corner[i], q = o.mesh.corner[i + 1 < end ? i + 1 : begin];
+                const uint32_t a = o.position[p], b = o.position[q];
+                if (a == b)
+                    continue;
+                std::vector<size_t> &of = sides[{std::min(a, b), std::max(a, b)}][{std::min(p, q), std::max(p, q)}];
+                if (of.empty() || of.back() != f)
+                    of.push_back(f);
+            }
+        }
+        for (const auto &[key, parts] : sides) {
+            const bool apart =
+                std::all_of(parts.begin(), parts.end(), [](const auto &p) { return p.second.size() == 2; });
+            if (apart)
+                edges.insert(parts.begin(), parts.end());
+            else
+                edges[key] = o.edges.at(key);
+        }
+    }
+
     std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */
 
     static vec<rational> minus(const vec<rational> &p, const vec<rational> &q)
@@ -225,7 +253,8 @@ struct cross_finder {
     bool in_plane(size_t f, uint32_t v) const
     {
         const polygon &F = o.faces[f];
-        return o.has(F, v) || (!off_plane(f, v) && o.height(F, o.newell<rational>(F), o.mesh.vertex[v]) == 0);
+        return o.has(F, o.position[v]) ||
+               (!off_plane(f, v) && o.height(F, o.newell<rational>(F), o.mesh.vertex[v]) == 0);
     }
 
     bool in_one_plane(size_t f, size_t g) const
@@ -288,11 +317,11 @@ struct cross_finder {
     /* The faces that end at X in the edge, or in any edge there that has not two of them: such edges are one. */
     std::vector<size_t> group_at(const carrier &e, const vec<rational> &X) const
     {
-        const std::vector<size_t> &own = o.edges.at(e.key);
+        const std::vector<size_t> &own = edges.at(e.key);
         std::vector<size_t> out;
         if (own.size() == 2)
             return own;
-        for (const auto &[key, faces] : o.edges)
+        for (const auto &[key, faces] : edges)
             if (faces.size() != 2 && is_on(key, X))
                 for (size_t f : faces)
                     if (std::find(out.begin(), out.end(), f) == out.end())
@@ -347,7 +376,7 @@ struct cross_finder {
                 const vec<rational> &X) const
     {
         for (const auto &other : along)
-            if (o.edges.at(key).size() != 2 && other < key && o.edges.at(other).size() != 2 && is_on(other, X))
+            if (edges.at(key).size() != 2 && other < key && edges.at(other).size() != 2 && is_on(other, X))
                 return false;
         return true;
     }
@@ -369,7 +398,7 @@ struct cross_finder {
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
         const carrier e = carrier_of(key);
-        const std::vector<size_t> &own = o.edges.at(key);
+        const std::vector<size_t> &own = edges.at(key);
         const bool odd = own.size() != 2;
         std::vector<size_t> near;
         std::vector<std::array<uint32_t, 2>> along;
@@ -380,7 +409,7 @@ struct cross_finder {
                 add_cuts(f, e, cut);
             }
         std::vector<rational> divided; /* edges that have not two faces divide one another at their ends */
-        for (const auto &[other, faces] : o.edges) {
+        for (const auto &[other, faces] : edges) {
             int on_line = 0;
             for (uint32_t v : other) {
                 const vec<rational> p = minus(place(v), e.a);
@@ -409,7 +438,7 @@ struct cross_finder {
                     holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
                     put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             for (const auto &other : along) {
-                const std::vector<size_t> more = o.edges.at(other);
+                const std::vector<size_t> more = edges.at(other);
                 if (!(key < other) || !is_on(other, X) || (odd && more.size() != 2) || !speaks(other, along, X))
                     continue;
                 const std::vector<size_t> theirs = group_at(carrier_of(other), X);
@@ -454,7 +483,8 @@ struct cross_finder {
     {
         std::vector<seam> out;
         make_rough();
-        for (const auto &[key, own] : o.edges)
+        take_edges();
+        for (const auto &[key, own] : edges)
             seams_on(key, out);
         for (seam &s : out) {
             if (s.f > s.g)
