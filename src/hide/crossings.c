@@ -177,7 +177,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    uint32_t turned[2][SEEN_TURNED];
+    uint32_t turned[2][SEEN_TURNED] = {{0}};
     const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
     const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
     if (share_side(&F, &G))
