@@ -225,7 +225,8 @@ static void begin_entity(const dxf *p, const char *name)
     write_name(p->out, 8, "", p->layer);
 }
 
-/* 70 of a POLYLINE: 1 it is closed, 128 dashes go on round its corners. The point that it has to have means nothing. */
+/* 70 of a POLYLINE: 1 it is closed, 128 dashes go on round its corners. Release 12 requires a point here, which
+ * readers ignore. */
 static void write_polyline(const dxf *p, const page_point *point, size_t count, bool closed)
 {
     begin_entity(p, "POLYLINE");

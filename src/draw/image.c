@@ -1,9 +1,9 @@
 /* image.c - the page as PNG (ISO/IEC 15948): Cairo draws the pixels, band by band, and zlib compresses them.
  *
  * All pixels at once would take 2.1 GB for A4 at 2400 dpi. Here a band of some rows is drawn and written; then the same
- * memory serves for the next rows. Bands are apart by whole pixels, and all strokes are drawn for each of them, so the
- * picture does not depend on the bands. (To leave out strokes that do not touch a band saves little time: Cairo does
- * not fill what is outside.)
+ * memory serves for the next rows. Each band begins at a whole pixel, and all strokes are drawn for each of them, so
+ * the picture does not depend on the bands. (To leave out strokes that do not touch a band saves little time: Cairo
+ * does not fill what is outside.)
  *
  * Each row is filtered by the one above it (PNG's filter "up"): what goes on downward becomes zeros. */
 #include <math.h>

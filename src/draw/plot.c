@@ -1,7 +1,7 @@
 /* plot.c - hands strokes to the formats that are text.
  *
  * Each stroke goes into a path of Cairo's, in whole units of the page, and comes back by cairo_copy_path(), without
- * points on a straight way. */
+ * points in the middle of straight runs. */
 #include "draw/plot.h"
 
 #include <stdlib.h>

@@ -16,8 +16,8 @@ typedef struct plotter {
     void *context;
 } plotter;
 
-/* Hands all strokes to `to`, class by class, without points on a straight way. Stops early after a failed write to
- * `out`. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
+/* Hands all strokes to `to`, class by class, without points in the middle of straight runs. Stops early after a failed
+ * write to `out`. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
 roberts_status plot_strokes(const strokes *s, const plotter *to, const output *out, roberts_error *error);
 
 #endif

@@ -22,9 +22,13 @@ static double greatest_depth(const hide_fronts *fronts)
     return most;
 }
 
+typedef struct line_list {
+    seen_line *line; /* [count] */
+    size_t count, room;
+} line_list;
+
 /* Adds the sides of a face that lie at the depth `least` or nearer. False: no memory. */
-static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, double least, seen_line **line,
-                      size_t *count, size_t *room)
+static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, double least, line_list *to)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
@@ -32,13 +36,13 @@ static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, d
         uint32_t v[2] = {scene->corner[k], scene->corner[k + 1 < end ? k + 1 : first]};
         if (fronts->P[v[0]].z < least || fronts->P[v[1]].z < least)
             continue;
-        if (!array_reserve(line, room, *count + 1, sizeof **line))
+        if (!array_reserve(&to->line, &to->room, to->count + 1, sizeof *to->line))
             return false;
-        (*line)[(*count)++] = (seen_line){.edge = ROBERTS_NONE,
-                                          .v = {v[0], v[1]},
-                                          .own = {{seen_face_key(scene, body, face), ROBERTS_NONE}, NULL},
-                                          .t1 = 1.0,
-                                          .class = ROBERTS_CREASE};
+        to->line[to->count++] = (seen_line){.edge = ROBERTS_NONE,
+                                            .v = {v[0], v[1]},
+                                            .own = {{seen_face_key(scene, body, face), ROBERTS_NONE}, NULL},
+                                            .t1 = 1.0,
+                                            .class = ROBERTS_CREASE};
     }
     return true;
 }
@@ -47,23 +51,22 @@ roberts_status cut_lines_find(const hide_fronts *fronts, seen_further *lines, ro
 {
     const roberts_scene *scene = fronts->scene;
     double least = greatest_depth(fronts) - CUT_TOUCHING * (fronts->space.epsilon + fronts->space.depth_rounding);
-    seen_line *line = NULL;
-    size_t count = 0, room = 0;
+    line_list found = {0};
     uint32_t cut = ROBERTS_NONE; /* a body that is not convex */
     uint32_t *first = alloc_array((size_t)scene->solid_count + 1, sizeof *first);
     bool enough = first != NULL;
     for (uint32_t s = 0; enough && s < scene->solid_count; s++) {
         bool convex = scene_is_convex(scene, s);
-        first[s] = (uint32_t)count;
+        first[s] = (uint32_t)found.count;
         for (uint32_t f = scene->solid[s].face; enough && is_mapped(fronts, s) && f < scene->solid[s + 1].face; f++)
             if (fronts->seen->facing[f] == VIEW_FRONT || (!convex && fronts->seen->facing[f] == VIEW_BACK))
-                enough = add_sides(fronts, s, f, least, &line, &count, &room);
-        if (!convex && count > first[s])
+                enough = add_sides(fronts, s, f, least, &found);
+        if (!convex && found.count > first[s])
             cut = s;
     }
     if (enough)
-        first[scene->solid_count] = (uint32_t)count;
-    lines->line = line;
+        first[scene->solid_count] = (uint32_t)found.count;
+    lines->line = found.line;
     lines->first = first;
     if (enough && cut != ROBERTS_NONE)
         return error_set(error, ROBERTS_BAD_VIEW, 0, "regions: the near plane cuts body %u, which is not convex", cut);

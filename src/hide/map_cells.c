@@ -20,8 +20,8 @@
 static bool prune(planar_map *m)
 {
     uint32_t *degree = alloc_zeroed(m->node_count, sizeof *degree);
-    uint32_t *sum = alloc_zeroed(m->node_count, sizeof *sum); /* of the lines at a node, by exclusive or: of one line,
-                                                                 its number */
+    /* [node_count] the exclusive or of the numbers of the lines at a node: where one line is left, its number */
+    uint32_t *sum = alloc_zeroed(m->node_count, sizeof *sum);
     uint8_t *gone = alloc_zeroed(m->line_count, 1);
     size_t to = 0;
     bool enough = degree && sum && gone;

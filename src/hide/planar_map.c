@@ -23,6 +23,9 @@ enum {
  * reached. */
 enum { MOST_ROUNDS = 60 };
 
+/* The numbers of nodes, and those of both ends of all lines, are 32 bits wide. */
+#define NODES_MOST ((size_t)(UINT32_MAX / 4))
+
 /* A line or a node, or the part of a line that a box holds. */
 typedef struct map_item {
     roberts_vec2 a, b;   /* a node: both are its place */
@@ -37,10 +40,11 @@ typedef struct map_stop {
 
 typedef struct map_search {
     planar_map *m;
-    double touching;
-    map_item *item; /* [count] boxes within boxes: those of the box at work come last */
-    map_stop *stop; /* [stop_count] */
-    uint32_t *same; /* [same_room] the node that a node becomes, or a node on the way to it */
+    double touching; /* what is nearer than this is joined: less in each round */
+    double margin;   /* a box holds what is nearer than this: above rounding, the same in each round */
+    map_item *item;  /* [count] boxes within boxes: those of the box at work come last */
+    map_stop *stop;  /* [stop_count] */
+    uint32_t *same;  /* [same_room] the node that a node becomes, or a node on the way to it */
     size_t count, room, stop_count, stop_room, same_room;
     bool joined, lost; /* lost: no memory */
 } map_search;
@@ -55,7 +59,7 @@ bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b)
 {
     if (a.x == b.x && a.y == b.y)
         return true;
-    if (!array_reserve(&m->node, &m->node_room, m->node_count + 2, sizeof *m->node) ||
+    if (m->node_count > NODES_MOST || !array_reserve(&m->node, &m->node_room, m->node_count + 2, sizeof *m->node) ||
         !array_reserve(&m->line, &m->line_room, m->line_count + 1, sizeof *m->line))
         return false;
     m->line[m->line_count][0] = (uint32_t)m->node_count;
@@ -309,7 +313,7 @@ static roberts_vec2 cut_at(const map_search *s, uint32_t line, int axis, double 
 static bool part_of(const map_search *s, const map_item *all, int axis, double at, int side, map_item *part)
 {
     double a = side * (along(all->a, axis) - at), b = side * (along(all->b, axis) - at);
-    if (greater(a, b) < -s->touching)
+    if (greater(a, b) < -s->margin)
         return false;
     *part = *all;
     if (all->line == ROBERTS_NONE || lesser(a, b) >= 0.0)
@@ -327,7 +331,7 @@ static size_t count_both(const map_search *s, size_t first, size_t end, int axis
     size_t both = 0;
     for (size_t i = first; i < end; i++) {
         double a = along(s->item[i].a, axis) - at, b = along(s->item[i].b, axis) - at;
-        both += lesser(a, b) <= s->touching && greater(a, b) >= -s->touching;
+        both += lesser(a, b) <= s->margin && greater(a, b) >= -s->margin;
     }
     return both;
 }
@@ -344,15 +348,15 @@ static void visit(map_search *s, size_t first, size_t end, map_box box, int idle
             (roberts_vec2){greater(own.high.x, greater(p->a.x, p->b.x)), greater(own.high.y, greater(p->a.y, p->b.y))};
     }
     double size = greater(own.high.x - own.low.x, own.high.y - own.low.y);
-    if (end - first <= FEW || idle >= IDLE_HALVINGS || !(size > 8.0 * s->touching)) {
+    if (end - first <= FEW || idle >= IDLE_HALVINGS || !(size > 8.0 * s->margin)) {
         compare_all(s, first, end, &box);
         return;
     }
     double at[2] = {0.5 * (own.low.x + own.high.x), 0.5 * (own.low.y + own.high.y)};
     size_t both[2] = {count_both(s, first, end, 0, at[0]), count_both(s, first, end, 1, at[1])};
-    if (!(own.high.x - own.low.x > 4.0 * s->touching))
+    if (!(own.high.x - own.low.x > 4.0 * s->margin))
         both[0] = SIZE_MAX;
-    if (!(own.high.y - own.low.y > 4.0 * s->touching))
+    if (!(own.high.y - own.low.y > 4.0 * s->margin))
         both[1] = SIZE_MAX;
     int axis = both[1] < both[0];
     idle = 4 * both[axis] > 3 * (end - first) ? idle + 1 : 0;
@@ -451,7 +455,7 @@ static bool divide_lines(map_search *s)
 
 bool planar_map_divide(planar_map *m, double touching)
 {
-    map_search s = {.m = m, .touching = touching};
+    map_search s = {.m = m, .touching = touching, .margin = touching};
     bool enough = join_equal(m) && unite_lines(m), more = enough;
     for (int round = 0; more && round < MOST_ROUNDS; round++) {
         enough = search_all(&s);

@@ -282,11 +282,15 @@ static bool trace_rings(region_work *w)
         if (enough)
             w->ring[w->ring_count++] = ring_of(w, h, done);
     }
+    for (size_t c = 0; enough && c < w->cells.cell_count; c++)
+        outer[c] = ROBERTS_NONE;
     for (uint32_t r = 0; enough && r < w->ring_count; r++)
         if (w->ring[r].area > 0.0)
             outer[w->ring[r].root] = r;
-    for (uint32_t r = 0; enough && r < w->ring_count; r++)
-        w->ring[r].outer = outer[w->ring[r].root];
+    for (uint32_t r = 0; enough && r < w->ring_count; r++) {
+        uint32_t about = outer[w->ring[r].root];
+        w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* a map that is not planar may have no ring about it */
+    }
     free(done);
     free(outer);
     return enough;
@@ -367,13 +371,14 @@ static void put_corners(const region_work *w, const region_ring *ring, roberts_r
     }
 }
 
-/* Puts the depths of all cells to their regions. number: of each face's region. */
+/* Puts the depths of all cells to their regions. number: of each face's region, or
+ * ROBERTS_NONE. */
 static void put_depths(const region_work *w, const uint32_t *number, roberts_region_list *out)
 {
     double unit = w->job->seen.view.unit;
     for (size_t c = 0; c < w->cells.cell_count; c++) {
         const cell_sight *sight = &w->sight[c];
-        if (sight->face == ROBERTS_NONE)
+        if (sight->face == ROBERTS_NONE || number[sight->face] == ROBERTS_NONE)
             continue;
         roberts_region *region = &out->region[number[sight->face]];
         region->z_min = lesser(region->z_min, sight->z_min * unit);
@@ -396,6 +401,8 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
     out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
     out->corner = alloc_array(corners, sizeof *out->corner);
     bool enough = place && number && out->region && out->ring_start && out->corner;
+    for (uint32_t f = 0; enough && f < scene->face_count; f++)
+        number[f] = ROBERTS_NONE;
     for (size_t k = 0; enough && k < w->ring_count; k++) {
         const region_ring *ring = &w->ring[place[k].ring];
         if (k == 0 || ring->face != place[k - 1].face) {
