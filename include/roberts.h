@@ -318,11 +318,11 @@ typedef enum roberts_line {
     ROBERTS_BACK,    /**< of a convex solid, between two back faces: hidden by the solid itself, else a crease */
     ROBERTS_BORDER,  /**< an edge of one face */
     ROBERTS_WIRE,    /**< an edge of no face */
-    ROBERTS_INTERSECTION, /**< no edge: two faces cross there */
+    ROBERTS_INTERSECTION, /**< two faces cross there, or one ends on the other along an edge that is left out */
     ROBERTS_BACK_OUTLINE, /**< between a back face and one that is edge-on: hidden by the solid, else an outline */
 } roberts_line;
 
-/** A maximal part of a line in one state. A line is an edge, or a segment in which two faces cross. */
+/** A maximal part of a line in one state. A line is an edge, or an intersection: see roberts_crossing. */
 typedef struct roberts_segment {
     uint32_t solid;  /**< number of the body, from 0 by smallest vertex; of an intersection, that of its first face */
     uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1; ROBERTS_NONE for an intersection */
@@ -347,7 +347,7 @@ typedef struct roberts_segment {
     uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
 } roberts_segment;
 
-/** A maximal segment in which two faces cross. */
+/** A maximal segment in which two faces cross, or in which one ends on the other along an edge that is left out. */
 typedef struct roberts_crossing {
     uint32_t face[2];    /**< face[0] < face[1], as numbered in the input */
     roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those touch, or z */
