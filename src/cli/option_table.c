@@ -379,8 +379,8 @@ static const option rows[] = {
      .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
-         "from 1 hidden to 6 outline and 8 symbol, the same in every drawing. The software of AxiDraw finds layers "
-         "by their numbers."},
+         "from 1 hidden to 6 outline, 7 frame and 8 symbol, the same in every drawing. The software of AxiDraw finds "
+         "layers by their numbers."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,
