@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "base/array.h"
+#include "read_png.h"
 
 static const double mm_per_point = 25.4 / 72.0;
 
@@ -304,26 +305,9 @@ bool paper_read_pdf(paper *p, const char *bytes, size_t size, double height_mm)
 
 /* ---- PNG ------------------------------------------------------------------------------------------------------- */
 
-typedef struct source {
-    const char *bytes;
-    size_t left;
-} source;
-
-static cairo_status_t give(void *closure, unsigned char *to, unsigned size)
-{
-    source *s = closure;
-    if (size > s->left)
-        return CAIRO_STATUS_READ_ERROR;
-    memcpy(to, s->bytes, size);
-    s->bytes += size;
-    s->left -= size;
-    return CAIRO_STATUS_SUCCESS;
-}
-
 bool picture_read_png(picture *p, const char *bytes, size_t size)
 {
-    source s = {bytes, size};
-    cairo_surface_t *surface = cairo_image_surface_create_from_png_stream(give, &s);
+    cairo_surface_t *surface = read_png(bytes, size);
     *p = (picture){0};
     if (cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS) {
         p->width = cairo_image_surface_get_width(surface);

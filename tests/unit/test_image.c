@@ -13,6 +13,7 @@
 #include "draw/cairo.h"
 #include "draw/formats.h"
 #include "drawing.h"
+#include "read_png.h"
 
 static sink image_of(const strokes *s, size_t surface_bytes)
 {
@@ -26,27 +27,10 @@ static sink image_of(const strokes *s, size_t surface_bytes)
     return to;
 }
 
-typedef struct source {
-    const char *bytes;
-    size_t left;
-} source;
-
-static cairo_status_t give(void *closure, unsigned char *to, unsigned size)
-{
-    source *s = closure;
-    if (size > s->left)
-        return CAIRO_STATUS_READ_ERROR;
-    memcpy(to, s->bytes, size);
-    s->bytes += size;
-    s->left -= size;
-    return CAIRO_STATUS_SUCCESS;
-}
-
 /* Whether the file holds what Cairo draws at once on a surface of the whole page. */
 static void expect_drawn_by_cairo(const strokes *s, const sink *file)
 {
-    source from = {file->bytes, file->size};
-    cairo_surface_t *read = cairo_image_surface_create_from_png_stream(give, &from);
+    cairo_surface_t *read = read_png(file->bytes, file->size);
     assert_int_equal(cairo_surface_status(read), CAIRO_STATUS_SUCCESS);
     const int width = cairo_image_surface_get_width(read), height = cairo_image_surface_get_height(read);
     cairo_surface_t *drawn = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
