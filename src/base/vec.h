@@ -36,6 +36,12 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
+/* Orders points by x, then y: -1, 0 or 1; -0 equals +0. */
+static inline int vec2_compare(roberts_vec2 a, roberts_vec2 b)
+{
+    return a.x != b.x ? (a.x < b.x ? -1 : 1) : (a.y > b.y) - (a.y < b.y);
+}
+
 /* Orders points by x, then y, then z: -1, 0 or 1; -0 equals +0. */
 static inline int vec3_compare(roberts_vec3 a, roberts_vec3 b)
 {

@@ -114,9 +114,13 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
-    crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
     if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
+    if (crossing_in_pieces(&t->last)) { /* the first piece of the other face is enough */
+        uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
+        return first == t->last.first || add_pair(t, t->last.first, first);
+    }
+    crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
     return meet_faces(t, &t->last, &G);
 }
 
@@ -350,20 +354,6 @@ static bool unite_pairs(finder *finders, int threads)
     return true;
 }
 
-/* The body of a face of the scene. */
-static uint32_t body_of(const roberts_scene *scene, uint32_t face)
-{
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].face <= face)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 static bool meet_pairs(finder *finders, int threads)
 {
     const roberts_scene *scene = finders->fronts->scene;
@@ -378,8 +368,8 @@ static bool meet_pairs(finder *finders, int threads)
     for (size_t k = 0; k < finders->pair_count; k++) {
         finder *t = &finders[thread_self()];
         uint32_t f = (uint32_t)(pair[k] >> 32), g = (uint32_t)pair[k];
-        crossing_face F = crossing_face_of(&t->rules, body_of(scene, f), f);
-        crossing_face G = crossing_face_of(&t->rules, body_of(scene, g), g);
+        crossing_face F = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
+        crossing_face G = crossing_face_of(&t->rules, scene_body_of_face(scene, g), g);
         lost = lost || !crossing_find(&t->rules, &F, &G, &t->found);
     }
     return !lost;
@@ -480,7 +470,7 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].fronts = fronts;
         finders[i].grid = grid;
         finders[i].places = where;
-        finders[i].nearest = fronts->seen->rules.hidden ? NULL : grid->sheet.depth;
+        finders[i].nearest = grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         finders[i].star = where->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
@@ -570,10 +560,10 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     places where = {0};
-    bool enough = finders && places_find(&where, fronts, grid, count) &&
+    bool hidden = fronts->seen->rules.hidden;
+    bool enough = finders && (hidden || places_find(&where, fronts, grid, count)) &&
                   finders_init(finders, count, fronts, grid, &where) &&
-                  (fronts->seen->rules.hidden ? face_pairs_find(fronts, count, meet_pair, finders)
-                                              : meet_all(finders, grid, count)) &&
+                  (hidden ? face_pairs_find(fronts, count, meet_pair, finders) : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {

@@ -27,16 +27,6 @@ typedef struct edge_finder {
 
 /* ---- the faces of an edge -------------------------------------------------------------------------------------- */
 
-/* The first piece of the planar face that a piece belongs to. */
-static uint32_t first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
-{
-    const scene_surface *surface = scene->surface;
-    if (!scene_is_convex(scene, body))
-        while (piece > scene->solid[body].face && surface->plane_of[piece - 1] == surface->plane_of[piece])
-            piece--;
-    return piece;
-}
-
 /* How many faces has the edge, which is not a wire? */
 static uint32_t faces_at(const roberts_scene *scene, uint32_t body, uint32_t edge)
 {
@@ -60,7 +50,7 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
 {
     for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
         uint32_t f = face_at(scene, body, edge, k);
-        if (f != ROBERTS_NONE && first_piece(scene, body, f) == first)
+        if (f != ROBERTS_NONE && scene_first_piece(scene, body, f) == first)
             return true;
     }
     return false;
@@ -200,7 +190,7 @@ static bool list_edges(edge_finder *e, uint32_t body)
     for (uint32_t edge = scene->solid[body].edge; edge < scene->solid[body + 1].edge; edge++) {
         bool asked = false;
         for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
-            uint32_t f = face_at(scene, body, edge, k), first = f == ROBERTS_NONE ? f : first_piece(scene, body, f);
+            uint32_t f = face_at(scene, body, edge, k), first = f == ROBERTS_NONE ? f : scene_first_piece(scene, body, f);
             if (f == ROBERTS_NONE || !e->touches[first])
                 continue;
             if (!asked && !seen_is_left_out(e->fronts->seen, body, edge))

@@ -65,36 +65,12 @@ static bool fold_edge(const layers *l, objet_walk *walk, roberts_vec3 A, roberts
     return true;
 }
 
-/* Has the edge one face on its left in the picture and one on its right? */
-static inline bool joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
-{
-    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
-        return false;
-    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
-    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
-    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
-}
-
-/* Returns the body of an edge of the scene. */
-static uint32_t body_of_edge(const roberts_scene *scene, uint32_t edge)
-{
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].edge <= edge)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Notes the folds among the edges first..end-1, as far as their bodies are not convex. False: no memory. */
 static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32_t end)
 {
     const roberts_scene *scene = l->fronts->scene;
     const roberts_vec3 *P = l->fronts->P;
-    for (uint32_t body = body_of_edge(scene, first), e = first; e < end; body++) {
+    for (uint32_t body = scene_body_of_edge(scene, first), e = first; e < end; body++) {
         const scene_solid *own = &scene->solid[body];
         uint32_t last = own[1].edge < end ? own[1].edge : end;
         const unsigned char *facing = l->fronts->seen->facing + own->face;
@@ -102,7 +78,7 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
         const roberts_vec3 *V = P + own->vertex;
         bool out = scene_is_convex(scene, body) || l->fronts->culled[body];
         for (; e < last; e++, edge++)
-            if (!out && !joins_faces(facing, edge, scene->surface->edge_is[e]) &&
+            if (!out && !seen_joins_faces(facing, edge, scene->surface->edge_is[e]) &&
                 !fold_edge(l, walk, V[edge->v[0]], V[edge->v[1]]))
                 return false;
     }

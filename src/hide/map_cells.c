@@ -164,11 +164,6 @@ typedef struct cell_sweep {
     size_t count;
 } cell_sweep;
 
-static bool comes_before(roberts_vec2 a, roberts_vec2 b)
-{
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
 typedef struct sweep_node {
     roberts_vec2 at;
     uint32_t node;
@@ -177,9 +172,8 @@ typedef struct sweep_node {
 static int compare_nodes(const void *pa, const void *pb)
 {
     const sweep_node *a = pa, *b = pb;
-    if (comes_before(a->at, b->at))
-        return -1;
-    return comes_before(b->at, a->at) ? 1 : (a->node > b->node) - (a->node < b->node);
+    int order = vec2_compare(a->at, b->at);
+    return order != 0 ? order : (a->node > b->node) - (a->node < b->node);
 }
 
 static bool sort_nodes(cell_sweep *s)
@@ -212,7 +206,7 @@ static bool find_leftmost(cell_sweep *s)
             continue;
         uint32_t least = map_from(m, c->first[k]);
         for (uint32_t h = map_next(c, m, c->first[k], NULL); h != c->first[k]; h = map_next(c, m, h, NULL))
-            if (comes_before(m->node[map_from(m, h)], m->node[least]))
+            if (vec2_compare(m->node[map_from(m, h)], m->node[least]) < 0)
                 least = map_from(m, h);
         s->outer[least] = k;
     }
@@ -222,7 +216,7 @@ static bool find_leftmost(cell_sweep *s)
 /* The half-edge of a line that runs to the right. */
 static uint32_t rightward(const planar_map *m, uint32_t line)
 {
-    return 2 * line + comes_before(m->node[m->line[line][1]], m->node[m->line[line][0]]);
+    return 2 * line + (vec2_compare(m->node[m->line[line][1]], m->node[m->line[line][0]]) < 0);
 }
 
 /* The line right below a node that no line in the order ends at; ROBERTS_NONE: there is none. */

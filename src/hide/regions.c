@@ -246,11 +246,6 @@ static bool join_cells(region_work *w)
     return true;
 }
 
-static bool comes_before(roberts_vec2 a, roberts_vec2 b)
-{
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
 /* The ring that a half-edge is part of, which becomes done. */
 static region_ring ring_of(region_work *w, uint32_t half, uint8_t *done)
 {
@@ -260,7 +255,7 @@ static region_ring ring_of(region_work *w, uint32_t half, uint8_t *done)
         roberts_vec2 P = corner_of(w, h);
         done[h] = 1;
         ring.corners++;
-        if (comes_before(P, ring.at)) {
+        if (vec2_compare(P, ring.at) < 0) {
             ring.at = P;
             ring.half = h;
         }
@@ -309,13 +304,13 @@ static int compare_places(const void *pa, const void *pb)
     const ring_place *a = pa, *b = pb;
     if (a->face != b->face)
         return a->face < b->face ? -1 : 1;
-    if (comes_before(a->outer, b->outer) || comes_before(b->outer, a->outer))
-        return comes_before(a->outer, b->outer) ? -1 : 1;
+    int order = vec2_compare(a->outer, b->outer);
+    if (order != 0)
+        return order;
     if (a->hole != b->hole)
         return a->hole ? 1 : -1;
-    if (comes_before(a->at, b->at) || comes_before(b->at, a->at))
-        return comes_before(a->at, b->at) ? -1 : 1;
-    return (a->half > b->half) - (a->half < b->half);
+    order = vec2_compare(a->at, b->at);
+    return order != 0 ? order : (a->half > b->half) - (a->half < b->half);
 }
 
 static ring_place *sort_rings(const region_work *w)
@@ -331,19 +326,6 @@ static ring_place *sort_rings(const region_work *w)
 }
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
-
-static uint32_t solid_of(const roberts_scene *scene, uint32_t face)
-{
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].face <= face)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
 
 /* The colour that the input gives a face. */
 static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint32_t number)
@@ -406,7 +388,7 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
     for (size_t k = 0; enough && k < w->ring_count; k++) {
         const region_ring *ring = &w->ring[place[k].ring];
         if (k == 0 || ring->face != place[k - 1].face) {
-            uint32_t solid = solid_of(scene, ring->face), face = scene_face_number(scene, ring->face);
+            uint32_t solid = scene_body_of_face(scene, ring->face), face = scene_face_number(scene, ring->face);
             number[ring->face] = (uint32_t)out->count;
             out->region[out->count++] = (roberts_region){.solid = solid,
                                                          .face = face,

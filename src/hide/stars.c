@@ -26,16 +26,6 @@ static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
     return before;
 }
 
-/* Has the edge one face on its left in the picture and one on its right? */
-static inline bool joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
-{
-    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
-        return false;
-    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
-    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
-    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
-}
-
 static void mark_folds(const stars *s, uint32_t body)
 {
     const roberts_scene *scene = s->fronts->scene;
@@ -43,7 +33,7 @@ static void mark_folds(const stars *s, uint32_t body)
     const scene_edge *edge = scene->edge + own->stored;
     const uint8_t *is = scene->surface->edge_is + own->edge;
     for (uint32_t e = 0; e < own[1].edge - own->edge; e++)
-        if (!joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
+        if (!seen_joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
             mark(s, own->vertex + edge[e].v[0], NO_SHEET);
             mark(s, own->vertex + edge[e].v[1], NO_SHEET);
         }

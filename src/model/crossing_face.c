@@ -37,12 +37,10 @@ static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
 crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
 {
     const roberts_scene *scene = rules->scene;
-    crossing_face f = {.body = body, .first = piece, .end = piece + 1};
+    crossing_face f = {.body = body, .first = scene_first_piece(scene, body, piece), .end = piece + 1};
     roberts_vec3 sum = {0.0, 0.0, 0.0};
-    if (scene->surface && !scene_is_convex(scene, body)) {
+    if (!scene_is_convex(scene, body)) {
         const uint32_t *plane_of = scene->surface->plane_of;
-        while (f.first > scene->solid[body].face && plane_of[f.first - 1] == plane_of[piece])
-            f.first--;
         while (f.end < scene->solid[body + 1].face && plane_of[f.end] == plane_of[piece])
             f.end++;
     }

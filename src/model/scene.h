@@ -130,6 +130,20 @@ static inline uint32_t scene_face_number(const roberts_scene *scene, uint32_t f)
     return scene->face_number ? scene->face_number[f] : f;
 }
 
+/* Return the body of a face or of an edge, by bisection. */
+uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face);
+uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge);
+
+/* Returns the first piece of the planar face that a piece belongs to. */
+static inline uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
+{
+    if (!scene_is_convex(scene, body))
+        while (piece > scene->solid[body].face &&
+               scene->surface->plane_of[piece - 1] == scene->surface->plane_of[piece])
+            piece--;
+    return piece;
+}
+
 /* Returns edge e of solid s as it is stored: vertices and faces count from the solid's first. */
 static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, uint32_t s, uint32_t e)
 {

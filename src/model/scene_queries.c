@@ -1,5 +1,32 @@
-/* scene_queries.c - public queries of a scene: how much of the input it contains, and the kinds of its bodies. */
+/* scene_queries.c - queries of a scene: how much of the input it contains, the kinds of its bodies, and which body an
+ * element belongs to. */
 #include "model/scene.h"
+
+uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].face <= face)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].edge <= edge)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
 
 size_t roberts_scene_solid_count(const roberts_scene *scene)
 {

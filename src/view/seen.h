@@ -264,6 +264,17 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
+/* Has an edge of a body that is not convex one face on its left in the picture and one on its right? facing: of the
+ * faces of its body. is: its entry of scene_surface.edge_is. */
+static inline bool seen_joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
+{
+    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
+        return false;
+    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
+    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
+    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
+}
+
 /* Returns the class of an edge of a convex body from the facing of its two faces. fronts: how many of them are
  * front. */
 static inline roberts_line seen_class(int fronts, int f, int g)

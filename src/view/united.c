@@ -134,20 +134,6 @@ void united_free(united *u)
     *u = (united){0};
 }
 
-/* The body of an edge. */
-static uint32_t body_of(const roberts_scene *scene, uint32_t edge)
-{
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].edge <= edge)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 typedef struct edges_asked {
     const roberts_scene *scene;
     united_asked_fn *asked;
@@ -158,7 +144,7 @@ static bool line_of_edge(const void *context, uint32_t index, union_line *line, 
 {
     const edges_asked *edges = context;
     const roberts_scene *scene = edges->scene;
-    uint32_t body = body_of(scene, index);
+    uint32_t body = scene_body_of_edge(scene, index);
     if (!union_takes(scene, body) || !edges->asked(edges->context, body, index))
         return false;
     *line = union_line_of_edge(scene, body, index, own);
