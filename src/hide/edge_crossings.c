@@ -190,7 +190,8 @@ static bool list_edges(edge_finder *e, uint32_t body)
     for (uint32_t edge = scene->solid[body].edge; edge < scene->solid[body + 1].edge; edge++) {
         bool asked = false;
         for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
-            uint32_t f = face_at(scene, body, edge, k), first = f == ROBERTS_NONE ? f : scene_first_piece(scene, body, f);
+            uint32_t f = face_at(scene, body, edge, k),
+                     first = f == ROBERTS_NONE ? f : scene_first_piece(scene, body, f);
             if (f == ROBERTS_NONE || !e->touches[first])
                 continue;
             if (!asked && !seen_is_left_out(e->fronts->seen, body, edge))
