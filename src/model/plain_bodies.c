@@ -232,8 +232,6 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     found->count = 0;
     if (!point_grid_near(grid, point[a], point[b], w->rules.touching, found))
         return PLAIN_NO_MEMORY;
-    for (size_t i = 0; i < found->count; i++)
-        FETCH_AHEAD(&point[found->item[i]]);
     for (size_t i = 0; i < found->count; i++) {
         uint32_t v = found->item[i];
         double t;
@@ -262,27 +260,41 @@ static uint32_t *list_vertices(const plain_work *w, const uint32_t *end, size_t 
     return vertex;
 }
 
+/* Returns where the edges that begin at each vertex begin. end: the ends of the edges, which ascend. NULL: no
+ * memory. */
+static uint32_t *list_starts(const plain_work *w, const uint32_t *end, size_t edges)
+{
+    uint32_t count = w->scene->vertex_count, *first = alloc_array((size_t)count + 1, sizeof *first);
+    size_t i = 0;
+    for (uint32_t v = 0; first && v <= count; v++) {
+        while (i < edges && end[2 * i] < v)
+            i++;
+        first[v] = (uint32_t)i;
+    }
+    return first;
+}
+
 /* Does no vertex touch one of the edges? Edges are taken cell after cell, so that what one of them has asked for is
  * still at hand for the next. */
-static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges)
+static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges,
+                              size_t vertices)
 {
-    plain_answer answer = PLAIN_NO_MEMORY;
     point_list found = {0};
-    uint32_t *key = alloc_array(edges, sizeof *key), *order = alloc_array(edges, sizeof *order);
-    for (size_t i = 0; key && i < edges; i++)
-        key[i] = point_grid_cell(grid, w->scene->point[end[2 * i]]);
-    if (key && order && edges < ROBERTS_NONE && radix_order(key, (uint32_t)edges, order))
-        answer = PLAIN_YES;
-    for (size_t i = 0; answer == PLAIN_YES && i < edges; i++) {
-        if (i + 2 * EDGES_AHEAD < edges) {
-            FETCH_AHEAD(&end[2 * (size_t)order[i + 2 * EDGES_AHEAD]]);
-            FETCH_AHEAD(&w->scene->point[end[2 * (size_t)order[i + EDGES_AHEAD]]]);
+    uint32_t *first = edges < ROBERTS_NONE ? list_starts(w, end, edges) : NULL;
+    plain_answer answer = first ? PLAIN_YES : PLAIN_NO_MEMORY;
+    for (size_t k = 0; answer == PLAIN_YES && k < vertices; k++) {
+        uint32_t v = grid->item[k].number;
+        if (k + 2 * EDGES_AHEAD < vertices)
+            FETCH_AHEAD(&first[grid->item[k + 2 * EDGES_AHEAD].number]);
+        if (k + EDGES_AHEAD < vertices) {
+            FETCH_AHEAD(&end[2 * (size_t)first[grid->item[k + EDGES_AHEAD].number]]);
+            FETCH_AHEAD(&w->scene->point[grid->item[k + EDGES_AHEAD].number]);
         }
-        answer = is_clear(w, grid, end[2 * (size_t)order[i]], end[2 * (size_t)order[i] + 1], &found);
+        for (uint32_t e = first[v]; e < first[v + 1] && answer == PLAIN_YES; e++)
+            answer = is_clear(w, grid, v, end[2 * (size_t)e + 1], &found);
     }
     free(found.item);
-    free(key);
-    free(order);
+    free(first);
     return answer;
 }
 
@@ -296,7 +308,7 @@ static plain_answer are_clear(const plain_work *w)
     if (answer == PLAIN_YES && count > 0) {
         vertex = list_vertices(w, end, count, &vertices);
         answer = vertex && point_grid_build(&grid, w->scene->point, vertex, vertices)
-                     ? ask_edges(w, &grid, end, count / 2)
+                     ? ask_edges(w, &grid, end, count / 2, vertices)
                      : PLAIN_NO_MEMORY;
     }
     point_grid_free(&grid);
