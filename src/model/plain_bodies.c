@@ -7,7 +7,6 @@
 #include "base/array.h"
 #include "base/bits.h"
 #include "base/box.h"
-#include "base/sort.h"
 #include "model/body_edges.h"
 #include "model/face_pieces.h"
 #include "model/point_grid.h"
