@@ -19,6 +19,8 @@
 #define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
+/* Single faces that a worker keeps, a power of two. The next lines mostly meet the same ones. */
+#define KEPT_SINGLES 512u
 
 bool hide_worker_reserve(hide_worker *w, size_t lines)
 {
@@ -37,9 +39,14 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
+    w->single_mask = fronts->front_count > fronts->whole_count ? KEPT_SINGLES - 1 : 0;
+    w->single = alloc_array(w->single_mask + 1, sizeof *w->single);
+    for (uint32_t i = 0; w->single && i <= w->single_mask; i++)
+        w->single[i].front = ROBERTS_NONE;
     /* Extra room keeps the array away from what other threads write. One line is reserved so that there is an array to
      * point into. */
-    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
+    return w->seen && w->single && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) &&
+           hide_worker_reserve(w, 1);
 }
 
 static roberts_vec3 end_point(const hide_fronts *fronts, const seen_line *line, int k)
@@ -78,6 +85,7 @@ void hide_worker_free(hide_worker *w)
     free(w->sides.H);
     free(w->walk.item);
     free(w->seen);
+    free(w->single);
     free(w->level.item);
     *w = (hide_worker){0};
 }
@@ -175,8 +183,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     const hide_fronts *fronts = w->fronts;
     const hide_front *front = &fronts->front[index];
     const hide_box *own = &fronts->front_box[index];
-    hide_single single;
-    hide_meeting meeting = hide_meet(fronts, index, box, &single);
+    hide_meeting meeting = hide_meet(fronts, index, box, &w->single[index & w->single_mask]);
     bool ask = w->shrinks && ++w->met > MANY_FRONTS;
     if (!meeting.whole)
         w->sides.outline.corner = NULL; /* its corners may be where those of another face were */
@@ -510,7 +517,7 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
 {
     const hide_front *front = &fronts->front[index];
     uint32_t count;
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)

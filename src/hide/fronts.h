@@ -44,6 +44,7 @@ typedef struct hide_whole_front {
 
 /* A single face, which is computed whenever it is asked for: most faces of a mesh never are. */
 typedef struct hide_single {
+    uint32_t front; /* whose face it is; ROBERTS_NONE: nothing is computed yet */
     hide_face face;
     uint32_t turned[SEEN_TURNED]; /* room for its corners: see seen_corners() */
 } hide_single;
@@ -95,7 +96,8 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
     const scene_solid *s = &scene->solid[solid];
     size_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face;
     FETCH_ARRAY(fronts->P + s->vertex, vertices * sizeof *fronts->P);
-    FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
+    if (scene->face_plane)
+        FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
     FETCH_AHEAD(fronts->seen->facing + s->face);
     FETCH_AHEAD(scene->edge + s->stored);
 }
@@ -123,14 +125,17 @@ static inline hide_face hide_outline(const hide_fronts *fronts, uint32_t front, 
 /* Computes a single face of a body. (In front.c.) */
 void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to);
 
-/* Returns the faces of a front. `single` is the room for a single face. */
+/* Returns the faces of a front. `single` is the room for a single face, which may be there already. */
 static inline const hide_face *hide_faces(const hide_fronts *fronts, uint32_t front, uint32_t *count,
                                           hide_single *single)
 {
     const hide_front *f = &fronts->front[front];
     *count = 1;
     if (hide_is_face(f)) {
-        hide_make_face(fronts, f->solid, f->piece, single);
+        if (single->front != front) {
+            hide_make_face(fronts, f->solid, f->piece, single);
+            single->front = front;
+        }
         return &single->face;
     }
     *count = fronts->whole[front].face_count;

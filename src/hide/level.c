@@ -52,7 +52,7 @@ static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X
 {
     const hide_front *front = &fronts->front[index];
     uint32_t count;
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)

@@ -46,7 +46,7 @@ static inline roberts_vec3 union_place(const roberts_scene *scene, roberts_vec3 
 
 static inline plane union_plane(const roberts_scene *scene, uint32_t face)
 {
-    plane F = scene->face_plane[face];
+    plane F = scene_plane(scene, face);
     F.d /= scene->unit;
     return F;
 }

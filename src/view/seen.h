@@ -118,12 +118,12 @@ static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_
     return turned;
 }
 
-/* Returns the facing of a face of any other body that is mapped. Unless it is VIEW_EDGE_ON, fills `out` with the face
- * turned toward the viewer. turned: as in seen_corners(). */
-int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+/* Finds the facing of a face of any other body that is mapped, and turns its corners toward the viewer. */
+int seen_either_face(seen *s, uint32_t face);
 
-/* Fills `out` with the same face again. */
-void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+/* Fills `out` with such a face, turned toward the viewer, and returns its shape in the model. turned: as in
+ * seen_corners(). */
+scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 
@@ -237,7 +237,7 @@ typedef struct seen_walk {
     /* pointers to the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
-    const plane *plane;
+    const plane *plane; /* of a convex body */
     uint32_t vertex;
 } seen_walk;
 
