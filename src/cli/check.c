@@ -102,9 +102,6 @@ int check_format(const cli_options *options)
 {
     const roberts_format format = options->draw.format;
     const bool is_binary = format == ROBERTS_PDF || format == ROBERTS_PNG;
-    if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
-        return message_misuse("--sheet makes a page, not a table: choose another format than %s",
-                              values_format_name(format));
     if (options->regions && strcmp(options->regions, "-") == 0 && strcmp(options->output, "-") == 0 &&
         format != ROBERTS_NULL)
         return message_misuse("--regions: the drawing goes to standard output: name a file, or write no drawing with "
