@@ -223,7 +223,10 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
-    return options->draw.fill != ROBERTS_FILL_NONE && options->draw.format != ROBERTS_NULL;
+    const roberts_format format = options->draw.format;
+    const bool fills = format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_PS ||
+                       format == ROBERTS_EPS || format == ROBERTS_PNG || format == ROBERTS_TIKZ;
+    return fills && options->draw.fill != ROBERTS_FILL_NONE;
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
