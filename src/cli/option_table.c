@@ -340,10 +340,11 @@ static const option rows[] = {
      .brief = "toward the light",
      .help = "the direction toward the light, as the viewer sees it: X to the right, Y upward, Z toward the viewer "
              "(default: -1,2,3)",
-     .manual = "The direction toward the light for --fill shade, as the viewer sees it: X is to the right, Y upward "
-               "and Z toward the viewer, in every view. It has any length. Default: -1,2,3, from the upper left. A "
-               "face that looks toward the light has its full colour; others have 0.45 of it, and 0.55 times the cosine "
-               "of the angle between normal and light (Lambert's law)."},
+     .manual =
+         "The direction toward the light for --fill shade, as the viewer sees it: X is to the right, Y upward "
+         "and Z toward the viewer, in every view. It has any length. Default: -1,2,3, from the upper left. A "
+         "face that looks toward the light has its full colour; others have 0.45 of it, and 0.55 times the cosine "
+         "of the angle between normal and light (Lambert's law)."},
     {.group = GROUP_PAGE,
      .name = "dpi",
      .flags = OPTION_PAPER,

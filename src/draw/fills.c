@@ -14,9 +14,9 @@
 #include "draw/page_regions.h"
 #include "draw/shade.h"
 
-/* mm. Wider than a pixel of a screen (96 dpi), so that seams cover what smoothing leaves open; but no wider than the
- * lines that cover the ends of seams, and if there are none, as narrow as can be. */
-static const double widest_seam = 0.3, narrowest_seam = 0.04;
+/* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers what smoothing leaves open. Where
+ * lines bound the picture, it is no wider than these, so that it does not stick out of what is thin. */
+static const double widest_seam = 0.3, narrowest_seam = 0.15;
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
@@ -102,6 +102,8 @@ typedef struct side_list {
 typedef struct fill_work {
     const strokes *s;
     side_list side, seam;
+    page_point *rim; /* [rim_count] ends of sides with nothing behind them, sorted */
+    size_t rim_count, rim_room;
 } fill_work;
 
 static uint32_t key_of(fill_color c)
@@ -180,6 +182,32 @@ static bool add_seam(fill_work *w, size_t from, size_t to)
            (add_side(&w->seam, first->a, first->b, first->key) && add_side(&w->seam, first->b, first->a, first->key));
 }
 
+/* Notes the ends of sides that have nothing filled on their other side. False: no memory. */
+static bool add_rim(fill_work *w, size_t from, size_t to)
+{
+    const fill_side *first = &w->side.item[from];
+    for (size_t i = from + 1; i < to; i++)
+        if (compare_points(w->side.item[i].a, first->a) != 0)
+            return true;
+    if (from == to)
+        return true;
+    if (!array_reserve(&w->rim, &w->rim_room, w->rim_count + 2, sizeof *w->rim))
+        return false;
+    w->rim[w->rim_count++] = first->a;
+    w->rim[w->rim_count++] = first->b;
+    return true;
+}
+
+static int compare_rims(const void *pa, const void *pb)
+{
+    return compare_points(*(const page_point *)pa, *(const page_point *)pb);
+}
+
+static bool is_rim(const fill_work *w, page_point p)
+{
+    return w->rim_count > 0 && bsearch(&p, w->rim, w->rim_count, sizeof *w->rim, compare_rims);
+}
+
 /* Drops sides with one colour on both sides, and finds the seams. False: no memory. */
 static bool join_regions(fill_work *w)
 {
@@ -196,9 +224,11 @@ static bool join_regions(fill_work *w)
                 kept--; /* they run against one another */
             else
                 item[kept++] = item[next];
-        enough = add_seam(w, place, kept);
+        enough = add_rim(w, place, kept) && add_seam(w, place, kept);
     }
     w->side.count = kept;
+    if (w->rim_count > 1)
+        qsort(w->rim, w->rim_count, sizeof *w->rim, compare_rims);
     return enough;
 }
 
@@ -279,32 +309,59 @@ static size_t reverse_of(const side_list *sides, const fill_side *side)
     return i;
 }
 
-/* Draws a line from side `first` on, as far as it goes. False: no memory. */
-static bool draw_line(side_list *sides, size_t first, bool seam, polylines *out)
+/* Draws the ring that begins with side `first`. False: no memory. */
+static bool draw_ring(side_list *sides, size_t first, polylines *out)
 {
-    size_t i = first;
     const page_point start = sides->item[first].a;
     bool enough = polylines_start(out) && add_point(out, start);
-    while (enough && i != SIZE_MAX) {
+    for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &sides->item[i];
-        enough = add_point(out, side->b);
         side->done = 1;
-        if (seam)
-            sides->item[reverse_of(sides, side)].done = 1;
-        i = !seam && compare_points(side->b, start) == 0 ? SIZE_MAX : next_side(sides, side);
+        bool back = compare_points(side->b, start) == 0;
+        enough = back || add_point(out, side->b);
+        i = back ? SIZE_MAX : next_side(sides, side);
     }
-    polyline *line = &out->item[out->count - 1];
-    if (enough && !seam) { /* it ends where it began */
-        line->closed = true;
-        line->count--;
-        out->point_count--;
-    }
+    out->item[out->count - 1].closed = true;
     return enough;
 }
 
-/* Appends all lines of the sides, colour by colour. False: no memory. */
-static bool paint(side_list *sides, bool seam, fills *out)
+/* Moves p toward q by `units`, but no farther than to the middle. */
+static page_point moved(page_point p, page_point q, double units)
 {
+    double part = fmin(units / page_distance(p, q), 0.5);
+    return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
+}
+
+/* Draws the seam that begins with side `first`, as far as it goes. It is cut short where the filled area ends, lest a
+ * corner of it stick out there. False: no memory. */
+static bool draw_seam(fill_work *w, size_t first, fills *out)
+{
+    polylines *lines = &out->lines;
+    const double trim = out->seam_mm / 2.0 * w->s->units_per_mm;
+    bool enough = polylines_start(lines) && add_point(lines, w->seam.item[first].a), ends = false;
+    for (size_t i = first; enough && i != SIZE_MAX;) {
+        fill_side *side = &w->seam.item[i];
+        w->seam.item[reverse_of(&w->seam, side)].done = 1;
+        side->done = 1;
+        enough = add_point(lines, side->b);
+        ends = is_rim(w, side->b);
+        i = ends ? SIZE_MAX : next_side(&w->seam, side);
+    }
+    if (!enough)
+        return false;
+    page_point *start = lines->point + lines->item[lines->count - 1].first;
+    page_point *end = lines->point + lines->point_count - 1;
+    if (is_rim(w, *start))
+        *start = moved(*start, start[1], trim);
+    if (ends)
+        *end = moved(*end, end[-1], trim);
+    return true;
+}
+
+/* Appends all lines of the sides, colour by colour. False: no memory. */
+static bool paint(fill_work *w, bool seam, fills *out)
+{
+    side_list *sides = seam ? &w->seam : &w->side;
     bool enough = true;
     if (sides->count > 1)
         qsort(sides->item, sides->count, sizeof *sides->item, compare_starts);
@@ -316,7 +373,7 @@ static bool paint(side_list *sides, bool seam, fills *out)
                     (fill_paint){color_of(sides->item[i].key), seam, out->lines.count, out->lines.count};
         }
         if (enough && !sides->item[i].done)
-            enough = draw_line(sides, i, seam, &out->lines);
+            enough = seam ? draw_seam(w, i, out) : draw_ring(sides, i, &out->lines);
         if (enough)
             out->paint[out->count - 1].end = out->lines.count;
     }
@@ -325,13 +382,9 @@ static bool paint(side_list *sides, bool seam, fills *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* No wider than the lines that bound the picture. */
 static double seam_width(const roberts_draw_options *options)
 {
-    double width = widest_seam;
-    width = fmin(width, options->outline.off ? 0.0 : options->outline.width_mm);
-    width = fmin(width, options->border.off ? 0.0 : options->border.width_mm);
-    return fmax(width, narrowest_seam);
+    return options->outline.off ? widest_seam : fmax(fmin(options->outline.width_mm, widest_seam), narrowest_seam);
 }
 
 bool fills_make(const strokes *s, fills *out)
@@ -340,10 +393,11 @@ bool fills_make(const strokes *s, fills *out)
     *out = (fills){.seam_mm = seam_width(s->options)};
     if (s->options->fill == ROBERTS_FILL_NONE)
         return true;
-    bool enough = page_regions_walk(s, take_region, &w) && join_regions(&w) && paint(&w.seam, true, out) &&
-                  paint(&w.side, false, out);
+    bool enough =
+        page_regions_walk(s, take_region, &w) && join_regions(&w) && paint(&w, true, out) && paint(&w, false, out);
     free(w.side.item);
     free(w.seam.item);
+    free(w.rim);
     return enough;
 }
 
