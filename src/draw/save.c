@@ -25,6 +25,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/vec.h"
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
@@ -96,6 +97,9 @@ roberts_draw_options roberts_draw_options_default(void)
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
+        .fill = ROBERTS_FILL_NONE,
+        .fill_color = {255, 255, 255},
+        .light = {-1.0, 2.0, 3.0},
         .dpi = 150.0,
     };
 }
@@ -141,6 +145,10 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
+    if (!(isnormal(vec3_length(options->light))))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the light comes from no direction");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
