@@ -381,7 +381,7 @@ static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint3
 static roberts_vec3 normal_of(const hide_job *job, uint32_t face)
 {
     const view *v = &job->seen.view;
-    const plane F = job->fronts.scene->face_plane[face];
+    const plane F = scene_plane(job->fronts.scene, face);
     const roberts_vec3 inward = {F.a, F.b, F.c},
                        n = vec3_scale(job->seen.facing[face] == VIEW_BACK ? 1.0 : -1.0, inward);
     const roberts_vec3 own = {vec3_dot(n, v->right), vec3_dot(n, v->up), vec3_dot(n, v->dir)};
