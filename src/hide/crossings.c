@@ -216,7 +216,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[list[i].front], *g = &fronts->front[list[k].front];
     crossing_face other[2];
-    if (f->own == g->own)
+    if (hide_key(fronts, f) == hide_key(fronts, g))
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);

@@ -166,10 +166,11 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
 {
     const hide_front *front = &w->fronts->front[index];
     uint64_t left = bits;
+    uint32_t key = hide_key(w->fronts, front);
     bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (seen_owns(w->fronts->scene, &line->is.own, front->own) ||
+        if (seen_owns(w->fronts->scene, &line->is.own, key) ||
             (surface && leaves_at_corner(w->fronts, &line->e, index)))
             left &= ~(bits & -bits);
     }
@@ -233,6 +234,12 @@ static inline bool is_apart(const hide_box *box, four least, four most)
     return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
+/* Is the front one of the body to which all lines belong? That body is convex. */
+static inline bool is_of_body(const hide_worker *w, uint32_t front)
+{
+    return seen_body_key(w->fronts->front[front].solid) == w->own;
+}
+
 /* Lines that go through the cells together: a single one, or all of a group. */
 typedef struct line_set {
     hide_line *first;    /* the line, or the group's first line */
@@ -253,7 +260,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
     if (w->own == ROBERTS_NONE)
         bits = not_left_out(w, p->first, bits, front);
-    return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
+    return !bits || is_of_body(w, front) || meet(w, p->first, bits, p->box, front);
 }
 
 /* As meet_once(), but only if the front's box reaches the lines' box. */
@@ -296,7 +303,7 @@ static bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
     for (uint32_t next; k < end; k = next) {
-        if (grid->next && fronts->front[grid->entry[k].front].own == w->own) {
+        if (grid->next && is_of_body(w, grid->entry[k].front)) {
             next = grid->next[k];
             continue;
         }

@@ -133,8 +133,8 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
             piece++;
         hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
         tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] = (hide_front){
-            .solid = solid, .own = seen_body_key(solid), .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};
+        tile->single[tile->single_count++] =
+            (hide_front){.solid = solid, .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};
     }
     return true;
 }
@@ -183,11 +183,7 @@ static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile
         tile->most_corners = count > tile->most_corners ? count : tile->most_corners;
         hide_bounds own = bounds_of(fronts, corner, count);
         fronts->front_box[to] = hide_box_around(&own);
-        fronts->front[to] = (hide_front){.solid = body,
-                                         .own = seen_face_key(scene, body, face),
-                                         .piece = face,
-                                         .listed = true,
-                                         .kind = HIDE_SURFACE_FACE};
+        fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
         cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
         to++;
     }
@@ -304,7 +300,6 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
     fronts->front_box[tile->whole] = *box;
     fronts->whole[tile->whole] = front;
-    fronts->front[tile->whole++] =
-        (hide_front){.solid = solid, .own = seen_body_key(solid), .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
+    fronts->front[tile->whole++] = (hide_front){.solid = solid, .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
     return true;
 }

@@ -25,7 +25,6 @@ typedef enum hide_kind {
 
 typedef struct hide_front {
     uint32_t solid;
-    uint32_t own;   /* its seen_face_key(): it does not hide lines that list this key */
     uint32_t piece; /* a single face: its number in the scene */
     uint8_t kind;   /* hide_kind */
     bool listed;    /* false: a copy of another front */
@@ -106,6 +105,13 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 static inline bool hide_is_face(const hide_front *front)
 {
     return front->kind >= HIDE_SOLID_FACE;
+}
+
+/* Returns the key of a front: it does not hide lines that list this key. */
+static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *front)
+{
+    return front->kind == HIDE_SURFACE_FACE ? scene_plane_number(fronts->scene, front->piece)
+                                            : seen_body_key(front->solid);
 }
 
 /* Returns the outline of a front as a polygon for tests 2 to 4; only its corners are set. turned: as in

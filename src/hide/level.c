@@ -104,8 +104,8 @@ bool hide_level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32
     for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
         const uint32_t index = w->grid->entry[k].front;
         const hide_front *front = &fronts->front[index];
-        if (may_hide(fronts, &fronts->front_box[index], X) && !seen_owns(fronts->scene, &line->own, front->own) &&
-            !take_front(fronts, index, X, hits))
+        if (may_hide(fronts, &fronts->front_box[index], X) &&
+            !seen_owns(fronts->scene, &line->own, hide_key(fronts, front)) && !take_front(fronts, index, X, hits))
             return false;
     }
     if (hits->count > 1)

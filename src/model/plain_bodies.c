@@ -452,11 +452,8 @@ static bool fill_surface(plain_work *w)
     scene->solid[scene->solid_count].edge = scene->edge_count = (uint32_t)sum;
     if (!to || !(to->kind = alloc_zeroed(scene->solid_count, 1)) ||
         !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)) ||
-        !(to->plane_of = alloc_array(scene->face_count, sizeof *to->plane_of)) ||
         (all_triangles(w) && !(to->bend = alloc_array(scene->edge_count, sizeof *to->bend))))
         return false;
-    for (uint32_t f = 0; f < scene->face_count; f++)
-        to->plane_of[f] = f;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         to->kind[s] = ROBERTS_CONVEX;
         if (!w->mark[s])

@@ -63,7 +63,7 @@ typedef struct scene_surface {
     uint8_t *smooth;    /* [solid_count] 1: a curved surface, many faces that mostly meet at small angles */
     uint8_t *edge_is;   /* [edge_count] EDGE_... flags, for bodies that are not convex */
     uint8_t *bend;      /* [edge_count] see scene_bend_code(), of edges with two faces; NULL: planes are stored */
-    uint32_t *plane_of; /* [face_count] faces with equal entries are pieces of one planar face */
+    uint32_t *plane_of; /* [face_count] see scene_plane_number(); NULL: each face has its own number */
     scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;
     scene_part *part; /* [part_count] sorted by edge */
@@ -139,12 +139,19 @@ static inline uint32_t scene_face_number(const roberts_scene *scene, uint32_t f)
 uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face);
 uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge);
 
+/* Returns the number of a face's plane. Faces with equal numbers are pieces of one planar face. The scene has bodies
+ * that are not convex. */
+static inline uint32_t scene_plane_number(const roberts_scene *scene, uint32_t face)
+{
+    return scene->surface->plane_of ? scene->surface->plane_of[face] : face;
+}
+
 /* Returns the first piece of the planar face that a piece belongs to. */
 static inline uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
 {
     if (!scene_is_convex(scene, body))
         while (piece > scene->solid[body].face &&
-               scene->surface->plane_of[piece - 1] == scene->surface->plane_of[piece])
+               scene_plane_number(scene, piece - 1) == scene_plane_number(scene, piece))
             piece--;
     return piece;
 }

@@ -316,11 +316,11 @@ static void take_own(const verifier *f, const crossed_faces *faces, seen_own *ow
                 own->key[count++] = seen_body_key(body);
             continue;
         }
-        own->key[count++] = scene->surface->plane_of[face];
+        own->key[count++] = scene_plane_number(scene, face);
         if (faces->edge[i] == ROBERTS_NONE)
             continue;
         const seen_own edge = seen_own_of(scene, body, faces->edge[i]);
-        own->key[count++] = edge.key[edge.key[0] == scene->surface->plane_of[face]];
+        own->key[count++] = edge.key[edge.key[0] == scene_plane_number(scene, face)];
         own->many = edge.many ? edge.many : own->many;
     }
 }

@@ -122,7 +122,7 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
     seen_own own = seen_owns_one(ROBERTS_NONE);
     for (int k = 0; k < 2; k++)
         if (e->f[k] != ROBERTS_NONE)
-            own.key[k] = surface->plane_of[scene->solid[body].face + e->f[k]];
+            own.key[k] = scene_plane_number(scene, scene->solid[body].face + e->f[k]);
     if (surface->edge_is[edge] & EDGE_MANY)
         own.many = scene_many_at(scene, edge);
     return own;

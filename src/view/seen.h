@@ -7,7 +7,7 @@
  * A face does not hide the lines that lie in it. So each face has a key, and a line lists the keys of its own faces:
  *
  *   - all faces of a convex body have one key, that of the body: none of them hides an edge with a front face;
- *   - the pieces of one planar face of another body share a key, their scene_surface.plane_of.
+ *   - the pieces of one planar face of another body share a key, their scene_plane_number().
  *
  * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
  * keys may belong to faces of two bodies.
@@ -137,7 +137,7 @@ static inline uint32_t seen_body_key(uint32_t body)
 
 static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, uint32_t face)
 {
-    return scene_is_convex(scene, body) ? seen_body_key(body) : scene->surface->plane_of[face];
+    return scene_is_convex(scene, body) ? seen_body_key(body) : scene_plane_number(scene, face);
 }
 
 /* The faces that do not hide a line because it lies in them. */
@@ -162,7 +162,7 @@ static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, ui
     const scene_many *many = own->many;
     bool found = own->key[0] == key || own->key[1] == key || own->key[2] == key || own->key[3] == key;
     for (uint32_t k = many ? many->first : 0; many && k < many->end && !found; k++)
-        found = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
+        found = scene_plane_number(scene, surface->many_face[k] & ~MANY_TURNED) == key;
     return found;
 }
 
