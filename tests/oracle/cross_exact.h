@@ -49,6 +49,7 @@ struct cross_finder {
     std::vector<box> boxes;
     std::vector<size_t> first;                                    /* see first_alike() */
     std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge: see take_edges() */
+    std::set<std::array<uint32_t, 2>> joined;                     /* edges of two faces: see join_edges() */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -211,6 +212,34 @@ struct cross_finder {
             else
                 edges[key] = o.edges.at(key);
         }
+        join_edges();
+    }
+
+    /* "Each piece of an edge has the faces of all edges that lie on it": edges that have not two faces divide one
+     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two faces
+     * is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
+    void join_edges()
+    {
+        std::set<uint32_t> ends; /* of edges that have not two faces */
+        for (const auto &[key, faces] : edges)
+            if (faces.size() != 2)
+                ends.insert(key.begin(), key.end());
+        for (const auto &[key, faces] : edges) {
+            if (faces.size() != 2 || !ends.count(key[0]) || !ends.count(key[1]))
+                continue;
+            const vec<rational> middle = carrier_of(key).at(rational(1) / 2);
+            const std::array<uint32_t, 2> whole = key;
+            if (std::none_of(ends.begin(), ends.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
+                std::any_of(edges.begin(), edges.end(),
+                            [&](const auto &e) { return e.second.size() != 2 && is_on(e.first, middle); }))
+                joined.insert(key);
+        }
+    }
+
+    /* Is the edge one with all others of this kind, where they lie on one another? */
+    bool is_open(const std::array<uint32_t, 2> &key) const
+    {
+        return edges.at(key).size() != 2 || joined.count(key) > 0;
     }
 
     std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */
@@ -314,15 +343,14 @@ struct cross_finder {
         return x * x + y * y + z * z < 3.046e-6;
     }
 
-    /* The faces that end at X in the edge, or in any edge there that has not two of them: such edges are one. */
+    /* The faces that end at X in the edge, or in all open edges there. */
     std::vector<size_t> group_at(const carrier &e, const vec<rational> &X) const
     {
-        const std::vector<size_t> &own = edges.at(e.key);
         std::vector<size_t> out;
-        if (own.size() == 2)
-            return own;
+        if (!is_open(e.key))
+            return edges.at(e.key);
         for (const auto &[key, faces] : edges)
-            if (faces.size() != 2 && is_on(key, X))
+            if (is_open(key) && is_on(key, X))
                 for (size_t f : faces)
                     if (std::find(out.begin(), out.end(), f) == out.end())
                         out.push_back(f);
@@ -376,7 +404,7 @@ struct cross_finder {
                 const vec<rational> &X) const
     {
         for (const auto &other : along)
-            if (edges.at(key).size() != 2 && other < key && edges.at(other).size() != 2 && is_on(other, X))
+            if (is_open(key) && other < key && is_open(other) && is_on(other, X))
                 return false;
         return true;
     }
@@ -399,7 +427,7 @@ struct cross_finder {
     {
         const carrier e = carrier_of(key);
         const std::vector<size_t> &own = edges.at(key);
-        const bool odd = own.size() != 2;
+        const bool open = is_open(key);
         std::vector<size_t> near;
         std::vector<std::array<uint32_t, 2>> along;
         std::vector<rational> cut{rational(0), rational(1)};
@@ -408,7 +436,7 @@ struct cross_finder {
                 near.push_back(f);
                 add_cuts(f, e, cut);
             }
-        std::vector<rational> divided; /* edges that have not two faces divide one another at their ends */
+        std::vector<rational> divided; /* open edges divide one another at their ends */
         for (const auto &[other, faces] : edges) {
             int on_line = 0;
             for (uint32_t v : other) {
@@ -417,7 +445,7 @@ struct cross_finder {
                     continue;
                 on_line++;
                 cut.push_back(dot(e.d, p) / dot(e.d, e.d));
-                if (odd && faces.size() != 2)
+                if (open && is_open(other))
                     divided.push_back(cut.back());
             }
             if (other != key && on_line == 2)
@@ -438,8 +466,7 @@ struct cross_finder {
                     holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
                     put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             for (const auto &other : along) {
-                const std::vector<size_t> more = edges.at(other);
-                if (!(key < other) || !is_on(other, X) || (odd && more.size() != 2) || !speaks(other, along, X))
+                if (!(key < other) || !is_on(other, X) || (open && is_open(other)) || !speaks(other, along, X))
                     continue;
                 const std::vector<size_t> theirs = group_at(carrier_of(other), X);
                 if (left_out(theirs, carrier_of(other), X))
