@@ -187,31 +187,55 @@ struct cross_finder {
         }
     };
 
-    /* Bodies that only touch keep their own edges: where the sides between two positions have two faces for each pair
-     * of the file's vertices, these are an edge each. Else all of them are one edge. */
-    void take_edges()
+    /* Positions that are equal are one vertex "where that closes what is open": bodies that are closed as they are in
+     * the file keep their own vertices, and so their own edges. Names each vertex of the file by the smallest one with
+     * which it is one vertex. */
+    std::vector<uint32_t> vertex_names() const
     {
-        std::map<std::array<uint32_t, 2>, std::map<std::array<uint32_t, 2>, std::vector<size_t>>> sides;
+        std::vector<uint32_t> body(o.mesh.vertex_count), name(body.size());
+        std::map<std::array<uint32_t, 2>, std::set<size_t>> sides;
+        std::iota(body.begin(), body.end(), 0);
+        const auto root = [&](uint32_t v) {
+            while (body[v] != v)
+                v = body[v];
+            return v;
+        };
+        for_sides([&](size_t f, uint32_t p, uint32_t q) {
+            sides[{std::min(p, q), std::max(p, q)}].insert(f);
+            body[std::max(root(p), root(q))] = std::min(root(p), root(q));
+        });
+        std::set<uint32_t> open;
+        for (const auto &[key, faces] : sides)
+            if (faces.size() != 2)
+                open.insert(root(key[0]));
+        std::map<uint32_t, uint32_t> least; /* of open bodies, by position */
+        for (uint32_t v = 0; v < name.size(); v++)
+            name[v] = open.count(root(v)) ? least.emplace(o.position[v], v).first->second : v;
+        return name;
+    }
+
+    /* Calls take(face, p, q) for each side, with its ends as in the file. */
+    template <class T> void for_sides(T take) const
+    {
         for (size_t f = 0; f < o.faces.size(); f++) {
             const uint32_t begin = o.mesh.face_start[o.faces[f].number], end = o.mesh.face_start[o.faces[f].number + 1];
             for (uint32_t i = begin; i < end; i++) {
                 const uint32_t p = o.mesh.corner[i], q = o.mesh.corner[i + 1 < end ? i + 1 : begin];
-                const uint32_t a = o.position[p], b = o.position[q];
-                if (a == b)
-                    continue;
-                std::vector<size_t> &of = sides[{std::min(a, b), std::max(a, b)}][{std::min(p, q), std::max(p, q)}];
-                if (of.empty() || of.back() != f)
-                    of.push_back(f);
+                if (o.position[p] != o.position[q])
+                    take(f, p, q);
             }
         }
-        for (const auto &[key, parts] : sides) {
-            const bool apart =
-                std::all_of(parts.begin(), parts.end(), [](const auto &p) { return p.second.size() == 2; });
-            if (apart)
-                edges.insert(parts.begin(), parts.end());
-            else
-                edges[key] = o.edges.at(key);
-        }
+    }
+
+    void take_edges()
+    {
+        const std::vector<uint32_t> name = vertex_names();
+        for_sides([&](size_t f, uint32_t p, uint32_t q) {
+            const uint32_t a = name[p], b = name[q];
+            std::vector<size_t> &of = edges[{std::min(a, b), std::max(a, b)}];
+            if (of.empty() || of.back() != f)
+                of.push_back(f);
+        });
         join_edges();
     }
 
@@ -525,13 +549,19 @@ struct cross_finder {
     /* Returns, for each face, the first one that has the same corners. */
     std::vector<size_t> first_alike() const
     {
+        const std::vector<uint32_t> name = vertex_names();
         std::map<std::vector<uint32_t>, size_t> known;
         std::vector<size_t> out;
         for (const polygon &f : o.faces) {
-            std::vector<uint32_t> least;
+            std::vector<uint32_t> least, corners;
+            for (uint32_t i = o.mesh.face_start[f.number]; i < o.mesh.face_start[f.number + 1]; i++)
+                if (corners.empty() || corners.back() != name[o.mesh.corner[i]])
+                    corners.push_back(name[o.mesh.corner[i]]);
+            while (corners.size() > 1 && corners.front() == corners.back())
+                corners.pop_back();
             for (int way = 0; way < 2; way++)
-                for (size_t i = 0; i < f.corner.size(); i++) {
-                    std::vector<uint32_t> c(f.corner);
+                for (size_t i = 0; i < corners.size(); i++) {
+                    std::vector<uint32_t> c(corners);
                     if (way)
                         std::reverse(c.begin(), c.end());
                     std::rotate(c.begin(), c.begin() + (long)i, c.end());
