@@ -429,6 +429,8 @@ typedef struct roberts_hide_options {
      * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
      * drawn. */
     bool unite;
+    bool merge_regions; /**< of roberts_regions() alone: neighbours in one plane with one colour are one region, which
+                             has the number of the first face; those of several bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -508,7 +510,7 @@ typedef struct roberts_region_list {
 /**
  * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
  * several that touch there, to that of the smallest solid, and then to the smallest face.
- * options  NULL for the defaults; epsilon, grid and threads count, and which edges are drawn does not
+ * options  NULL for the defaults; epsilon, grid, threads and merge_regions count, and which edges are drawn does not
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
  * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
  * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
@@ -796,6 +798,12 @@ typedef enum roberts_column {
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
+/** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
+typedef struct roberts_plotter {
+    bool centre;   /**< the origin is in the middle of the page */
+    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+} roberts_plotter;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -828,8 +836,9 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
-    double dpi;         /**< PNG: dots per inch; default: 150 */
+    bool number_layers;      /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    roberts_plotter plotter; /**< HP-GL; default: zeroed */
+    double dpi;              /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */
@@ -867,8 +876,10 @@ roberts_status roberts_drawing_save(const roberts_drawing *drawing, const robert
 /**
  * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
  * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
- * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
- * _IO.
+ * rings (arrays of [x, y]). If options->format is ROBERTS_CSV, it is a table with one row for each region: body, face,
+ * area, z0, z1, color (numbers with blanks between) and polygon (a MULTIPOLYGON as well-known text, in which the
+ * corners of rings are x y). Of `options`, which may be NULL, else only `temporary` counts. Returns ROBERTS_OK,
+ * _NO_MEMORY or _IO.
  */
 roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);

@@ -145,6 +145,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
     if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))
@@ -221,7 +223,10 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
                                    roberts_error *error)
 {
     if (what->regions) {
-        region_table_write(what->regions, out);
+        if (options->format == ROBERTS_CSV)
+            region_table_write_csv(what->regions, out);
+        else
+            region_table_write_json(what->regions, out);
         return ROBERTS_OK;
     }
     switch (options->format) {
@@ -562,7 +567,7 @@ roberts_status roberts_regions_save(const roberts_region_list *regions, const ro
                                     const char *path, roberts_error *error)
 {
     roberts_draw_options own = roberts_draw_options_default();
-    own.format = ROBERTS_JSON;
+    own.format = options && options->format == ROBERTS_CSV ? ROBERTS_CSV : ROBERTS_JSON;
     if (options) {
         own.temporary = options->temporary;
         own.temporary_context = options->temporary_context;
