@@ -392,10 +392,12 @@ typedef struct roberts_drawing {
                                      faces that are not edge-on */
     size_t crossing_pairs;      /**< pairs of faces that cross there */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
-                         roberts_page_shape()) */
-    bool windowed;  /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
-    double epsilon; /**< the touching distance that was used, model units */
+    bool framed;   /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
+                        roberts_page_shape()) */
+    bool windowed; /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
+    const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for what fills it; of the same
+                                                    scene and camera. NULL: not known. Set it before drawing */
+    double epsilon;                            /**< the touching distance that was used, model units */
     roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
@@ -427,6 +429,8 @@ typedef struct roberts_hide_options {
      * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
      * drawn. */
     bool unite;
+    bool merge_regions; /**< of roberts_regions() alone: neighbours in one plane with one colour are one region, which
+                             has the number of the first face; those of several bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -490,7 +494,9 @@ typedef struct roberts_region {
     size_t first_ring, ring_count;
     double area;         /**< in the picture, model units squared */
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
-    roberts_color color; /**< the face's, as in the input */
+    roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
+                              upward, z toward the viewer */
+    roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
 } roberts_region;
 
 /** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
@@ -504,7 +510,7 @@ typedef struct roberts_region_list {
 /**
  * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
  * several that touch there, to that of the smallest solid, and then to the smallest face.
- * options  NULL for the defaults; epsilon, grid and threads count, and which edges are drawn does not
+ * options  NULL for the defaults; epsilon, grid, threads and merge_regions count, and which edges are drawn does not
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
  * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
  * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
@@ -743,6 +749,14 @@ typedef struct roberts_background {
     unsigned char red, green, blue;
 } roberts_background;
 
+/** What visible faces are filled with, below all lines. It needs `regions` in each drawing. */
+typedef enum roberts_fill {
+    ROBERTS_FILL_NONE,
+    ROBERTS_FILL_COLOR, /**< all with one colour */
+    ROBERTS_FILL_MODEL, /**< with their own colours; a face without a colour is left open, or light grey if shaded */
+    ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
+} roberts_fill;
+
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
@@ -784,6 +798,12 @@ typedef enum roberts_column {
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
+/** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
+typedef struct roberts_plotter {
+    bool centre;   /**< the origin is in the middle of the page */
+    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+} roberts_plotter;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -804,6 +824,11 @@ typedef struct roberts_draw_options {
                                         cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_background background; /**< default: off */
+    roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
+    unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
+    bool shaded;                   /**< fills are darker where less light falls; default: false */
+    roberts_vec3 light;            /**< toward the light, as the viewer sees it: x to the right, y upward, z toward the
+                                        viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
     const roberts_scene *scene;    /**< tables: the drawing's scene, which knows the faces and ends of edges, and
@@ -811,8 +836,9 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
-    double dpi;         /**< PNG: dots per inch; default: 150 */
+    bool number_layers;      /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    roberts_plotter plotter; /**< HP-GL; default: zeroed */
+    double dpi;              /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */
@@ -850,8 +876,10 @@ roberts_status roberts_drawing_save(const roberts_drawing *drawing, const robert
 /**
  * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
  * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
- * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
- * _IO.
+ * rings (arrays of [x, y]). If options->format is ROBERTS_CSV, it is a table with one row for each region: body, face,
+ * area, z0, z1, color (numbers with blanks between) and polygon (a MULTIPOLYGON as well-known text, in which the
+ * corners of rings are x y). Of `options`, which may be NULL, else only `temporary` counts. Returns ROBERTS_OK,
+ * _NO_MEMORY or _IO.
  */
 roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
@@ -887,8 +915,8 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
  * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
  * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
  * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
- * layers. In all else like roberts_drawing_write() and roberts_drawing_save(); a table cannot hold a sheet:
- * ROBERTS_BAD_ARGUMENT.
+ * layers. As CSV and JSON a sheet is one table, whose first column `view` is "front", "top", "left" or "right", or
+ * "iso". In all else like roberts_drawing_write() and roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

@@ -53,21 +53,34 @@ static const option rows[] = {
     {.group = GROUP_OUTPUT,
      .name = "regions",
      .flags = OPTION_FILE,
-     .value = "FILE.json",
+     .value = "FILE",
      .set = values_set_text,
      TO(regions),
      .excludes = "sheet turntable batch",
      .brief = "what is seen of each face",
-     .help = "write what is seen of each face as polygons with holes to FILE.json, beside the drawing",
+     .help = "write what is seen of each face as polygons with holes to FILE, beside the drawing: json, or csv by its "
+             "ending",
      .manual =
-         "Writes what is seen of each face to FILE.json (- is standard output), beside the drawing: an array with an "
+         "Writes what is seen of each face to FILE (- is standard output), beside the drawing: json, an array with an "
          "object for each face that is seen. body and face are numbered as in tables; face is null for a hull's face "
          "and where the near plane cuts. area is that of the picture, in model units squared. z0 and z1 say how near "
          "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
          "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
          "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
          "regions of all faces tile the picture without gaps and overlaps. Which lines are drawn, and --union, change "
-         "nothing. It fails if the near plane cuts a body that is not convex."},
+         "nothing.\n"
+         "If FILE ends in .csv, it is a table with a row for each face: body, face, area, z0, z1, color (numbers with "
+         "blanks between them) and polygon, a MULTIPOLYGON as well-known text, as geographers' programs read it."},
+    {.group = GROUP_OUTPUT,
+     .name = "merge-regions",
+     .set = values_set_flag,
+     TO(hide.merge_regions),
+     .needs = "regions",
+     .brief = "one region for coplanar neighbours",
+     .help = "neighbours in one plane with one colour are one region; with --union of several bodies, too",
+     .manual = "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
+               "the number of the first of them. With --union faces of several bodies do so, too. This is for "
+               "--regions; fills are joined by colour anyway."},
     {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
@@ -97,7 +110,7 @@ static const option rows[] = {
          "their arrangement (ISO 5456-2). ANGLE is first or third. In first angle projection the top view is below and "
          "the view from the left is at the right. In third angle projection the top view is above and the view from "
          "the right is at the right. The isometric view has no hidden lines. --scale, --fit and --align hold for all "
-         "views together, and --stats adds them up.\n"
+         "views together, and --stats adds them up. In a table, the first column names the view.\n"
          "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
          "than some 38 x 36 mm."},
     {.group = GROUP_OUTPUT,
@@ -311,6 +324,41 @@ static const option rows[] = {
                "rectangle that is in no layer. It is meant for the web, where the page round a drawing may be dark. "
                "Pen plotters may take it for something to draw."},
     {.group = GROUP_PAGE,
+     .name = "fill",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WITH",
+     .words = values_fills,
+     .set = values_set_fill,
+     .brief = "fill visible faces",
+     .help = "fill what is seen of faces, below the lines: none (the default), model (colours of the file), body (a "
+             "colour for each), shade (colours of the file, or grey, by the light), a colour as for --background; "
+             "shade:body, shade:COLOR",
+     .manual =
+         "Fills what is seen of each face, below all lines. none (the default) fills nothing. model takes the colours "
+         "of the file: a face's own, or the mean of those of its corners; a face without a colour is left open. body "
+         "gives each body one of nine colours that the colour-blind can tell apart, and begins again after nine. A "
+         "COLOR, as for --background, is that of all faces. shade takes the colours of the file, light grey where "
+         "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
+         "shade:COLOR do so with other colours.\n"
+         "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
+         "Below the borders between colours lie lines of at most 0.3 mm, so that no gap shines through on a screen. "
+         "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
+         "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
+    {.group = GROUP_PAGE,
+     .name = "light",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "X,Y,Z",
+     .set = values_set_direction,
+     TO(draw.light),
+     .brief = "toward the light",
+     .help = "the direction toward the light, as the viewer sees it: X to the right, Y upward, Z toward the viewer "
+             "(default: -1,2,3)",
+     .manual =
+         "The direction toward the light for --fill shade, as the viewer sees it: X is to the right, Y upward "
+         "and Z toward the viewer, in every view. It has any length. Default: -1,2,3, from the upper left. A "
+         "face that looks toward the light has its full colour; others have 0.45 of it, and 0.55 times the cosine "
+         "of the angle between normal and light (Lambert's law)."},
+    {.group = GROUP_PAGE,
      .name = "dpi",
      .flags = OPTION_PAPER,
      .value = "N",
@@ -322,6 +370,18 @@ static const option rows[] = {
      .manual =
          "The resolution of png, in dots per inch: 10 to 10000. Default: 150. An image has at most 32767 pixels a "
          "side."},
+    {.group = GROUP_PAGE,
+     .name = "plotter",
+     .flags = OPTION_PAPER,
+     .value = "ORIGIN[,TURN]",
+     .set = values_set_plotter,
+     .brief = "origin and turn of hpgl",
+     .help = "origin of hpgl, corner or center (default: corner), and how the page is turned: 90, 180 or 270",
+     .manual =
+         "Where an hpgl plotter has its origin: corner, the page's lower left one (the default), or center. TURN turns "
+         "the page counter-clockwise by 90, 180 or 270 degrees. A plotter whose x axis runs along the longer side of "
+         "the paper, as that of the HP 7475A, draws an upright page with corner,90 and a --landscape page as it is. "
+         "Large drafting plotters often have the origin in the middle."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,

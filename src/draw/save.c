@@ -25,10 +25,12 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/vec.h"
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
 #include "draw/region_table.h"
+#include "draw/sheet.h"
 #include "draw/strokes.h"
 #include "draw/table.h"
 
@@ -95,6 +97,9 @@ roberts_draw_options roberts_draw_options_default(void)
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
+        .fill = ROBERTS_FILL_NONE,
+        .fill_color = {255, 255, 255},
+        .light = {-1.0, 2.0, 3.0},
         .dpi = 150.0,
     };
 }
@@ -140,6 +145,12 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
+    if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
+    if (!(isnormal(vec3_length(options->light))))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the light comes from no direction");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;
@@ -194,23 +205,28 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     return status;
 }
 
-static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
-                                  roberts_error *error)
+/* A sheet is one table, which names the view of each row. */
+static void write_table(const subject *what, const roberts_draw_options *options, output *out)
 {
-    if (what->sheet)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
+    table_view view[ROBERTS_SHEET_VIEWS] = {{what->drawing, NULL}};
+    size_t count = what->sheet ? 0 : 1;
+    for (int i = 0; what->sheet && i < ROBERTS_SHEET_VIEWS; i++)
+        if (what->sheet->view[i])
+            view[count++] = (table_view){what->sheet->view[i], sheet_view_name(what->sheet->angle, i)};
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, options, out);
+        table_write_csv(view, count, options, out);
     else
-        table_write_json(what->drawing, options, out);
-    return ROBERTS_OK;
+        table_write_json(view, count, options, out);
 }
 
 static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
                                    roberts_error *error)
 {
     if (what->regions) {
-        region_table_write(what->regions, out);
+        if (options->format == ROBERTS_CSV)
+            region_table_write_csv(what->regions, out);
+        else
+            region_table_write_json(what->regions, out);
         return ROBERTS_OK;
     }
     switch (options->format) {
@@ -225,7 +241,8 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
         return write_page(what, options, out, error);
     case ROBERTS_CSV:
     case ROBERTS_JSON:
-        return write_table(what, options, out, error);
+        write_table(what, options, out);
+        return ROBERTS_OK;
     case ROBERTS_NULL:
         return ROBERTS_OK;
     }
@@ -550,7 +567,7 @@ roberts_status roberts_regions_save(const roberts_region_list *regions, const ro
                                     const char *path, roberts_error *error)
 {
     roberts_draw_options own = roberts_draw_options_default();
-    own.format = ROBERTS_JSON;
+    own.format = options && options->format == ROBERTS_CSV ? ROBERTS_CSV : ROBERTS_JSON;
     if (options) {
         own.temporary = options->temporary;
         own.temporary_context = options->temporary_context;

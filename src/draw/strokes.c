@@ -96,15 +96,23 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
 }
 
-/* Finds the part of p..q in the drawing's field of view, from t[0] to t[1]. False: there is none. After Y.-D. Liang, B.
+/* Finds the part of p..q in the view's field of view, from t[0] to t[1]. False: there is none. After Y.-D. Liang, B.
  * A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics 3(1), 1984. */
-static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
+static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
-    const roberts_vec2 low = drawing->window_min, high = drawing->window_max;
+    const roberts_vec2 low = view->low, high = view->high;
     t[0] = 0.0;
     t[1] = 1.0;
-    return !drawing->framed ||
+    return !view->drawing->framed ||
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
+}
+
+static void enlarge_by_fills(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                             roberts_vec2 *max)
+{
+    const roberts_region_list *regions = options->fill == ROBERTS_FILL_NONE ? NULL : drawing->regions;
+    for (size_t i = 0; regions && i < regions->corner_count; i++)
+        enlarge(min, max, regions->corner[i]);
 }
 
 /* The box of what is drawn, or the drawing's window. */
@@ -126,6 +134,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge(min, max, segment->p1);
         }
     }
+    if (options->outline.off || options->border.off) /* else no fill reaches farther than these */
+        enlarge_by_fills(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -136,12 +146,6 @@ static roberts_vec2 between(roberts_vec2 p, roberts_vec2 q, double t)
         return t == 0.0 ? p : q;
     return (roberts_vec2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
-
-/* A drawing and its place on the page. */
-typedef struct placed {
-    const roberts_drawing *drawing;
-    page_map map;
-} placed;
 
 static roberts_vec2 place(const strokes *s, const page_map *map, roberts_vec2 p)
 {
@@ -156,13 +160,13 @@ static bool is_point(const piece *p)
 
 /* Appends the pieces that are drawn, numbered from `number` on. Leaves out those without length once rounded. `p` has
  * room for all segments. */
-static void collect(const strokes *s, const placed *view, size_t number, pieces *p)
+static void collect(const strokes *s, const page_view *view, size_t number, pieces *p)
 {
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
-        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view->drawing, segment->p0, segment->p1, t))
+        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
         piece own = {.a = place(s, &view->map, between(segment->p0, segment->p1, t[0])),
@@ -217,21 +221,22 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
-static roberts_status draw(strokes *s, const placed *view, size_t views, roberts_error *error)
+static roberts_status draw(strokes *s, roberts_error *error)
 {
+    const page_view *view = s->view;
     size_t total = 0, number = 0;
     double epsilon = 0.0;
     pieces p = {0};
     page_point pen = {0, 0}; /* the upper left corner */
     roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < views; i++) {
+    for (size_t i = 0; i < s->views; i++) {
         total += view[i].drawing->count;
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
     }
     p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
-    for (size_t i = 0; i < views; number += view[i++].drawing->count)
+    for (size_t i = 0; i < s->views; number += view[i++].drawing->count)
         collect(s, &view[i], number, &p);
     if (!overlap_remove(&p, epsilon))
         status = error_no_memory(error);
@@ -241,6 +246,8 @@ static roberts_status draw(strokes *s, const placed *view, size_t views, roberts
         s->start[i + 1] = s->lines.count;
     }
     free(p.item);
+    if (status == ROBERTS_OK && !fills_make(s, &s->fills))
+        status = error_no_memory(error);
     return status;
 }
 
@@ -323,15 +330,14 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
-    return draw(s, &(placed){&shaped, s->map}, 1, error);
+    s->view[s->views++] = (page_view){drawing, s->map, min, max};
+    return draw(s, error);
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
                                   roberts_error *error)
 {
     sheet_map map;
-    placed view[ROBERTS_SHEET_VIEWS];
-    size_t views = 0;
     roberts_draw_options within = *options;
     *s = nothing_drawn(options);
     within.page = page_within_edge(options->page, widest_pen(sheet->view, ROBERTS_SHEET_VIEWS, options), options);
@@ -339,17 +345,18 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         if (sheet->view[i])
-            view[views++] = (placed){sheet->view[i], map.view[i]};
+            s->view[s->views++] = (page_view){.drawing = sheet->view[i], .map = map.view[i]};
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
     s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
-    return draw(s, view, views, error);
+    return draw(s, error);
 }
 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+    fills_free(&s->fills);
 }
 
 size_t strokes_part_end(const strokes *s, size_t first, size_t end)

@@ -3,6 +3,7 @@
 #define ROBERTS_DRAW_STROKES_H
 
 #include "draw/chain.h"
+#include "draw/fills.h"
 #include "draw/page.h"
 
 /* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, and the
@@ -16,17 +17,27 @@ static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,   ROBERTS_WI
                                                       ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
                                                       LINE_FRAME,     LINE_SYMBOL};
 
+/* A drawing and its place on the page. */
+typedef struct page_view {
+    const roberts_drawing *drawing;
+    page_map map;
+    roberts_vec2 low, high; /* if the drawing is `framed`: its field of view, extended to the page's shape */
+} page_view;
+
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm if the page is longer than 4 m). That is far finer than a
  * pen and short to write, and neighbours that share an end still share it. */
 typedef struct strokes {
     const roberts_draw_options *options;
     page_map map; /* of a sheet: of its front view */
     double units_per_mm;
+    page_view view[ROBERTS_SHEET_VIEWS]; /* [views] those of a sheet that are there, or the only one */
+    size_t views;
     const roberts_sheet *sheet;     /* NULL: a single drawing */
     const roberts_drawing *drawing; /* NULL: a sheet */
     double symbol_size;             /* of its symbol, as a part of full size; 0: there is none */
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
+    fills fills;                    /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
 } strokes;
