@@ -798,6 +798,12 @@ typedef enum roberts_column {
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
+/** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
+typedef struct roberts_plotter {
+    bool centre;   /**< the origin is in the middle of the page */
+    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+} roberts_plotter;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -830,8 +836,9 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
-    double dpi;         /**< PNG: dots per inch; default: 150 */
+    bool number_layers;      /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    roberts_plotter plotter; /**< HP-GL; default: zeroed */
+    double dpi;              /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */

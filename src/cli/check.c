@@ -246,6 +246,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--layers", "only layers of svg are numbered");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
+    if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
+        warn("--plotter", "only hpgl has a plotter's origin");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)
@@ -270,6 +272,17 @@ static void warn_ending(const cli_options *options)
         snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
                  values_format_name(written));
     message_warning(stderr, options->output, 0, text);
+}
+
+/* Regions are JSON, whatever the name. */
+static void warn_regions(const cli_options *options)
+{
+    char text[80];
+    roberts_format told;
+    if (!options->regions || !roberts_format_by_path(options->regions, &told) || told == ROBERTS_JSON)
+        return;
+    snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
+    message_warning(stderr, options->regions, 0, text);
 }
 
 /* A name with a place for a number, but no turntable: a file may have such a name, but that is hardly meant. */
@@ -346,6 +359,7 @@ void check_warn(const cli_options *options, const options_given *given)
         warn("--output", "the format null writes nothing");
     if (options_is_given(given, "format"))
         warn_ending(options);
+    warn_regions(options);
     warn_number(options);
     warn_twice(options);
     if (has_page(options->draw.format)) {

@@ -145,6 +145,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
     if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))
