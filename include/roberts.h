@@ -768,6 +768,19 @@ typedef enum roberts_order {
     ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line begins at the end of the one before */
 } roberts_order;
 
+/** How the lines of an SVG are grouped. Except for ROBERTS_GROUP_CLASS, groups and elements have a `class` and names
+ * for scripts and style sheets: a body's group has data-body (its number) and data-name (that of its group in the
+ * input, if it has one); a piece of an edge has data-edge="4-17" (its vertices, not for an intersection),
+ * data-faces="2,5" (the faces there, as roberts_segment_faces() gives them) and, where it is hidden, data-by (the body
+ * seen there). Pens are attributes of groups, so that rules of style sheets override them. On a sheet the views are the
+ * layers, with data-view="front"; the groups below are in them. */
+typedef enum roberts_grouping {
+    ROBERTS_GROUP_CLASS,   /**< a layer for each class, with one path */
+    ROBERTS_GROUP_BODY,    /**< a layer for each body, with a group of one path for each class */
+    ROBERTS_GROUP_ELEMENT, /**< a layer for each class, with a group for each body, with a path for each piece of an
+                                edge; pieces are not chained */
+} roberts_grouping;
+
 /** What was drawn on a page. */
 typedef struct roberts_ink {
     size_t strokes;        /**< how often the pen goes down */
@@ -806,13 +819,15 @@ typedef struct roberts_draw_options {
     roberts_background background; /**< default: off */
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
-    const roberts_scene *scene;    /**< tables: the drawing's scene, which knows the faces and ends of edges, and
-                                        names; NULL: these fields stay empty */
+    const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, which knows the faces and ends
+                                        of edges, and names; NULL: these fields stay empty */
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
-    double dpi;         /**< PNG: dots per inch; default: 150 */
+    bool number_layers;        /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
+    roberts_grouping grouping; /**< SVG; default: ROBERTS_GROUP_CLASS */
+    const char *id_prefix;     /**< SVG: all ids begin with it; default: NULL, nothing */
+    double dpi;                /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */

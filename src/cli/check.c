@@ -242,6 +242,10 @@ static void warn_pages(const cli_options *options, const options_given *given)
     warn_lost(options);
     if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
         warn("--layers", "only layers of svg are numbered");
+    if (options_is_given(given, "group") && draw->format != ROBERTS_SVG)
+        warn("--group", "only svg has groups");
+    if (options_is_given(given, "id-prefix") && draw->format != ROBERTS_SVG)
+        warn("--id-prefix", "only svg has ids");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))

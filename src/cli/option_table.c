@@ -381,6 +381,34 @@ static const option rows[] = {
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
          "from 1 hidden to 6 outline, 7 frame and 8 symbol, the same in every drawing. The software of AxiDraw finds "
          "layers by their numbers."},
+    {.group = GROUP_LINES,
+     .name = "group",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "BY",
+     .words = values_groups,
+     .set = values_set_group,
+     .brief = "groups of svg",
+     .help =
+         "groups of svg, for style sheets and scripts: class (the default), body (with its name, classes inside) or "
+         "element (every piece of an edge by itself)",
+     .manual =
+         "How the lines of svg are grouped. class (the default): a layer for each class, with one path. body: a layer "
+         "for each body, with a path for each class. element: a layer for each class, in it a group for each body, in "
+         "it a path for each piece of an edge; pieces are not joined to longer strokes.\n"
+         "With body and element, groups and elements have names for style sheets and scripts. class is the line's "
+         "class, body, view or edge. data-body and data-name are the body's number and its name in the file, if it has "
+         "one. data-edge is like 4-17, the edge's vertices, and data-faces like 2,5, the faces there; all as in "
+         "tables. A hidden piece has data-by, the body seen there. Pens are attributes of groups, so that rules of "
+         "style sheets override them. On sheets the views are the layers."},
+    {.group = GROUP_LINES,
+     .name = "id-prefix",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "TEXT",
+     .set = values_set_id_prefix,
+     .brief = "what ids of svg begin with",
+     .help = "ids of svg begin with this, so that several drawings can be in one page of the web",
+     .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. So several "
+               "drawings can be in one page of the web, where an id may be used only once."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

@@ -249,10 +249,15 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
-/* Whether what is written asks the scene for the faces of edges. */
 static bool is_table(const cli_options *options)
 {
     return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
+/* Whether what is written asks the scene for the faces of edges, or for names. */
+static bool needs_scene(const cli_options *options)
+{
+    return is_table(options) || (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
 }
 
 /* What messages call the drawing. */
@@ -361,7 +366,7 @@ static roberts_status save_regions(const cli_options *options, const roberts_sce
     return status;
 }
 
-/* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
+/* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
@@ -375,7 +380,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         warn_idle(options, *scene, &v);
     if (status == ROBERTS_OK)
         status = save_regions(options, *scene, &error);
-    if (last && !is_table(options)) {
+    if (last && !needs_scene(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;
     }

@@ -516,6 +516,31 @@ int values_set_layers(const option *o, const char *value, cli_options *options)
     return status;
 }
 
+const char *const values_groups[] = {"class", "body", "element", NULL};
+
+int values_set_group(const option *o, const char *value, cli_options *options)
+{
+    static const roberts_grouping groupings[] = {ROBERTS_GROUP_CLASS, ROBERTS_GROUP_BODY, ROBERTS_GROUP_ELEMENT};
+    size_t i;
+    int status = choose(o, value, &i);
+    if (status == EXIT_DONE)
+        options->draw.grouping = groupings[i];
+    return status;
+}
+
+int values_set_id_prefix(const option *o, const char *value, cli_options *options)
+{
+    static const char letters[] = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", others[] = "-.0123456789";
+    const char *at = value;
+    while (*at && (strchr(letters, *at) || (at > value && strchr(others, *at))))
+        at++;
+    if (*at || !*value)
+        return message_misuse("--%s: \"%s\" cannot begin an id: it needs a letter or _, then letters, digits, - . or _",
+                              o->name, value);
+    options->draw.id_prefix = value;
+    return EXIT_DONE;
+}
+
 /* ---- view ---- */
 
 const char *const values_views[] = {"iso",   "dimetric", "trimetric", "front",    "back",    "left",

@@ -110,7 +110,13 @@ static size_t envelope(const line_view *v, span *item, size_t count, span *work)
     return merged;
 }
 
-/* Joins neighbours of one class. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
+/* Whether pieces i and j may be joined. */
+static bool is_one_part(const pieces *p, uint32_t i, uint32_t j)
+{
+    return !p->part || p->part[p->item[i].number] == p->part[p->item[j].number];
+}
+
+/* Joins neighbours of one class and part. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
 static size_t join(const line_view *v, span *item, size_t count)
 {
     size_t kept = 0;
@@ -118,7 +124,8 @@ static size_t join(const line_view *v, span *item, size_t count)
         span *last = kept ? &item[kept - 1] : NULL;
         const piece *own = &v->p->item[item[i].piece];
         bool touches = last && item[i].t0 - last->t1 <= PIECE_TOUCH;
-        bool same = touches && v->p->item[last->piece].line == own->line;
+        bool same =
+            touches && v->p->item[last->piece].line == own->line && is_one_part(v->p, last->first, item[i].first);
         if (same && own->number < v->p->item[last->first].number)
             last->first = item[i].first;
         if (same || (touches && item[i].t1 - item[i].t0 < PIECE_TOUCH)) {

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/dashes.h"
+#include "draw/groups.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
 #include "draw/travel.h"
@@ -176,7 +177,7 @@ static void collect(const strokes *s, const placed *view, size_t number, pieces 
     }
 }
 
-static bool add_frame(strokes *s)
+static bool add_frame(const strokes *s, polylines *out)
 {
     const double x0 = s->frame_mm[0].x * s->units_per_mm, x1 = s->frame_mm[1].x * s->units_per_mm;
     const double y0 = s->frame_mm[0].y * s->units_per_mm, y1 = s->frame_mm[1].y * s->units_per_mm;
@@ -184,28 +185,31 @@ static bool add_frame(strokes *s)
     piece side[4];
     for (int i = 0; i < 4; i++)
         side[i] = (piece){.a = corner[i], .b = corner[i + 1], .line = LINE_FRAME};
-    return s->options->frame.off || chain_in_order(&(pieces){side, 4}, LINE_FRAME, &s->lines);
+    return s->options->frame.off || chain_in_order(&(pieces){.item = side, .count = 4}, LINE_FRAME, out);
 }
 
-static bool add_symbol(strokes *s)
+static bool add_symbol(const strokes *s, polylines *out)
 {
-    return s->symbol_size == 0.0 ||
-           symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, &s->lines);
+    return s->symbol_size == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, out);
 }
 
-/* Appends the polylines of one class; the pen comes from `*pen`. */
-static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, page_point *pen, roberts_error *error)
+roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
+                             roberts_error *error)
 {
-    size_t first = s->lines.count;
+    const bool apart = strokes_are_grouped(s->options) && s->options->grouping == ROBERTS_GROUP_ELEMENT;
+    const bool ordered = s->options->order == ROBERTS_ORDER_TRAVEL;
+    const size_t first = out->count;
     bool done;
     if (line == LINE_FRAME)
-        done = add_frame(s);
+        done = add_frame(s, out);
     else if (line == LINE_SYMBOL)
-        done = add_symbol(s);
-    else if (s->options->order == ROBERTS_ORDER_NONE)
-        done = chain_in_order(p, line, &s->lines);
+        done = add_symbol(s, out);
+    else if (apart)
+        done = chain_apart(p, line, out) && (!ordered || travel_order(out, first, pen));
+    else if (!ordered)
+        done = chain_in_order(p, line, out);
     else
-        done = chain_pieces(p, line, &s->lines) && travel_order(&s->lines, first, pen);
+        done = chain_pieces(p, line, out) && travel_order(out, first, pen);
     if (!done)
         return error_no_memory(error);
     if (!s->options->real_dashes || !is_broken(s->options, line))
@@ -213,7 +217,20 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
     const roberts_pen *with = strokes_pen(s->options, line);
     const dash_pattern pattern = {with->dash_mm * s->units_per_mm, with->gap_mm * s->units_per_mm,
                                   with->width_mm * s->units_per_mm};
-    return dashes_cut(&s->lines, first, &pattern, error);
+    return dashes_cut(out, first, &pattern, error);
+}
+
+/* Makes the polylines of all classes. */
+static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *error)
+{
+    page_point pen = {0, 0}; /* the upper left corner */
+    roberts_status status = ROBERTS_OK;
+    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
+        s->start[i] = s->lines.count;
+        status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
+        s->start[i + 1] = s->lines.count;
+    }
+    return status;
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
@@ -222,7 +239,7 @@ static roberts_status draw(strokes *s, const placed *view, size_t views, roberts
     size_t total = 0, number = 0;
     double epsilon = 0.0;
     pieces p = {0};
-    page_point pen = {0, 0}; /* the upper left corner */
+    uint32_t *part = NULL;
     roberts_status status = ROBERTS_OK;
     for (size_t i = 0; i < views; i++) {
         total += view[i].drawing->count;
@@ -231,16 +248,20 @@ static roberts_status draw(strokes *s, const placed *view, size_t views, roberts
     p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
-    for (size_t i = 0; i < views; number += view[i++].drawing->count)
+    for (size_t i = 0; i < views; number += view[i++].drawing->count) {
+        s->view_drawing[i] = view[i].drawing;
+        s->view_first[i] = (uint32_t)number;
         collect(s, &view[i], number, &p);
-    if (!overlap_remove(&p, epsilon))
-        status = error_no_memory(error);
-    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
-        s->start[i] = s->lines.count;
-        status = add_class(s, &p, line_order[i], &pen, error);
-        s->start[i + 1] = s->lines.count;
     }
+    s->view_count = views;
+    if (strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, total)))
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK && !overlap_remove(&p, epsilon))
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK)
+        status = part ? groups_make(s, &p, error) : make_classes(s, &p, error);
     free(p.item);
+    free(part);
     return status;
 }
 
@@ -323,7 +344,9 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
-    return draw(s, &(placed){&shaped, s->map}, 1, error);
+    roberts_status status = draw(s, &(placed){&shaped, s->map}, 1, error);
+    s->view_drawing[0] = drawing;
+    return status;
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
@@ -338,8 +361,10 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     if (!sheet_lay(sheet, &within, &map, error))
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
-        if (sheet->view[i])
+        if (sheet->view[i]) {
+            s->view_place[views] = i;
             view[views++] = (placed){sheet->view[i], map.view[i]};
+        }
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
     s->symbol_size = map.symbol_size;
@@ -350,6 +375,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+    free(s->group);
 }
 
 size_t strokes_part_end(const strokes *s, size_t first, size_t end)

@@ -16,6 +16,14 @@ static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,   ROBERTS_WI
                                                       ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
                                                       LINE_FRAME,     LINE_SYMBOL};
 
+/* The polylines of one class, of one body in one view. */
+typedef struct stroke_group {
+    size_t first, end; /* polylines */
+    uint32_t body;     /* ROBERTS_NONE: frame and symbol, which are in no view */
+    uint32_t view;     /* of the strokes' views; view_count: none */
+    roberts_line line;
+} stroke_group;
+
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm if the page is longer than 4 m). That is far finer than a
  * pen and short to write, and neighbours that share an end still share it. */
 typedef struct strokes {
@@ -29,6 +37,13 @@ typedef struct strokes {
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
+    /* SVG with groups: the polylines are in groups, and `start` is not used. */
+    stroke_group *group;
+    size_t group_count;
+    size_t view_count;
+    const roberts_drawing *view_drawing[ROBERTS_SHEET_VIEWS]; /* [view_count] */
+    uint32_t view_first[ROBERTS_SHEET_VIEWS];                 /* [view_count] the number of its first segment */
+    int view_place[ROBERTS_SHEET_VIEWS];                      /* [view_count] ROBERTS_SHEET_FRONT to _ISO */
 } strokes;
 
 /* Lays the drawing on the page and makes strokes of it. The box of what is drawn decides where it lies. A drawing with
@@ -41,6 +56,17 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
                                   roberts_error *error);
 void strokes_free(strokes *s);
+
+/* Whether the polylines are in groups. */
+static inline bool strokes_are_grouped(const roberts_draw_options *options)
+{
+    return options->format == ROBERTS_SVG && options->grouping != ROBERTS_GROUP_CLASS;
+}
+
+/* Appends the polylines of the pieces of one class, in order and with their dashes. The pen comes from `*pen`, which
+ * becomes the end of the last polyline. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (too many dashes). */
+roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
+                             roberts_error *error);
 
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);

@@ -4,10 +4,11 @@
  * numbers its groups by a counter of the process. */
 #include "draw/formats.h"
 #include "draw/plot.h"
+#include "draw/svg.h"
 
 /* ---- colours ---- */
 
-static void write_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
+void svg_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
 {
     static const char hex[] = "0123456789abcdef";
     const unsigned char part[] = {red, green, blue};
@@ -20,14 +21,34 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
 
 /* ---- text ---- */
 
-/* Writes UTF-8 with <, > and & as entities. A byte that belongs to no character of XML 1.0, in its shortest form (RFC
- * 3629), becomes a question mark: a file's name may hold any bytes. */
-static void write_escaped(output *out, const char *text)
+/* The entity of a character, or NULL. White space and quotes are changed in attributes alone. */
+static const char *entity_of(char c, bool in_attribute)
+{
+    switch (c) {
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '&':
+        return "&amp;";
+    case '"':
+        return in_attribute ? "&quot;" : NULL;
+    case '\t':
+        return in_attribute ? "&#9;" : NULL;
+    case '\n':
+        return in_attribute ? "&#10;" : NULL;
+    default:
+        return NULL;
+    }
+}
+
+static void write_escaped(output *out, const char *text, bool in_attribute)
 {
     while (*text) {
         size_t length = output_character(text);
-        if (*text == '<' || *text == '>' || *text == '&')
-            output_text(out, *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : "&amp;");
+        const char *entity = entity_of(*text, in_attribute);
+        if (entity)
+            output_text(out, entity);
         else if (length)
             output_bytes(out, text, length);
         else
@@ -36,31 +57,66 @@ static void write_escaped(output *out, const char *text)
     }
 }
 
-static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
+void svg_text(output *out, const char *text)
 {
-    const char *name = strokes_class_name(line);
-    const roberts_pen *pen = strokes_pen(options, line);
-    double dash[2];
-    output_text(out, "<g id=\"");
+    write_escaped(out, text, false);
+}
+
+void svg_attribute(output *out, const char *name, const char *text)
+{
+    output_text(out, " ");
     output_text(out, name);
-    output_text(out, "\" inkscape:groupmode=\"layer\" inkscape:label=\"");
+    output_text(out, "=\"");
+    write_escaped(out, text, true);
+    output_text(out, "\"");
+}
+
+void svg_id(output *out, const roberts_draw_options *options, const char *name)
+{
+    output_text(out, " id=\"");
+    if (options->id_prefix)
+        write_escaped(out, options->id_prefix, true);
+    output_text(out, name);
+    output_text(out, "\"");
+}
+
+void svg_layer(output *out, const roberts_draw_options *options, uint32_t number, const char *name)
+{
+    output_text(out, " inkscape:groupmode=\"layer\" inkscape:label=\"");
     if (options->number_layers) {
-        output_integer(out, strokes_class_number(line));
+        output_integer(out, number);
         output_text(out, " ");
     }
-    output_text(out, name);
-    output_text(out, "\">\n<path fill=\"none\" stroke=\"");
-    write_color(out, pen->red, pen->green, pen->blue);
+    write_escaped(out, name, true);
+    output_text(out, "\"");
+}
+
+void svg_pen(output *out, const roberts_draw_options *options, roberts_line line)
+{
+    const roberts_pen *pen = strokes_pen(options, line);
+    double dash[2];
+    output_text(out, " fill=\"none\" stroke=\"");
+    svg_color(out, pen->red, pen->green, pen->blue);
     output_text(out, "\" stroke-width=\"");
     output_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    if (strokes_dash(options, line, dash)) {
-        output_text(out, " stroke-dasharray=\"");
-        output_mm(out, dash[0]);
-        output_text(out, " ");
-        output_mm(out, dash[1]);
-        output_text(out, "\"");
-    }
+    if (!strokes_dash(options, line, dash))
+        return;
+    output_text(out, " stroke-dasharray=\"");
+    output_mm(out, dash[0]);
+    output_text(out, " ");
+    output_mm(out, dash[1]);
+    output_text(out, "\"");
+}
+
+static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
+{
+    const char *name = strokes_class_name(line);
+    output_text(out, "<g");
+    svg_id(out, options, name);
+    svg_layer(out, options, strokes_class_number(line), name);
+    output_text(out, ">\n<path");
+    svg_pen(out, options, line);
     output_text(out, " d=\"");
 }
 
@@ -114,21 +170,25 @@ static void write_element(output *out, const char *tag, const char *text)
     output_text(out, "<");
     output_text(out, tag);
     output_text(out, ">");
-    write_escaped(out, text);
+    svg_text(out, text);
     output_text(out, "</");
     output_text(out, tag);
     output_text(out, ">\n");
 }
 
 /* Outside of the layers, because a plotter must not draw it. */
-static void write_background(output *out, const roberts_page *page, const roberts_background *color)
+static void write_background(output *out, const roberts_draw_options *options)
 {
-    output_text(out, "<rect id=\"background\" width=\"");
+    const roberts_page *page = &options->page;
+    const roberts_background *color = &options->background;
+    output_text(out, "<rect");
+    svg_id(out, options, "background");
+    output_text(out, " width=\"");
     output_mm(out, page->width_mm);
     output_text(out, "\" height=\"");
     output_mm(out, page->height_mm);
     output_text(out, "\" fill=\"");
-    write_color(out, color->red, color->green, color->blue);
+    svg_color(out, color->red, color->green, color->blue);
     output_text(out, "\"/>\n");
 }
 
@@ -148,10 +208,14 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_element(out, "title", s->options->title);
     write_element(out, "desc", s->options->description);
     if (s->options->background.on)
-        write_background(out, page, &s->options->background);
+        write_background(out, s->options);
     svg_plot p = {s, out, (int32_t)(1000.0 / s->units_per_mm + 0.5)};
     const plotter to = {begin_layer, write_stroke, end_part, &p};
-    roberts_status status = plot_strokes(s, &to, out, error);
+    roberts_status status = ROBERTS_OK;
+    if (strokes_are_grouped(s->options))
+        svg_groups_write(s, out);
+    else
+        status = plot_strokes(s, &to, out, error);
     output_text(out, "</svg>\n");
     return status;
 }

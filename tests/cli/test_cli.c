@@ -355,6 +355,13 @@ static const struct {
     {"--layers named", "inkscape:label=\"outline\""},
     {"--layers numbered", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"6 outline\">"},
     {"--layers numbered --hidden dashed", "inkscape:label=\"1 hidden\""},
+    {"--group class", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"outline\">\n<path fill"},
+    {"--group body", "<g id=\"body-0\" class=\"body\" inkscape:groupmode=\"layer\" inkscape:label=\"body-0\" "
+                     "data-body=\"0\">\n<g class=\"crease\" fill=\"none\""},
+    {"--group element", "<path class=\"edge\" data-edge=\"4-6\" data-faces=\"1,5\" d=\"M"},
+    {"--group element --hidden dashed", "data-faces=\"2,3\" data-by=\"0\" d=\"M"},
+    {"--group element --id-prefix a.-_9", "<g id=\"a.-_9outline\" class=\"outline\" inkscape"},
+    {"--id-prefix a_ --background red", "<rect id=\"a_background\""},
     {"--hidden solid", "!stroke-dasharray"},
     {"--hidden solid", "id=\"hidden\""},
     {"--hidden dashed --dash pattern", "stroke-dasharray"},

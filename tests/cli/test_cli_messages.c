@@ -218,6 +218,9 @@ static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 static const struct {
     const char *arguments, *said;
 } misuse_cases[] = {
+    {"--group bodies", "bodies"},
+    {"--id-prefix 9a",
+     "--id-prefix: \"9a\" cannot begin an id: it needs a letter or _, then letters, digits, - . or _\n"},
     {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
                   "tabloid, or WxH in mm, as 210x297, or 8.5x11in\n"},
     {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
@@ -370,6 +373,8 @@ static const struct {
     {"--unit in --scale 1:1", ""},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
     {"--layers numbered -f pdf", "--layers has no effect: only layers of svg are numbered\n"},
+    {"--group body -f pdf", "--group has no effect: only svg has groups\n"},
+    {"--id-prefix a -f tikz", "--id-prefix has no effect: only svg has ids\n"},
     {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
     {"--background red -f hpgl", "--background has no effect: hpgl has no background\n"},
     {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},

@@ -16,7 +16,7 @@
 #include "memory.h"
 #include "temporary.h"
 
-static void saving_survives(roberts_format format, bool sheet)
+static void saving_survives(roberts_format format, bool sheet, roberts_grouping grouping)
 {
     /* some that coincide, in all classes: every step from segments to strokes has something to do */
     roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 9, 9), line_at(ROBERTS_CREASE, 3, 3, 6, 6),
@@ -33,6 +33,7 @@ static void saving_survives(roberts_format format, bool sheet)
     drawing.window_max = (roberts_vec2){9, 9};
     size_t before = memory_blocks, failures = 0;
     options.format = format;
+    options.grouping = grouping;
     for (size_t n = 1;; n++) {
         roberts_error error = {0};
         memory_fail(n);
@@ -63,9 +64,13 @@ static void saving(void **state)
     assert_non_null(file);
     fclose(file);
     for (int format = ROBERTS_SVG; format < ROBERTS_NULL; format++)
-        saving_survives((roberts_format)format, false);
+        saving_survives((roberts_format)format, false, ROBERTS_GROUP_CLASS);
     for (int format = ROBERTS_SVG; format < ROBERTS_CSV; format++)
-        saving_survives((roberts_format)format, true);
+        saving_survives((roberts_format)format, true, ROBERTS_GROUP_CLASS);
+    for (int grouping = ROBERTS_GROUP_BODY; grouping <= ROBERTS_GROUP_ELEMENT; grouping++) {
+        saving_survives(ROBERTS_SVG, false, (roberts_grouping)grouping);
+        saving_survives(ROBERTS_SVG, true, (roberts_grouping)grouping);
+    }
 }
 
 int main(void)
