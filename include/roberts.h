@@ -392,10 +392,12 @@ typedef struct roberts_drawing {
                                      faces that are not edge-on */
     size_t crossing_pairs;      /**< pairs of faces that cross there */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;    /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
-                         roberts_page_shape()) */
-    bool windowed;  /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
-    double epsilon; /**< the touching distance that was used, model units */
+    bool framed;   /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
+                        roberts_page_shape()) */
+    bool windowed; /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
+    const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for what fills it; of the same
+                                                    scene and camera. NULL: not known. Set it before drawing */
+    double epsilon;                            /**< the touching distance that was used, model units */
     roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
@@ -490,7 +492,9 @@ typedef struct roberts_region {
     size_t first_ring, ring_count;
     double area;         /**< in the picture, model units squared */
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
-    roberts_color color; /**< the face's, as in the input */
+    roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
+                              upward, z toward the viewer */
+    roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
 } roberts_region;
 
 /** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
@@ -743,6 +747,15 @@ typedef struct roberts_background {
     unsigned char red, green, blue;
 } roberts_background;
 
+/** What visible faces are filled with, below all lines. It needs `regions` in each drawing. */
+typedef enum roberts_fill {
+    ROBERTS_FILL_NONE,
+    ROBERTS_FILL_COLOR, /**< all with one colour */
+    ROBERTS_FILL_MODEL, /**< with their own colours; faces without a colour are left open */
+    ROBERTS_FILL_SHADE, /**< with their own colours or, without any, light grey; darker where less light falls */
+    ROBERTS_FILL_BODY,  /**< each body with a colour of its own */
+} roberts_fill;
+
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
@@ -817,6 +830,10 @@ typedef struct roberts_draw_options {
                                         cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_background background; /**< default: off */
+    roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
+    unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
+    roberts_vec3 light;            /**< toward the light, as the viewer sees it: x to the right, y upward, z toward the
+                                        viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
     const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, which knows the faces and ends

@@ -22,6 +22,7 @@ typedef struct picture_window {
 /* What is drawn on one page: one view, or those of a sheet. */
 typedef struct views {
     roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
+    roberts_region_list regions[ROBERTS_SHEET_VIEWS]; /* empty where nothing needs them */
     size_t count;
     bool explained; /* a warning has said why there is next to nothing on it */
 } views;
@@ -219,6 +220,24 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
+/* Whether what is drawn needs the visible regions of faces. */
+static bool needs_regions(const cli_options *options)
+{
+    return options->draw.fill != ROBERTS_FILL_NONE && options->draw.format != ROBERTS_NULL;
+}
+
+/* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
+static roberts_status find_regions(const cli_options *options, const roberts_scene *scene, views *v, size_t i,
+                                   roberts_error *error)
+{
+    if (!needs_regions(options) && !options->regions)
+        return ROBERTS_OK;
+    progress_stage("finding the visible regions");
+    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &v->regions[i], error);
+    v->drawing[i].regions = &v->regions[i];
+    return status;
+}
+
 /* What messages call a view of a sheet. */
 static const char *name_view(const cli_options *options, size_t i, char *name, size_t size)
 {
@@ -245,6 +264,8 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
             one.hide.keep_hidden = options->hide.keep_hidden && i != ROBERTS_SHEET_ISO; /* as ISO 5456-3 prefers */
         }
         status = hide(&one, scene, &v->drawing[i], run, error);
+        if (status == ROBERTS_OK)
+            status = find_regions(&one, scene, v, i, error);
     }
     return status;
 }
@@ -294,8 +315,10 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
 
 static void free_views(views *v)
 {
-    for (size_t i = 0; i < v->count; i++)
+    for (size_t i = 0; i < v->count; i++) {
         roberts_drawing_free(&v->drawing[i]);
+        roberts_regions_free(&v->regions[i]);
+    }
 }
 
 static roberts_status save(const cli_options *options, const roberts_scene *scene, const views *v, run_stats *run,
@@ -353,17 +376,10 @@ static void tell(const cli_options *options, const run_stats *run, const views *
 }
 
 /* Writes the visible regions, if they are wanted. */
-static roberts_status save_regions(const cli_options *options, const roberts_scene *scene, roberts_error *error)
+static roberts_status save_regions(const cli_options *options, const views *v, roberts_error *error)
 {
-    roberts_region_list regions;
-    if (!options->regions)
-        return ROBERTS_OK;
-    progress_stage("finding the visible regions");
-    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &regions, error);
-    if (status == ROBERTS_OK)
-        status = roberts_regions_save(&regions, &options->draw, options->regions, error);
-    roberts_regions_free(&regions);
-    return status;
+    return options->regions ? roberts_regions_save(&v->regions[0], &options->draw, options->regions, error)
+                            : ROBERTS_OK;
 }
 
 /* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
@@ -379,7 +395,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     if (status == ROBERTS_OK)
         warn_idle(options, *scene, &v);
     if (status == ROBERTS_OK)
-        status = save_regions(options, *scene, &error);
+        status = save_regions(options, &v, &error);
     if (last && !needs_scene(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

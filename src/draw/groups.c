@@ -20,7 +20,7 @@ typedef struct group_key {
 uint32_t groups_view(const strokes *s, uint32_t number)
 {
     uint32_t view = 0;
-    while (view + 1 < s->view_count && s->view_first[view + 1] <= number)
+    while (view + 1 < s->views && s->view[view + 1].first <= number)
         view++;
     return view;
 }
@@ -28,7 +28,7 @@ uint32_t groups_view(const strokes *s, uint32_t number)
 static const roberts_segment *segment_of(const strokes *s, uint32_t number)
 {
     const uint32_t view = groups_view(s, number);
-    return &s->view_drawing[view]->segment[number - s->view_first[view]];
+    return &s->view[view].drawing->segment[number - s->view[view].first];
 }
 
 /* Whether two segments, one after the other, are of one edge or one intersection. */
@@ -41,17 +41,17 @@ uint32_t *groups_parts(const strokes *s, size_t count)
 {
     const bool by_body = s->options->grouping == ROBERTS_GROUP_BODY;
     uint32_t *part = alloc_array(count, sizeof *part), next = 0;
-    for (size_t v = 0; part && v < s->view_count; v++) {
-        const roberts_drawing *d = s->view_drawing[v];
+    for (size_t v = 0; part && v < s->views; v++) {
+        const roberts_drawing *d = s->view[v].drawing;
         uint32_t most = 0;
         for (size_t i = 0; i < d->count; i++) {
             const roberts_segment *own = &d->segment[i];
             if (by_body) {
                 most = own->solid > most ? own->solid : most;
-                part[s->view_first[v] + i] = next + own->solid;
+                part[s->view[v].first + i] = next + own->solid;
             } else {
                 most += i > 0 && !is_same_edge(own - 1, own);
-                part[s->view_first[v] + i] = next + most;
+                part[s->view[v].first + i] = next + most;
             }
         }
         next += most + 1; /* views do not overlap; so it does no harm if this is more than 2^32 */
@@ -138,7 +138,7 @@ static roberts_status make_group(strokes *s, const pieces *p, stroke_group group
 
 roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
 {
-    const uint32_t none = (uint32_t)s->view_count;
+    const uint32_t none = (uint32_t)s->views;
     page_point pen = {0, 0}; /* the upper left corner */
     size_t groups = 2;       /* frame and symbol */
     roberts_status status = ROBERTS_OK;

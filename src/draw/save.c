@@ -25,6 +25,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/vec.h"
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
@@ -95,6 +96,9 @@ roberts_draw_options roberts_draw_options_default(void)
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
+        .fill = ROBERTS_FILL_NONE,
+        .fill_color = {255, 255, 255},
+        .light = {-1.0, 2.0, 3.0},
         .dpi = 150.0,
     };
 }
@@ -142,6 +146,10 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
     if (options->grouping < ROBERTS_GROUP_CLASS || options->grouping > ROBERTS_GROUP_ELEMENT)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to group the lines of SVG");
+    if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
+    if (!(isnormal(vec3_length(options->light))))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the light comes from no direction");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;

@@ -97,14 +97,14 @@ static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
     *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
 }
 
-/* Finds the part of p..q in the drawing's field of view, from t[0] to t[1]. False: there is none. After Y.-D. Liang, B.
+/* Finds the part of p..q in the view's field of view, from t[0] to t[1]. False: there is none. After Y.-D. Liang, B.
  * A. Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics 3(1), 1984. */
-static bool frame_cut(const roberts_drawing *drawing, roberts_vec2 p, roberts_vec2 q, double t[2])
+static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, double t[2])
 {
-    const roberts_vec2 low = drawing->window_min, high = drawing->window_max;
+    const roberts_vec2 low = view->low, high = view->high;
     t[0] = 0.0;
     t[1] = 1.0;
-    return !drawing->framed ||
+    return !view->drawing->framed ||
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
@@ -138,12 +138,6 @@ static roberts_vec2 between(roberts_vec2 p, roberts_vec2 q, double t)
     return (roberts_vec2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-/* A drawing and its place on the page. */
-typedef struct placed {
-    const roberts_drawing *drawing;
-    page_map map;
-} placed;
-
 static roberts_vec2 place(const strokes *s, const page_map *map, roberts_vec2 p)
 {
     roberts_vec2 mm = page_place(map, p);
@@ -157,13 +151,13 @@ static bool is_point(const piece *p)
 
 /* Appends the pieces that are drawn, numbered from `number` on. Leaves out those without length once rounded. `p` has
  * room for all segments. */
-static void collect(const strokes *s, const placed *view, size_t number, pieces *p)
+static void collect(const strokes *s, const page_view *view, size_t number, pieces *p)
 {
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
-        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view->drawing, segment->p0, segment->p1, t))
+        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
         piece own = {.a = place(s, &view->map, between(segment->p0, segment->p1, t[0])),
@@ -234,26 +228,25 @@ static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *e
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
-static roberts_status draw(strokes *s, const placed *view, size_t views, roberts_error *error)
+static roberts_status draw(strokes *s, roberts_error *error)
 {
+    const page_view *view = s->view;
     size_t total = 0, number = 0;
     double epsilon = 0.0;
     pieces p = {0};
     uint32_t *part = NULL;
     roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < views; i++) {
+    for (size_t i = 0; i < s->views; i++) {
         total += view[i].drawing->count;
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
     }
     p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
-    for (size_t i = 0; i < views; number += view[i++].drawing->count) {
-        s->view_drawing[i] = view[i].drawing;
-        s->view_first[i] = (uint32_t)number;
+    for (size_t i = 0; i < s->views; number += view[i++].drawing->count) {
+        s->view[i].first = (uint32_t)number;
         collect(s, &view[i], number, &p);
     }
-    s->view_count = views;
     if (strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, total)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK && !overlap_remove(&p, epsilon))
@@ -344,32 +337,27 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
-    roberts_status status = draw(s, &(placed){&shaped, s->map}, 1, error);
-    s->view_drawing[0] = drawing;
-    return status;
+    s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
+    return draw(s, error);
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
                                   roberts_error *error)
 {
     sheet_map map;
-    placed view[ROBERTS_SHEET_VIEWS];
-    size_t views = 0;
     roberts_draw_options within = *options;
     *s = nothing_drawn(options);
     within.page = page_within_edge(options->page, widest_pen(sheet->view, ROBERTS_SHEET_VIEWS, options), options);
     if (!sheet_lay(sheet, &within, &map, error))
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
-        if (sheet->view[i]) {
-            s->view_place[views] = i;
-            view[views++] = (placed){sheet->view[i], map.view[i]};
-        }
+        if (sheet->view[i])
+            s->view[s->views++] = (page_view){.drawing = sheet->view[i], .map = map.view[i], .place = i};
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
     s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
-    return draw(s, view, views, error);
+    return draw(s, error);
 }
 
 void strokes_free(strokes *s)

@@ -20,9 +20,18 @@ static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,   ROBERTS_WI
 typedef struct stroke_group {
     size_t first, end; /* polylines */
     uint32_t body;     /* ROBERTS_NONE: frame and symbol, which are in no view */
-    uint32_t view;     /* of the strokes' views; view_count: none */
+    uint32_t view;     /* of the strokes' views; views: none */
     roberts_line line;
 } stroke_group;
+
+/* A drawing and its place on the page. */
+typedef struct page_view {
+    const roberts_drawing *drawing;
+    page_map map;
+    int place;              /* on a sheet: ROBERTS_SHEET_FRONT to _ISO */
+    uint32_t first;         /* the number of its first segment */
+    roberts_vec2 low, high; /* if the drawing is `framed`: its field of view, extended to the page's shape */
+} page_view;
 
 /* Points are rounded to the page's unit, 0.001 mm (0.01 mm if the page is longer than 4 m). That is far finer than a
  * pen and short to write, and neighbours that share an end still share it. */
@@ -30,6 +39,8 @@ typedef struct strokes {
     const roberts_draw_options *options;
     page_map map; /* of a sheet: of its front view */
     double units_per_mm;
+    page_view view[ROBERTS_SHEET_VIEWS]; /* [views] those of a sheet that are there, or the only one */
+    size_t views;
     const roberts_sheet *sheet;     /* NULL: a single drawing */
     const roberts_drawing *drawing; /* NULL: a sheet */
     double symbol_size;             /* of its symbol, as a part of full size; 0: there is none */
@@ -40,10 +51,6 @@ typedef struct strokes {
     /* SVG with groups: the polylines are in groups, and `start` is not used. */
     stroke_group *group;
     size_t group_count;
-    size_t view_count;
-    const roberts_drawing *view_drawing[ROBERTS_SHEET_VIEWS]; /* [view_count] */
-    uint32_t view_first[ROBERTS_SHEET_VIEWS];                 /* [view_count] the number of its first segment */
-    int view_place[ROBERTS_SHEET_VIEWS];                      /* [view_count] ROBERTS_SHEET_FRONT to _ISO */
 } strokes;
 
 /* Lays the drawing on the page and makes strokes of it. The box of what is drawn decides where it lies. A drawing with

@@ -45,7 +45,7 @@ static const char *view_name(const strokes *s, uint32_t view)
                                                     [ROBERTS_SHEET_TOP] = "top",
                                                     [ROBERTS_SHEET_SIDE] = first ? "left" : "right",
                                                     [ROBERTS_SHEET_ISO] = "iso"};
-    return names[s->view_place[view]];
+    return names[s->view[view].place];
 }
 
 /* ---- groups ---- */
@@ -55,7 +55,7 @@ static void open_view(const svg_groups *w, const stroke_group *g)
     const char *name = view_name(w->s, g->view);
     svg_id(w->out, w->s->options, name);
     output_text(w->out, " class=\"view\"");
-    svg_layer(w->out, w->s->options, (uint32_t)w->s->view_place[g->view] + 1, name);
+    svg_layer(w->out, w->s->options, (uint32_t)w->s->view[g->view].place + 1, name);
     svg_attribute(w->out, "data-view", name);
 }
 
@@ -170,8 +170,8 @@ static void write_stroke(const svg_groups *w, const polyline *line)
 /* The names of the edge that a piece is part of. */
 static void write_edge(const svg_groups *w, const stroke_group *g, uint32_t number)
 {
-    const roberts_drawing *drawing = w->s->view_drawing[g->view];
-    const roberts_segment *segment = &drawing->segment[number - w->s->view_first[g->view]];
+    const roberts_drawing *drawing = w->s->view[g->view].drawing;
+    const roberts_segment *segment = &drawing->segment[number - w->s->view[g->view].first];
     uint32_t face[2];
     output_text(w->out, " class=\"edge\"");
     if (segment->v0 != ROBERTS_NONE)

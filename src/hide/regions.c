@@ -327,20 +327,65 @@ static ring_place *sort_rings(const region_work *w)
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
 
-/* The colour that the input gives a face. */
-static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint32_t number)
+/* The first piece of a face of the input, in the scene before the near plane cuts it; ROBERTS_NONE: there is none. */
+static uint32_t source_face(const roberts_scene *source, uint32_t solid, uint32_t number)
 {
-    uint32_t low = source->solid[solid].face, high = source->solid[solid + 1].face;
-    while (number != ROBERTS_NONE && source->face_color && low < high) {
-        uint32_t middle = low + (high - low) / 2, found = scene_face_number(source, middle);
-        if (found == number)
-            return source->face_color[middle];
-        if (found < number)
+    uint32_t low = source->solid[solid].face, end = source->solid[solid + 1].face, high = end;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene_face_number(source, middle) < number)
             low = middle + 1;
         else
             high = middle;
     }
-    return (roberts_color){0};
+    return low < end && scene_face_number(source, low) == number ? low : ROBERTS_NONE;
+}
+
+/* The mean of the colours of the corners of a face's pieces; none if a corner has none, or only an index. */
+static roberts_color corners_color(const roberts_scene *source, uint32_t solid, uint32_t face)
+{
+    const uint32_t number = scene_face_number(source, face), end = source->solid[solid + 1].face;
+    double sum[4] = {0.0}, count = 0.0;
+    unsigned char parts = 3;
+    for (; face < end && scene_face_number(source, face) == number; face++)
+        for (uint32_t k = source->face_start[face]; k < source->face_start[face + 1]; k++) {
+            const roberts_color *own = &source->vertex_color[source->corner[k]];
+            if (own->count < 3)
+                return (roberts_color){0};
+            parts = own->count > parts ? own->count : parts;
+            for (int i = 0; i < 4; i++)
+                sum[i] += i < own->count ? (double)own->value[i] : 1.0; /* without alpha it is opaque */
+            count += 1.0;
+        }
+    roberts_color mean = {.count = parts};
+    for (int i = 0; i < parts; i++)
+        mean.value[i] = (float)(sum[i] / count);
+    return mean;
+}
+
+/* The colour that the input gives a face, or its corners. */
+static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint32_t number)
+{
+    const roberts_color none = {0};
+    if (number == ROBERTS_NONE || (!source->face_color && !source->vertex_color))
+        return none;
+    uint32_t face = source_face(source, solid, number);
+    if (face == ROBERTS_NONE)
+        return none;
+    if (source->face_color && source->face_color[face].count > 0)
+        return source->face_color[face];
+    return source->vertex_color ? corners_color(source, solid, face) : none;
+}
+
+/* The normal of a face on the side that is seen, along the axes of the viewer. */
+static roberts_vec3 normal_of(const hide_job *job, uint32_t face)
+{
+    const view *v = &job->seen.view;
+    const plane F = job->fronts.scene->face_plane[face];
+    const roberts_vec3 inward = {F.a, F.b, F.c},
+                       n = vec3_scale(job->seen.facing[face] == VIEW_BACK ? 1.0 : -1.0, inward);
+    const roberts_vec3 own = {vec3_dot(n, v->right), vec3_dot(n, v->up), vec3_dot(n, v->dir)};
+    return vec3_scale(1.0 / vec3_length(own), own);
 }
 
 static void put_corners(const region_work *w, const region_ring *ring, roberts_region_list *out)
@@ -395,6 +440,7 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
+                                                         .normal = normal_of(w->job, ring->face),
                                                          .color = color_of(w->job->seen.source, solid, face)};
         }
         out->region[out->count - 1].ring_count++;
