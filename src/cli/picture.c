@@ -223,7 +223,8 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
-    return options->draw.fill != ROBERTS_FILL_NONE && options->draw.format != ROBERTS_NULL;
+    const bool labels = options->draw.lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    return (options->draw.fill != ROBERTS_FILL_NONE || labels) && options->draw.format != ROBERTS_NULL;
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
@@ -333,6 +334,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.description = options->description.text;
     page.ink = &run->ink;
     page.scene = scene;
+    page.lettering.warnings = options->scene.warnings;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];

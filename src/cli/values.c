@@ -437,6 +437,8 @@ const char *const values_pens[] = {
     [PEN_HIDDEN] = "hidden",
     [PEN_FRAME] = "frame",
     [PEN_SYMBOL] = "symbol",
+    [PEN_TEXT] = "text",
+    [PEN_HIDDEN_TEXT] = "hidden-text",
     [PENS] = NULL,
 };
 
@@ -449,6 +451,8 @@ static const size_t pen_fields[PENS] = {
     [PEN_HIDDEN] = offsetof(roberts_draw_options, back),
     [PEN_FRAME] = offsetof(roberts_draw_options, frame),
     [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
+    [PEN_TEXT] = offsetof(roberts_draw_options, text),
+    [PEN_HIDDEN_TEXT] = offsetof(roberts_draw_options, hidden_text),
 };
 
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)
@@ -539,6 +543,35 @@ int values_set_id_prefix(const option *o, const char *value, cli_options *option
                               o->name, value);
     options->draw.id_prefix = value;
     return EXIT_DONE;
+}
+
+/* ---- text ---- */
+
+const char *const values_labels[] = {"vertices", "edges", "faces", "bodies", NULL};
+
+int values_set_label(const option *o, const char *value, cli_options *options)
+{
+    char word[64];
+    bool fits;
+    options->draw.lettering.labels = 0;
+    while (value) {
+        value = parse_word(value, ',', word, sizeof word, &fits);
+        const size_t i = parse_find(word, o->words);
+        if (!fits || !o->words[i])
+            return hint_unknown("--label", word, o->words, "with commas between several");
+        options->draw.lettering.labels |= 1u << i;
+    }
+    return EXIT_DONE;
+}
+
+const char *const values_texts[] = {"strokes", "native", NULL};
+
+int values_set_text_mode(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.lettering.native = i == 1;
+    return status;
 }
 
 /* ---- view ---- */

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "draw/deflater.h"
 #include "draw/formats.h"
+#include "draw/pdf_text.h"
 #include "draw/plot.h"
 
 enum { COMPRESSION = 1, OFFSET_DIGITS = 10 };
@@ -112,6 +113,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     output_start(&p->text, deflater_write, &p->deflater);
     write_page(p);
     roberts_status status = plot_strokes(s, &to, out, error);
+    pdf_text_write(s, &p->text);
     output_finish(&p->text, NULL); /* `out` knows of failures */
     deflater_finish(&p->deflater);
     deflater_end(&p->deflater);
@@ -128,15 +130,18 @@ static void begin_object(output *out, uint64_t object[OBJECTS], int number)
     output_text(out, " 0 obj\n");
 }
 
-static void write_head(output *out, const roberts_page *page, uint64_t object[OBJECTS])
+static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
 {
+    const roberts_page *page = &s->options->page;
     output_text(out, "%PDF-1.4\n%\xb5\xed\xae\xfb\n"); /* bytes above 127 say that the file is binary */
     begin_object(out, object, CATALOG);
     output_text(out, "<< /Type /Catalog /Pages 2 0 R >>\nendobj\n");
     begin_object(out, object, PAGES);
     output_text(out, "<< /Type /Pages /Kids [3 0 R] /Count 1 >>\nendobj\n");
     begin_object(out, object, PAGE);
-    output_text(out, "<< /Type /Page /Parent 2 0 R /Resources << >> /Contents 4 0 R /MediaBox [0 0 ");
+    output_text(out, "<< /Type /Page /Parent 2 0 R /Resources ");
+    output_text(out, pdf_text_resources(s));
+    output_text(out, " /Contents 4 0 R /MediaBox [0 0 ");
     write_numbers(out, (const double[]){page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 2,
                   "] >>\nendobj\n");
 }
@@ -158,7 +163,7 @@ static void write_tail(output *out, const uint64_t object[OBJECTS])
 roberts_status pdf_write(const strokes *s, output *out, roberts_error *error)
 {
     uint64_t object[OBJECTS] = {0};
-    write_head(out, &s->options->page, object);
+    write_head(out, s, object);
     begin_object(out, object, CONTENT);
     output_text(out, "<< /Length 5 0 R /Filter /FlateDecode >>\nstream\n");
     const uint64_t start = output_position(out);

@@ -204,6 +204,111 @@ static void end_part(void *context, bool last)
         output_text(p->out, "\\end{scope}\n");
 }
 
+/* ---- text of the document ---- */
+
+/* What TeX reads as a character of its own, or lacks in old fonts. */
+static const char *tex_name(uint32_t code)
+{
+    static const struct {
+        uint32_t code;
+        const char *name;
+    } names[] = {{'#', "\\#"},
+                 {'$', "\\$"},
+                 {'%', "\\%"},
+                 {'&', "\\&"},
+                 {'_', "\\_"},
+                 {'{', "\\{"},
+                 {'}', "\\}"},
+                 {'\\', "\\textbackslash{}"},
+                 {'^', "\\textasciicircum{}"},
+                 {'~', "\\textasciitilde{}"},
+                 {'<', "\\textless{}"},
+                 {'>', "\\textgreater{}"},
+                 {'|', "\\textbar{}"},
+                 {'"', "\\textquotedbl{}"},
+                 {0xd7, "\\ensuremath{\\times}"},
+                 {0xb0, "\\ensuremath{{}^\\circ}"},
+                 {0xb1, "\\ensuremath{\\pm}"},
+                 {0x2212, "\\ensuremath{-}"},
+                 {0x2300, "\\O{}"},
+                 {0x2220, "\\ensuremath{\\angle}"},
+                 {0x22a5, "\\ensuremath{\\perp}"}};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (names[i].code == code)
+            return names[i].name;
+    return NULL;
+}
+
+/* TeX has no commands for Greek letters that look like Latin ones. */
+static const char *tex_greek(int number)
+{
+    static const char *const small[] = {"alpha", "beta",    "gamma",     "delta", "varepsilon", "zeta",
+                                        "eta",   "theta",   "iota",      "kappa", "lambda",     "mu",
+                                        "nu",    "xi",      "mathrm{o}", "pi",    "rho",        "sigma",
+                                        "tau",   "upsilon", "varphi",    "chi",   "psi",        "omega"};
+    static const char *const capital[] = {"mathrm{A}", "mathrm{B}", "Gamma",     "Delta",     "mathrm{E}", "mathrm{Z}",
+                                          "mathrm{H}", "Theta",     "mathrm{I}", "mathrm{K}", "Lambda",    "mathrm{M}",
+                                          "mathrm{N}", "Xi",        "mathrm{O}", "Pi",        "mathrm{P}", "Sigma",
+                                          "mathrm{T}", "Upsilon",   "Phi",       "mathrm{X}", "Psi",       "Omega"};
+    return number > 32 ? capital[number - 33] : small[number - 1];
+}
+
+static void write_tex(output *out, const char *text)
+{
+    size_t length, count;
+    for (; *text; text += length) {
+        const uint32_t code = letters_decode(text, &length);
+        const int greek = letters_greek_number(code), level = letters_level(code);
+        const char *name = tex_name(code);
+        if (name) {
+            output_text(out, name);
+        } else if (greek) {
+            output_text(out, "\\ensuremath{\\");
+            output_text(out, tex_greek(greek));
+            output_text(out, "}");
+        } else if (level) {
+            output_text(out, level > 0 ? "\\textsuperscript{" : "\\textsubscript{");
+            output_bytes(out, letters_plain(code, &count), 1);
+            output_text(out, "}");
+        } else if (code == 0 || code < ' ') {
+            output_text(out, "?");
+        } else {
+            output_bytes(out, text, length);
+        }
+    }
+}
+
+/* Writes the text of a class as nodes, if it is no strokes: in the font and the size of the document. */
+static void write_nodes(const tikz *p, roberts_line class)
+{
+    const strokes *s = p->s;
+    const roberts_pen *pen = strokes_pen(s->options, class);
+    const char *style = class == LINE_TEXT ? "letters" : "hidden-letters";
+    size_t written = 0;
+    for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
+        const text_line line = notes_line(&s->notes, i);
+        const page_point at = {page_round(line.at.x * s->units_per_mm), page_round(line.at.y * s->units_per_mm)};
+        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+            continue;
+        if (written++ == 0) {
+            begin_style(p->out, style);
+            output_text(p->out, "inner sep=0pt,outer sep=0pt,text=");
+            write_color(p->out, pen->red, pen->green, pen->blue);
+            output_text(p->out, "}}}\n");
+        }
+        output_text(p->out, "\\node[roberts ");
+        output_text(p->out, style);
+        output_text(p->out, line.align <= 0.0  ? ",anchor=base west"
+                            : line.align < 1.0 ? ",anchor=base"
+                                               : ",anchor=base east");
+        output_text(p->out, line.reads_up ? ",rotate=90] at " : "] at ");
+        write_point(p, at);
+        output_text(p->out, " {");
+        write_tex(p->out, line.text);
+        output_text(p->out, "};\n");
+    }
+}
+
 /* Within a picture of the document, the file is a part of it. */
 static const char begin_picture[] =
     "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
@@ -227,6 +332,8 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
     roberts_status status = write_vertices(&p, error);
     if (status == ROBERTS_OK)
         status = plot_strokes(s, &to, out, error);
+    write_nodes(&p, LINE_HIDDEN_TEXT);
+    write_nodes(&p, LINE_TEXT);
     output_text(out, "\\end{\\robertspicture}\n");
     return status;
 }

@@ -29,6 +29,8 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.real_dashes = true;
     options.frame.off = false;
+    options.lettering.labels = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
+    options.lettering.native = format == ROBERTS_PDF;
     roberts_sheet both = {.view = {&drawing, &drawing}};
     drawing.window_max = (roberts_vec2){9, 9};
     size_t before = memory_blocks, failures = 0;
