@@ -751,9 +751,8 @@ typedef struct roberts_background {
 typedef enum roberts_fill {
     ROBERTS_FILL_NONE,
     ROBERTS_FILL_COLOR, /**< all with one colour */
-    ROBERTS_FILL_MODEL, /**< with their own colours; faces without a colour are left open */
-    ROBERTS_FILL_SHADE, /**< with their own colours or, without any, light grey; darker where less light falls */
-    ROBERTS_FILL_BODY,  /**< each body with a colour of its own */
+    ROBERTS_FILL_MODEL, /**< with their own colours; a face without a colour is left open, or light grey if shaded */
+    ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
 } roberts_fill;
 
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
@@ -865,6 +864,7 @@ typedef struct roberts_draw_options {
     roberts_background background; /**< default: off */
     roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
     unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
+    bool shaded;                   /**< fills are darker where less light falls; default: false */
     roberts_vec3 light;            /**< toward the light, as the viewer sees it: x to the right, y upward, z toward the
                                         viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */
@@ -952,8 +952,8 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
  * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
  * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
  * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
- * layers. In all else like roberts_drawing_write() and roberts_drawing_save(); a table cannot hold a sheet:
- * ROBERTS_BAD_ARGUMENT.
+ * layers. As CSV and JSON a sheet is one table, whose first column `view` is "front", "top", "left" or "right", or
+ * "iso". In all else like roberts_drawing_write() and roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

@@ -223,8 +223,11 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
+    const roberts_format format = options->draw.format;
+    const bool fills = format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_PS ||
+                       format == ROBERTS_EPS || format == ROBERTS_PNG || format == ROBERTS_TIKZ;
     const bool labels = options->draw.lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
-    return (options->draw.fill != ROBERTS_FILL_NONE || labels) && options->draw.format != ROBERTS_NULL;
+    return (fills && options->draw.fill != ROBERTS_FILL_NONE) || (labels && format < ROBERTS_CSV);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */

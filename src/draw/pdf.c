@@ -11,7 +11,10 @@
 #include "draw/pdf_text.h"
 #include "draw/plot.h"
 
-enum { COMPRESSION = 1, OFFSET_DIGITS = 10 };
+enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
+
+/* A file that is longer cannot say where its objects are. */
+static const uint64_t longest_file = 9999999999;
 
 enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, OBJECTS };
 
@@ -38,6 +41,14 @@ static void write_numbers(output *text, const double *number, int count, const c
 static void write_color(output *text, const unsigned char rgb[3], const char *operator)
 {
     write_numbers(text, (const double[]){rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0}, 3, operator);
+}
+
+/* Makes what follows as opaque as the resource says (write_resources()). */
+static void write_alpha(output *text, int alpha)
+{
+    output_text(text, "/A");
+    output_integer(text, (uint32_t)alpha);
+    output_text(text, " gs\n");
 }
 
 static void begin_class(void *context, roberts_line line)
@@ -94,11 +105,43 @@ static void write_page(pdf_plot *p)
                   "cm\n1 J 1 j\n");
 }
 
+/* Writes the lines of a paint; `operator` paints what is in the path. */
+static void write_paint(pdf_plot *p, const fill_paint *paint, const char *operator)
+{
+    const fills *f = &p->s->fills;
+    for (size_t i = paint->first; i < paint->end; i++) {
+        const polyline *line = &f->lines.item[i];
+        write_stroke(p, f->lines.point + line->first, line->count, line->closed);
+    }
+    output_text(&p->text, operator);
+}
+
+/* Seams end where they end, so that they do not stick out of what is filled. */
+static void write_fills(pdf_plot *p)
+{
+    const fills *f = &p->s->fills;
+    int alpha = 255;
+    if (f->count == 0)
+        return;
+    write_numbers(&p->text, (const double[]){f->seam_mm * p->s->units_per_mm}, 1, "w 0 J\n");
+    for (size_t i = 0; i < f->count; i++) {
+        const fill_color *color = &f->paint[i].color;
+        if (color->alpha != alpha)
+            write_alpha(&p->text, alpha = color->alpha);
+        write_color(&p->text, (const unsigned char[]){color->red, color->green, color->blue},
+                    f->paint[i].seam ? "RG\n" : "rg\n");
+        write_paint(p, &f->paint[i], f->paint[i].seam ? "S\n" : "f\n");
+    }
+    if (alpha != 255)
+        write_alpha(&p->text, 255);
+    output_text(&p->text, "1 J\n");
+}
+
 static bool put_compressed(void *out, const void *bytes, size_t size)
 {
     output *to = out;
     output_bytes(to, bytes, size);
-    return !to->failed;
+    return !to->failed && output_position(to) <= longest_file;
 }
 
 static roberts_status write_stream(const strokes *s, output *out, roberts_error *error)
@@ -112,9 +155,10 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     p->s = s;
     output_start(&p->text, deflater_write, &p->deflater);
     write_page(p);
+    write_fills(p);
     roberts_status status = plot_strokes(s, &to, out, error);
     pdf_text_write(s, &p->text);
-    output_finish(&p->text, NULL); /* `out` knows of failures */
+    output_finish(&p->text, NULL); /* `out` knows of failures, and pdf_write() looks at the length */
     deflater_finish(&p->deflater);
     deflater_end(&p->deflater);
     free(p);
@@ -130,6 +174,29 @@ static void begin_object(output *out, uint64_t object[OBJECTS], int number)
     output_text(out, " 0 obj\n");
 }
 
+/* The fonts of text, and a state of graphics for each translucency that fills use: they are called A0 to A255. */
+static void write_resources(output *out, const strokes *s)
+{
+    const fills *f = &s->fills;
+    bool used[256] = {false}, any = false;
+    for (size_t i = 0; i < f->count; i++)
+        used[f->paint[i].color.alpha] = true;
+    for (int alpha = 0; alpha < 255; alpha++)
+        any = any || used[alpha];
+    output_text(out, "<< ");
+    output_text(out, pdf_text_fonts(s));
+    output_text(out, any ? "/ExtGState << " : "");
+    for (uint32_t alpha = 0; any && alpha < 256; alpha++)
+        if (used[alpha] || alpha == 255) {
+            output_text(out, "/A");
+            output_integer(out, alpha);
+            output_text(out, " << /ca ");
+            output_number(out, alpha / 255.0);
+            output_text(out, " >> ");
+        }
+    output_text(out, any ? ">> >>" : ">>");
+}
+
 static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
 {
     const roberts_page *page = &s->options->page;
@@ -140,7 +207,7 @@ static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
     output_text(out, "<< /Type /Pages /Kids [3 0 R] /Count 1 >>\nendobj\n");
     begin_object(out, object, PAGE);
     output_text(out, "<< /Type /Page /Parent 2 0 R /Resources ");
-    output_text(out, pdf_text_resources(s));
+    write_resources(out, s);
     output_text(out, " /Contents 4 0 R /MediaBox [0 0 ");
     write_numbers(out, (const double[]){page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 2,
                   "] >>\nendobj\n");
@@ -169,6 +236,9 @@ roberts_status pdf_write(const strokes *s, output *out, roberts_error *error)
     const uint64_t start = output_position(out);
     roberts_status status = write_stream(s, out, error);
     const uint64_t size = output_position(out) - start;
+    if (status == ROBERTS_OK && !out->failed && output_position(out) + TAIL_MOST > longest_file)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "a PDF of more than 10^10 bytes cannot say where its parts are; choose another format");
     output_text(out, "\nendstream\nendobj\n");
     begin_object(out, object, CONTENT_LENGTH);
     output_digits(out, size, OFFSET_DIGITS);

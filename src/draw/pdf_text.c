@@ -192,10 +192,10 @@ void pdf_text_write(const strokes *s, output *to)
     write_class(s, LINE_TEXT, to);
 }
 
-const char *pdf_text_resources(const strokes *s)
+const char *pdf_text_fonts(const strokes *s)
 {
     if (!strokes_text_is_native(s->options) || s->notes.count == 0)
-        return "<< >>";
-    return "<< /Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> "
-           "/F2 << /Type /Font /Subtype /Type1 /BaseFont /Symbol >> >> >>";
+        return "";
+    return "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> "
+           "/F2 << /Type /Font /Subtype /Type1 /BaseFont /Symbol >> >> ";
 }

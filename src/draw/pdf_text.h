@@ -5,8 +5,8 @@
 #include "draw/output.h"
 #include "draw/strokes.h"
 
-/* The page's resources: the fonts, if the page has text that is no strokes; else none. */
-const char *pdf_text_resources(const strokes *s);
+/* The fonts, as a part of the page's resources; empty if the page has no text but strokes. */
+const char *pdf_text_fonts(const strokes *s);
 
 /* Writes the text of the page, in its units. */
 void pdf_text_write(const strokes *s, output *to);

@@ -118,6 +118,14 @@ static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, dou
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
+static void enlarge_by_fills(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                             roberts_vec2 *max)
+{
+    const roberts_region_list *regions = options->fill == ROBERTS_FILL_NONE ? NULL : drawing->regions;
+    for (size_t i = 0; regions && i < regions->corner_count; i++)
+        enlarge(min, max, regions->corner[i]);
+}
+
 /* The box of what is drawn, or the drawing's window. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
@@ -137,6 +145,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge(min, max, segment->p1);
         }
     }
+    if (options->outline.off || options->border.off) /* else no fill reaches farther than these */
+        enlarge_by_fills(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -321,6 +331,8 @@ static roberts_status draw(strokes *s, roberts_error *error)
         status = part ? groups_make(s, &p, error) : make_classes(s, &p, error);
     free(p.item);
     free(part);
+    if (status == ROBERTS_OK && !fills_make(s, &s->fills))
+        status = error_no_memory(error);
     return status;
 }
 
@@ -433,6 +445,7 @@ void strokes_free(strokes *s)
     polylines_free(&s->lines);
     notes_free(&s->notes);
     free(s->group);
+    fills_free(&s->fills);
 }
 
 size_t strokes_part_end(const strokes *s, size_t first, size_t end)

@@ -3,6 +3,7 @@
 #define ROBERTS_DRAW_STROKES_H
 
 #include "draw/chain.h"
+#include "draw/fills.h"
 #include "draw/notes.h"
 #include "draw/page.h"
 #include "draw/room.h"
@@ -55,6 +56,7 @@ typedef struct strokes {
     notes notes;
     room_box taken[TAKEN_MOST]; /* [taken_count] what labels keep away from */
     size_t taken_count;
+    fills fills; /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
     /* SVG with groups: the polylines are in groups, and `start` is not used. */

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "draw/formats.h"
 #include "draw/plot.h"
+#include "draw/tikz_text.h"
 
 static const double longest_mm = 5700.0; /* TeX's longest length is 5758 mm */
 
@@ -204,79 +205,48 @@ static void end_part(void *context, bool last)
         output_text(p->out, "\\end{scope}\n");
 }
 
-/* ---- text of the document ---- */
+/* ---- fills ---- */
 
-/* What TeX reads as a character of its own, or lacks in old fonts. */
-static const char *tex_name(uint32_t code)
+static void add_points(const tikz *p, const polylines *lines, const polyline *line)
 {
-    static const struct {
-        uint32_t code;
-        const char *name;
-    } names[] = {{'#', "\\#"},
-                 {'$', "\\$"},
-                 {'%', "\\%"},
-                 {'&', "\\&"},
-                 {'_', "\\_"},
-                 {'{', "\\{"},
-                 {'}', "\\}"},
-                 {'\\', "\\textbackslash{}"},
-                 {'^', "\\textasciicircum{}"},
-                 {'~', "\\textasciitilde{}"},
-                 {'<', "\\textless{}"},
-                 {'>', "\\textgreater{}"},
-                 {'|', "\\textbar{}"},
-                 {'"', "\\textquotedbl{}"},
-                 {0xd7, "\\ensuremath{\\times}"},
-                 {0xb0, "\\ensuremath{{}^\\circ}"},
-                 {0xb1, "\\ensuremath{\\pm}"},
-                 {0x2212, "\\ensuremath{-}"},
-                 {0x2300, "\\O{}"},
-                 {0x2220, "\\ensuremath{\\angle}"},
-                 {0x22a5, "\\ensuremath{\\perp}"}};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (names[i].code == code)
-            return names[i].name;
-    return NULL;
+    for (uint32_t i = 0; i < line->count; i++) {
+        if (i > 0)
+            output_text(p->out, i % POINTS_A_LINE == 0 ? "\n--" : "--");
+        write_point(p, lines->point[line->first + i]);
+    }
+    if (line->closed)
+        output_text(p->out, "--cycle\n");
 }
 
-/* TeX has no commands for Greek letters that look like Latin ones. */
-static const char *tex_greek(int number)
+/* One path for each colour, and one for each line of a seam. */
+static void write_fills(const tikz *p)
 {
-    static const char *const small[] = {"alpha", "beta",    "gamma",     "delta", "varepsilon", "zeta",
-                                        "eta",   "theta",   "iota",      "kappa", "lambda",     "mu",
-                                        "nu",    "xi",      "mathrm{o}", "pi",    "rho",        "sigma",
-                                        "tau",   "upsilon", "varphi",    "chi",   "psi",        "omega"};
-    static const char *const capital[] = {"mathrm{A}", "mathrm{B}", "Gamma",     "Delta",     "mathrm{E}", "mathrm{Z}",
-                                          "mathrm{H}", "Theta",     "mathrm{I}", "mathrm{K}", "Lambda",    "mathrm{M}",
-                                          "mathrm{N}", "Xi",        "mathrm{O}", "Pi",        "mathrm{P}", "Sigma",
-                                          "mathrm{T}", "Upsilon",   "Phi",       "mathrm{X}", "Psi",       "Omega"};
-    return number > 32 ? capital[number - 33] : small[number - 1];
-}
-
-static void write_tex(output *out, const char *text)
-{
-    size_t length, count;
-    for (; *text; text += length) {
-        const uint32_t code = letters_decode(text, &length);
-        const int greek = letters_greek_number(code), level = letters_level(code);
-        const char *name = tex_name(code);
-        if (name) {
-            output_text(out, name);
-        } else if (greek) {
-            output_text(out, "\\ensuremath{\\");
-            output_text(out, tex_greek(greek));
-            output_text(out, "}");
-        } else if (level) {
-            output_text(out, level > 0 ? "\\textsuperscript{" : "\\textsubscript{");
-            output_bytes(out, letters_plain(code, &count), 1);
-            output_text(out, "}");
-        } else if (code == 0 || code < ' ') {
-            output_text(out, "?");
-        } else {
-            output_bytes(out, text, length);
+    const fills *f = &p->s->fills;
+    for (size_t i = 0; i < f->count; i++) {
+        const fill_paint *paint = &f->paint[i];
+        const fill_color *color = &paint->color;
+        for (size_t k = paint->first; k < paint->end; k++) {
+            if (k == paint->first || paint->seam) {
+                output_text(p->out, paint->seam ? "\\path[line width=" : "\\path[fill=");
+                if (paint->seam) {
+                    output_mm(p->out, f->seam_mm);
+                    output_text(p->out, "mm,line cap=butt,line join=round,draw=");
+                }
+                write_color(p->out, color->red, color->green, color->blue);
+                if (color->alpha < 255) {
+                    output_text(p->out, ",fill opacity=");
+                    output_mm(p->out, color->alpha / 255.0);
+                }
+                output_text(p->out, "] ");
+            }
+            add_points(p, &f->lines, &f->lines.item[k]);
+            if (k + 1 == paint->end || paint->seam)
+                output_text(p->out, ";\n");
         }
     }
 }
+
+/* ---- text of the document ---- */
 
 /* Writes the text of a class as nodes, if it is no strokes: in the font and the size of the document. */
 static void write_nodes(const tikz *p, roberts_line class)
@@ -304,7 +274,7 @@ static void write_nodes(const tikz *p, roberts_line class)
         output_text(p->out, line.reads_up ? ",rotate=90] at " : "] at ");
         write_point(p, at);
         output_text(p->out, " {");
-        write_tex(p->out, line.text);
+        tikz_text_write(p->out, line.text);
         output_text(p->out, "};\n");
     }
 }
@@ -329,6 +299,7 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
     write_comment(out, s->options->description);
     output_text(out, begin_picture);
     write_page(&p);
+    write_fills(&p);
     roberts_status status = write_vertices(&p, error);
     if (status == ROBERTS_OK)
         status = plot_strokes(s, &to, out, error);
