@@ -220,10 +220,17 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
-    return options->draw.fill != ROBERTS_FILL_NONE && options->draw.format != ROBERTS_NULL;
+    const roberts_draw_options *page = &options->draw;
+    return (page->fill != ROBERTS_FILL_NONE || (page->hatching.on && !page->hatch.off)) &&
+           page->format != ROBERTS_NULL && !is_table(options);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
@@ -268,11 +275,6 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
             status = find_regions(&one, scene, v, i, error);
     }
     return status;
-}
-
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
 }
 
 /* Whether what is written asks the scene for the faces of edges, or for names. */

@@ -429,15 +429,9 @@ static int set_key(roberts_pen *pen, const char *item)
 }
 
 const char *const values_pens[] = {
-    [PEN_OUTLINE] = "outline",
-    [PEN_BORDER] = "border",
-    [PEN_CREASE] = "crease",
-    [PEN_INTERSECTION] = "intersection",
-    [PEN_WIRE] = "wire",
-    [PEN_HIDDEN] = "hidden",
-    [PEN_FRAME] = "frame",
-    [PEN_SYMBOL] = "symbol",
-    [PENS] = NULL,
+    [PEN_OUTLINE] = "outline", [PEN_BORDER] = "border", [PEN_CREASE] = "crease", [PEN_INTERSECTION] = "intersection",
+    [PEN_WIRE] = "wire",       [PEN_HIDDEN] = "hidden", [PEN_FRAME] = "frame",   [PEN_SYMBOL] = "symbol",
+    [PEN_HATCH] = "hatch",     [PENS] = NULL,
 };
 
 static const size_t pen_fields[PENS] = {
@@ -449,6 +443,7 @@ static const size_t pen_fields[PENS] = {
     [PEN_HIDDEN] = offsetof(roberts_draw_options, back),
     [PEN_FRAME] = offsetof(roberts_draw_options, frame),
     [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
+    [PEN_HATCH] = offsetof(roberts_draw_options, hatch),
 };
 
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)

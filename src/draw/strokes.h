@@ -5,16 +5,17 @@
 #include "draw/chain.h"
 #include "draw/page.h"
 
-/* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, and the
- * symbol of a sheet. */
+/* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the symbol
+ * of a sheet, and hatching. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
+#define LINE_HATCH ((roberts_line)(ROBERTS_BACK_OUTLINE + 3)) /* strokes on faces */
 
 /* From the undermost class to the uppermost. */
-enum { LINE_CLASSES = 8 };
-static const roberts_line line_order[LINE_CLASSES] = {ROBERTS_BACK,   ROBERTS_WIRE,   ROBERTS_INTERSECTION,
-                                                      ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
-                                                      LINE_FRAME,     LINE_SYMBOL};
+enum { LINE_CLASSES = 9 };
+static const roberts_line line_order[LINE_CLASSES] = {LINE_HATCH,           ROBERTS_BACK,   ROBERTS_WIRE,
+                                                      ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER,
+                                                      ROBERTS_OUTLINE,      LINE_FRAME,     LINE_SYMBOL};
 
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
@@ -30,6 +31,7 @@ typedef struct page_view {
     page_map map;
     int place;              /* on a sheet: ROBERTS_SHEET_FRONT to _ISO */
     uint32_t first;         /* the number of its first segment */
+    uint32_t first_region;  /* the number of its first region: after those of all segments */
     roberts_vec2 low, high; /* if the drawing is `framed`: its field of view, extended to the page's shape */
 } page_view;
 
@@ -86,7 +88,8 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* "outline", "hidden", ...: what a class is called in files. */
 const char *strokes_class_name(roberts_line line);
 
-/* The number of a class where layers and pens are numbered: from 1, the undermost first, the same in every drawing. */
+/* The number of a class where layers and pens are numbered, the same in every drawing: from 1, the undermost first, but
+ * hatching has the last one. */
 uint32_t strokes_class_number(roberts_line line);
 
 /* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and
