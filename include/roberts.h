@@ -756,9 +756,8 @@ typedef struct roberts_background {
 typedef enum roberts_fill {
     ROBERTS_FILL_NONE,
     ROBERTS_FILL_COLOR, /**< all with one colour */
-    ROBERTS_FILL_MODEL, /**< with their own colours; faces without a colour are left open */
-    ROBERTS_FILL_SHADE, /**< with their own colours or, without any, light grey; darker where less light falls */
-    ROBERTS_FILL_BODY,  /**< each body with a colour of its own */
+    ROBERTS_FILL_MODEL, /**< with their own colours; a face without a colour is left open, or light grey if shaded */
+    ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
 } roberts_fill;
 
 /** Which way the strokes of a hatching run. */
@@ -861,6 +860,7 @@ typedef struct roberts_draw_options {
     roberts_hatching hatching;     /**< default: off */
     roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
     unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
+    bool shaded;                   /**< fills are darker where less light falls; default: false */
     roberts_vec3 light;            /**< toward the light, as the viewer sees it: x to the right, y upward, z toward the
                                         viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */

@@ -235,6 +235,8 @@ static void warn_lost(const cli_options *options)
         warn("--background", "dxf has no background");
     if (draw->background.on && draw->format == ROBERTS_HPGL)
         warn("--background", "hpgl has no background");
+    if (draw->fill != ROBERTS_FILL_NONE && (draw->format == ROBERTS_DXF || draw->format == ROBERTS_HPGL))
+        warn("--fill", draw->format == ROBERTS_DXF ? "dxf has no filled areas" : "pens cannot fill");
     if (draw->format == ROBERTS_DXF && any_width_set(draw))
         warn("the width of a pen", "dxf has no widths of lines");
 }
@@ -243,6 +245,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw;
     warn_lost(options);
+    if (options_is_given(given, "light") && !draw->shaded)
+        warn("--light", "nothing is shaded without --fill shade");
     if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
         warn("--layers", "only layers of svg are numbered");
     if (options_is_given(given, "group") && draw->format != ROBERTS_SVG)

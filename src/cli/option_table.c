@@ -311,6 +311,41 @@ static const option rows[] = {
                "rectangle that is in no layer. It is meant for the web, where the page round a drawing may be dark. "
                "Pen plotters may take it for something to draw."},
     {.group = GROUP_PAGE,
+     .name = "fill",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WITH",
+     .words = values_fills,
+     .set = values_set_fill,
+     .brief = "fill visible faces",
+     .help = "fill what is seen of faces, below the lines: none (the default), model (colours of the file), body (a "
+             "colour for each), shade (colours of the file, or grey, by the light), a colour as for --background; "
+             "shade:body, shade:COLOR",
+     .manual =
+         "Fills what is seen of each face, below all lines. none (the default) fills nothing. model takes the colours "
+         "of the file: a face's own, or the mean of those of its corners; a face without a colour is left open. body "
+         "gives each body one of nine colours that the colour-blind can tell apart, and begins again after nine. A "
+         "COLOR, as for --background, is that of all faces. shade takes the colours of the file, light grey where "
+         "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
+         "shade:COLOR do so with other colours.\n"
+         "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
+         "Below the borders between colours lie lines of at most 0.3 mm, so that no gap shines through on a screen. "
+         "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
+         "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
+    {.group = GROUP_PAGE,
+     .name = "light",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "X,Y,Z",
+     .set = values_set_direction,
+     TO(draw.light),
+     .brief = "toward the light",
+     .help = "the direction toward the light, as the viewer sees it: X to the right, Y upward, Z toward the viewer "
+             "(default: -1,2,3)",
+     .manual =
+         "The direction toward the light for --fill shade, as the viewer sees it: X is to the right, Y upward "
+         "and Z toward the viewer, in every view. It has any length. Default: -1,2,3, from the upper left. A "
+         "face that looks toward the light has its full colour; others have 0.45 of it, and 0.55 times the cosine "
+         "of the angle between normal and light (Lambert's law)."},
+    {.group = GROUP_PAGE,
      .name = "dpi",
      .flags = OPTION_PAPER,
      .value = "N",

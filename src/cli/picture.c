@@ -229,8 +229,10 @@ static bool is_table(const cli_options *options)
 static bool needs_regions(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
-    return (page->fill != ROBERTS_FILL_NONE || (page->hatching.on && !page->hatch.off)) &&
-           page->format != ROBERTS_NULL && !is_table(options);
+    const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
+                       page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
+    const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
+    return (fills && page->fill != ROBERTS_FILL_NONE) || (strokes && page->hatching.on && !page->hatch.off);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */

@@ -340,6 +340,32 @@ int values_set_background(const option *o, const char *value, cli_options *optio
     return status;
 }
 
+const char *const values_fills[] = {"none",  "model",   "shade",  "body",   "shade:body", "shade:white", "shade:gray",
+                                    "white", "gray",    "red",    "green",  "blue",       "cyan",        "brown",
+                                    "black", "magenta", "yellow", "orange", "purple",     NULL};
+
+/* "shade" alone shades the model's own colours. */
+int values_set_fill(const option *o, const char *value, cli_options *options)
+{
+    static const char shade[] = "shade";
+    roberts_draw_options *draw = &options->draw;
+    const char *with = strncmp(value, "shade:", sizeof shade) == 0 ? value + sizeof shade : value;
+    (void)o;
+    draw->shaded = with != value || strcmp(value, shade) == 0;
+    if (strcmp(value, shade) == 0 || strcmp(with, "model") == 0)
+        draw->fill = ROBERTS_FILL_MODEL;
+    else if (strcmp(with, "body") == 0)
+        draw->fill = ROBERTS_FILL_BODY;
+    else if (strcmp(value, "none") == 0)
+        draw->fill = ROBERTS_FILL_NONE;
+    else
+        draw->fill = ROBERTS_FILL_COLOR;
+    if (draw->fill != ROBERTS_FILL_COLOR)
+        return EXIT_DONE;
+    return parse_color("--fill", "none, model, body, shade, shade:body, shade:COLOR, #rrggbb or #rgb", with,
+                       draw->fill_color);
+}
+
 static int set_color(roberts_pen *pen, const char *value)
 {
     unsigned char part[3] = {0};

@@ -29,9 +29,9 @@ void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, robert
     cairo_set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
 }
 
-void surface_add_line(cairo_t *cairo, const strokes *s, const polyline *line, double units)
+void surface_add_line(cairo_t *cairo, const polylines *lines, const polyline *line, double units)
 {
-    const page_point *p = s->lines.point + line->first;
+    const page_point *p = lines->point + line->first;
     cairo_move_to(cairo, p->x / units, p->y / units);
     for (uint32_t i = 1; i < line->count; i++)
         cairo_line_to(cairo, p[i].x / units, p[i].y / units);
@@ -44,8 +44,30 @@ void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end)
     while (first < end) {
         size_t next = strokes_part_end(s, first, end);
         for (; first < next; first++)
-            surface_add_line(cairo, s, &s->lines.item[first], s->units_per_mm);
+            surface_add_line(cairo, &s->lines, &s->lines.item[first], s->units_per_mm);
         cairo_stroke(cairo);
+    }
+}
+
+/* A seam of two colours is a line that ends where the seam does, so that it does not stick out of what is filled. */
+void surface_paint_fills(cairo_t *cairo, const strokes *s)
+{
+    const fills *f = &s->fills;
+    cairo_set_dash(cairo, NULL, 0, 0.0);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_set_line_width(cairo, f->seam_mm);
+    for (size_t i = 0; i < f->count; i++) {
+        const fill_paint *paint = &f->paint[i];
+        const fill_color color = fills_on_paper(s->options, paint->color);
+        cairo_set_source_rgb(cairo, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+        for (size_t k = paint->first; k < paint->end; k++) {
+            surface_add_line(cairo, &f->lines, &f->lines.item[k], s->units_per_mm);
+            if (paint->seam)
+                cairo_stroke(cairo);
+        }
+        if (!paint->seam)
+            cairo_fill(cairo);
     }
 }
 
@@ -127,6 +149,7 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
     cairo_scale(cairo, units_per_mm, units_per_mm);
     if (s->options->background.on)
         paint_page(cairo, &s->options->page, &s->options->background);
+    surface_paint_fills(cairo, s);
     for (int i = 0; i < LINE_CLASSES; i++) {
         surface_set_pen(cairo, s->options, line_order[i]);
         surface_draw(cairo, s, s->start[i], s->start[i + 1]);

@@ -10,12 +10,15 @@
 void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line);
 
 /* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
-void surface_add_line(cairo_t *cairo, const strokes *s, const polyline *line, double units);
+void surface_add_line(cairo_t *cairo, const polylines *lines, const polyline *line, double units);
 
 /* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
 void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end);
 
 /* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: the output knows the reason. */
 roberts_status surface_failure(cairo_status_t status, roberts_error *error);
+
+/* Paints all fills, translucent ones as they look on the page's background. */
+void surface_paint_fills(cairo_t *cairo, const strokes *s);
 
 #endif

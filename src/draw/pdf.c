@@ -39,6 +39,14 @@ static void write_color(output *text, const unsigned char rgb[3], const char *op
     write_numbers(text, (const double[]){rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0}, 3, operator);
 }
 
+/* Makes what follows as opaque as the resource says (write_resources()). */
+static void write_alpha(output *text, int alpha)
+{
+    output_text(text, "/A");
+    output_integer(text, (uint32_t)alpha);
+    output_text(text, " gs\n");
+}
+
 static void begin_class(void *context, roberts_line line)
 {
     pdf_plot *p = context;
@@ -93,6 +101,38 @@ static void write_page(pdf_plot *p)
                   "cm\n1 J 1 j\n");
 }
 
+/* Writes the lines of a paint; `operator` paints what is in the path. */
+static void write_paint(pdf_plot *p, const fill_paint *paint, const char *operator)
+{
+    const fills *f = &p->s->fills;
+    for (size_t i = paint->first; i < paint->end; i++) {
+        const polyline *line = &f->lines.item[i];
+        write_stroke(p, f->lines.point + line->first, line->count, line->closed);
+    }
+    output_text(&p->text, operator);
+}
+
+/* Seams end where they end, so that they do not stick out of what is filled. */
+static void write_fills(pdf_plot *p)
+{
+    const fills *f = &p->s->fills;
+    int alpha = 255;
+    if (f->count == 0)
+        return;
+    write_numbers(&p->text, (const double[]){f->seam_mm * p->s->units_per_mm}, 1, "w 0 J\n");
+    for (size_t i = 0; i < f->count; i++) {
+        const fill_color *color = &f->paint[i].color;
+        if (color->alpha != alpha)
+            write_alpha(&p->text, alpha = color->alpha);
+        write_color(&p->text, (const unsigned char[]){color->red, color->green, color->blue},
+                    f->paint[i].seam ? "RG\n" : "rg\n");
+        write_paint(p, &f->paint[i], f->paint[i].seam ? "S\n" : "f\n");
+    }
+    if (alpha != 255)
+        write_alpha(&p->text, 255);
+    output_text(&p->text, "1 J\n");
+}
+
 static bool put_compressed(void *out, const void *bytes, size_t size)
 {
     output *to = out;
@@ -111,6 +151,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     p->s = s;
     output_start(&p->text, deflater_write, &p->deflater);
     write_page(p);
+    write_fills(p);
     roberts_status status = plot_strokes(s, &to, out, error);
     output_finish(&p->text, NULL); /* `out` knows of failures */
     deflater_finish(&p->deflater);
@@ -128,15 +169,38 @@ static void begin_object(output *out, uint64_t object[OBJECTS], int number)
     output_text(out, " 0 obj\n");
 }
 
-static void write_head(output *out, const roberts_page *page, uint64_t object[OBJECTS])
+/* A state of graphics for each translucency that fills use: they are called A0 to A255. */
+static void write_resources(output *out, const fills *f)
 {
+    bool used[256] = {false}, any = false;
+    for (size_t i = 0; i < f->count; i++)
+        used[f->paint[i].color.alpha] = true;
+    for (int alpha = 0; alpha < 255; alpha++)
+        any = any || used[alpha];
+    output_text(out, any ? "<< /ExtGState << " : "<< ");
+    for (uint32_t alpha = 0; any && alpha < 256; alpha++)
+        if (used[alpha] || alpha == 255) {
+            output_text(out, "/A");
+            output_integer(out, alpha);
+            output_text(out, " << /ca ");
+            output_number(out, alpha / 255.0);
+            output_text(out, " >> ");
+        }
+    output_text(out, any ? ">> >>" : ">>");
+}
+
+static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
+{
+    const roberts_page *page = &s->options->page;
     output_text(out, "%PDF-1.4\n%\xb5\xed\xae\xfb\n"); /* bytes above 127 say that the file is binary */
     begin_object(out, object, CATALOG);
     output_text(out, "<< /Type /Catalog /Pages 2 0 R >>\nendobj\n");
     begin_object(out, object, PAGES);
     output_text(out, "<< /Type /Pages /Kids [3 0 R] /Count 1 >>\nendobj\n");
     begin_object(out, object, PAGE);
-    output_text(out, "<< /Type /Page /Parent 2 0 R /Resources << >> /Contents 4 0 R /MediaBox [0 0 ");
+    output_text(out, "<< /Type /Page /Parent 2 0 R /Resources ");
+    write_resources(out, &s->fills);
+    output_text(out, " /Contents 4 0 R /MediaBox [0 0 ");
     write_numbers(out, (const double[]){page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 2,
                   "] >>\nendobj\n");
 }
@@ -158,7 +222,7 @@ static void write_tail(output *out, const uint64_t object[OBJECTS])
 roberts_status pdf_write(const strokes *s, output *out, roberts_error *error)
 {
     uint64_t object[OBJECTS] = {0};
-    write_head(out, &s->options->page, object);
+    write_head(out, s, object);
     begin_object(out, object, CONTENT);
     output_text(out, "<< /Length 5 0 R /Filter /FlateDecode >>\nstream\n");
     const uint64_t start = output_position(out);

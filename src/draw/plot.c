@@ -54,7 +54,7 @@ static roberts_status plot_some(cairo_t *cairo, const strokes *s, size_t first, 
 {
     cairo_new_path(cairo);
     for (size_t i = first; i < end; i++)
-        surface_add_line(cairo, s, &s->lines.item[i], 1.0);
+        surface_add_line(cairo, &s->lines, &s->lines.item[i], 1.0);
     cairo_path_t *path = cairo_copy_path(cairo);
     roberts_status status =
         path->status == CAIRO_STATUS_SUCCESS ? take_path(w, path, error) : surface_failure(path->status, error);

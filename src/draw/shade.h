@@ -7,7 +7,7 @@
 #include "base/vec.h"
 
 /* The part of the brightest that a face without light has. */
-#define SHADE_AMBIENT 0.3
+#define SHADE_AMBIENT 0.45
 
 /* From SHADE_AMBIENT (the light comes from behind the face) to 1. normal: unit; light: toward the light, any length but
  * 0; both along the axes of the viewer. */

@@ -117,6 +117,15 @@ static bool is_hatched(const roberts_drawing *drawing, const roberts_draw_option
     return drawing->regions && is_class_drawn(options, LINE_HATCH);
 }
 
+static void enlarge_by_regions(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                               roberts_vec2 *max)
+{
+    const bool drawn = options->fill != ROBERTS_FILL_NONE || is_hatched(drawing, options);
+    const roberts_region_list *regions = drawn ? drawing->regions : NULL;
+    for (size_t i = 0; regions && i < regions->corner_count; i++)
+        enlarge(min, max, regions->corner[i]);
+}
+
 /* The box of what is drawn, or the drawing's window. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
@@ -136,8 +145,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge(min, max, segment->p1);
         }
     }
-    for (size_t i = 0; is_hatched(drawing, options) && i < drawing->regions->corner_count; i++)
-        enlarge(min, max, drawing->regions->corner[i]);
+    if (options->outline.off || options->border.off) /* otherwise no region reaches farther than these */
+        enlarge_by_regions(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -274,6 +283,8 @@ static roberts_status draw(strokes *s, roberts_error *error)
         status = part ? groups_make(s, &p, error) : make_classes(s, &p, error);
     free(p.item);
     free(part);
+    if (status == ROBERTS_OK && !fills_make(s, &s->fills))
+        status = error_no_memory(error);
     return status;
 }
 
@@ -383,6 +394,7 @@ void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
     free(s->group);
+    fills_free(&s->fills);
 }
 
 size_t strokes_part_end(const strokes *s, size_t first, size_t end)

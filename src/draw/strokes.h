@@ -3,6 +3,7 @@
 #define ROBERTS_DRAW_STROKES_H
 
 #include "draw/chain.h"
+#include "draw/fills.h"
 #include "draw/page.h"
 
 /* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the symbol
@@ -48,6 +49,7 @@ typedef struct strokes {
     double symbol_size;             /* of its symbol, as a part of full size; 0: there is none */
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
+    fills fills;                    /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
     /* SVG with groups: the polylines are in groups, and `start` is not used. */

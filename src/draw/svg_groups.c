@@ -48,15 +48,34 @@ static const char *view_name(const strokes *s, uint32_t view)
     return names[s->view[view].place];
 }
 
+static const char *body_name(const roberts_draw_options *options, uint32_t body)
+{
+    return options->scene ? roberts_scene_name(options->scene, body) : "";
+}
+
+void svg_body(output *out, const roberts_draw_options *options, uint32_t body)
+{
+    const char *name = body_name(options, body);
+    output_text(out, " class=\"body\"");
+    attribute_integer(out, " data-body=\"", body);
+    if (*name)
+        svg_attribute(out, "data-name", name);
+}
+
+void svg_view(output *out, const strokes *s, uint32_t view)
+{
+    output_text(out, " class=\"view\"");
+    svg_attribute(out, "data-view", view_name(s, view));
+}
+
 /* ---- groups ---- */
 
 static void open_view(const svg_groups *w, const stroke_group *g)
 {
     const char *name = view_name(w->s, g->view);
     svg_id(w->out, w->s->options, name);
-    output_text(w->out, " class=\"view\"");
     svg_layer(w->out, w->s->options, (uint32_t)w->s->view[g->view].place + 1, name);
-    svg_attribute(w->out, "data-view", name);
+    svg_view(w->out, w->s, g->view);
 }
 
 /* Only layers have an id: on sheets and within bodies there are several groups of a class. */
@@ -74,17 +93,14 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
 static void open_body(const svg_groups *w, const stroke_group *g, bool outermost)
 {
     const roberts_draw_options *options = w->s->options;
-    const char *name = options->scene ? roberts_scene_name(options->scene, g->body) : "";
+    const char *name = body_name(options, g->body);
     char unnamed[24];
     snprintf(unnamed, sizeof unnamed, "body-%u", (unsigned)g->body);
-    if (outermost)
+    if (outermost) {
         svg_id(w->out, options, unnamed);
-    output_text(w->out, " class=\"body\"");
-    if (outermost)
         svg_layer(w->out, options, g->body + 1, *name ? name : unnamed);
-    attribute_integer(w->out, " data-body=\"", g->body);
-    if (*name)
-        svg_attribute(w->out, "data-name", name);
+    }
+    svg_body(w->out, options, g->body);
 }
 
 static void open_level(const svg_groups *w, const stroke_group *g, int depth)

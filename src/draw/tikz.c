@@ -204,6 +204,47 @@ static void end_part(void *context, bool last)
         output_text(p->out, "\\end{scope}\n");
 }
 
+/* ---- fills ---- */
+
+static void add_points(const tikz *p, const polylines *lines, const polyline *line)
+{
+    for (uint32_t i = 0; i < line->count; i++) {
+        if (i > 0)
+            output_text(p->out, i % POINTS_A_LINE == 0 ? "\n--" : "--");
+        write_point(p, lines->point[line->first + i]);
+    }
+    if (line->closed)
+        output_text(p->out, "--cycle\n");
+}
+
+/* One path for each colour, and one for each line of a seam. */
+static void write_fills(const tikz *p)
+{
+    const fills *f = &p->s->fills;
+    for (size_t i = 0; i < f->count; i++) {
+        const fill_paint *paint = &f->paint[i];
+        const fill_color *color = &paint->color;
+        for (size_t k = paint->first; k < paint->end; k++) {
+            if (k == paint->first || paint->seam) {
+                output_text(p->out, paint->seam ? "\\path[line width=" : "\\path[fill=");
+                if (paint->seam) {
+                    output_mm(p->out, f->seam_mm);
+                    output_text(p->out, "mm,line cap=butt,line join=round,draw=");
+                }
+                write_color(p->out, color->red, color->green, color->blue);
+                if (color->alpha < 255) {
+                    output_text(p->out, ",fill opacity=");
+                    output_mm(p->out, color->alpha / 255.0);
+                }
+                output_text(p->out, "] ");
+            }
+            add_points(p, &f->lines, &f->lines.item[k]);
+            if (k + 1 == paint->end || paint->seam)
+                output_text(p->out, ";\n");
+        }
+    }
+}
+
 /* Within a picture of the document, the file is a part of it. */
 static const char begin_picture[] =
     "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
@@ -224,6 +265,7 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
     write_comment(out, s->options->description);
     output_text(out, begin_picture);
     write_page(&p);
+    write_fills(&p);
     roberts_status status = write_vertices(&p, error);
     if (status == ROBERTS_OK)
         status = plot_strokes(s, &to, out, error);

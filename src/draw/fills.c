@@ -1,0 +1,409 @@
+/* fills.c - see fills.h.
+ *
+ * The sides of all regions are sorted by their ends. Where two regions of one colour share a side, it is dropped; where
+ * the colours differ, it gets a seam. The sides of a colour that are left are joined to rings. Two regions have the
+ * same corners along a border, and those are rounded to the same points of the page, so nothing is compared but whole
+ * numbers. */
+#include "draw/fills.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "draw/page_regions.h"
+#include "draw/shade.h"
+
+/* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers what smoothing leaves open. Where
+ * lines bound the picture, it is no wider than these, so that it does not stick out of what is thin. */
+static const double widest_seam = 0.3, narrowest_seam = 0.15;
+
+/* ---- colours --------------------------------------------------------------------------------------------------- */
+
+/* For colours side by side below black lines, told apart by the colour-blind, too: the scheme "light" of P. Tol,
+ * "Colour schemes", SRON technical note 09-002, 2021. */
+static const fill_color palette[] = {{119, 170, 221, 255}, {238, 136, 102, 255}, {238, 221, 136, 255},
+                                     {255, 170, 187, 255}, {153, 221, 255, 255}, {68, 187, 153, 255},
+                                     {187, 204, 51, 255},  {170, 170, 0, 255},   {221, 221, 221, 255}};
+
+enum { PALETTE = sizeof palette / sizeof palette[0] };
+
+static const fill_color clear = {0, 0, 0, 0}, unpainted = {235, 235, 235, 255};
+
+static unsigned char part_of(float value)
+{
+    double part = 255.0 * fmin(fmax((double)value, 0.0), 1.0);
+    return (unsigned char)(part + 0.5);
+}
+
+/* An index into a colour map, which files do not have, chooses from the palette. */
+static fill_color model_color(const roberts_color *color)
+{
+    const float *v = color->value;
+    if (color->count == 0)
+        return clear;
+    if (color->count < 3) {
+        double index = fmod(fabs(floor((double)v[0])), PALETTE);
+        return palette[(size_t)index];
+    }
+    return (fill_color){part_of(v[0]), part_of(v[1]), part_of(v[2]), color->count > 3 ? part_of(v[3]) : 255};
+}
+
+static unsigned char darker(unsigned char part, double brightness)
+{
+    return (unsigned char)(part * brightness + 0.5);
+}
+
+fill_color fills_color(const roberts_draw_options *options, const roberts_region *region)
+{
+    fill_color color = clear;
+    if (options->fill == ROBERTS_FILL_COLOR)
+        color = (fill_color){options->fill_color[0], options->fill_color[1], options->fill_color[2], 255};
+    else if (options->fill == ROBERTS_FILL_BODY)
+        color = palette[region->solid % PALETTE];
+    else if (options->fill == ROBERTS_FILL_MODEL)
+        color = model_color(&region->color);
+    if (!options->shaded)
+        return color;
+    double brightness = shade(region->normal, options->light);
+    if (options->fill == ROBERTS_FILL_MODEL && region->color.count == 0)
+        color = unpainted;
+    return (fill_color){darker(color.red, brightness), darker(color.green, brightness), darker(color.blue, brightness),
+                        color.alpha};
+}
+
+static unsigned char mix(unsigned char above, unsigned char below, unsigned char alpha)
+{
+    return (unsigned char)((above * alpha + below * (255 - alpha) + 127) / 255);
+}
+
+fill_color fills_on_paper(const roberts_draw_options *options, fill_color color)
+{
+    const roberts_background white = {true, 255, 255, 255};
+    const roberts_background *paper = options->background.on ? &options->background : &white;
+    return (fill_color){mix(color.red, paper->red, color.alpha), mix(color.green, paper->green, color.alpha),
+                        mix(color.blue, paper->blue, color.alpha), 255};
+}
+
+/* ---- sides ----------------------------------------------------------------------------------------------------- */
+
+/* A side of what has one colour, or one direction of a seam. */
+typedef struct fill_side {
+    page_point a, b;
+    uint32_t key; /* its colour */
+    uint32_t done;
+} fill_side;
+
+typedef struct side_list {
+    fill_side *item;
+    size_t count, room;
+} side_list;
+
+typedef struct fill_work {
+    const strokes *s;
+    side_list side, seam;
+    page_point *rim; /* [rim_count] ends of sides with nothing behind them, sorted */
+    size_t rim_count, rim_room;
+} fill_work;
+
+static uint32_t key_of(fill_color c)
+{
+    return (uint32_t)c.red << 24 | (uint32_t)c.green << 16 | (uint32_t)c.blue << 8 | c.alpha;
+}
+
+static fill_color color_of(uint32_t key)
+{
+    return (fill_color){(unsigned char)(key >> 24), (unsigned char)(key >> 16), (unsigned char)(key >> 8),
+                        (unsigned char)key};
+}
+
+static bool is_opaque(uint32_t key)
+{
+    return (key & 255) == 255;
+}
+
+static int compare_points(page_point p, page_point q)
+{
+    return p.x != q.x ? (p.x < q.x ? -1 : 1) : (p.y > q.y) - (p.y < q.y);
+}
+
+static bool add_side(side_list *to, page_point a, page_point b, uint32_t key)
+{
+    if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
+        return false;
+    to->item[to->count++] = (fill_side){a, b, key, 0};
+    return true;
+}
+
+static bool take_region(void *context, const page_region *region)
+{
+    fill_work *w = context;
+    const fill_color color = fills_color(w->s->options, region->region);
+    bool enough = true;
+    for (size_t r = 0; color.alpha > 0 && enough && r < region->ring_count; r++) {
+        size_t first = region->ring_start[r], end = region->ring_start[r + 1];
+        roberts_vec2 last = region->point[end - 1];
+        page_point a = {page_round(last.x), page_round(last.y)};
+        for (size_t k = first; enough && k < end; k++) {
+            page_point b = {page_round(region->point[k].x), page_round(region->point[k].y)};
+            if (compare_points(a, b) != 0)
+                enough = add_side(&w->side, a, b, key_of(color));
+            a = b;
+        }
+    }
+    return enough;
+}
+
+/* Sides between the same two points follow one another, by colour. */
+static int compare_places(const void *pa, const void *pb)
+{
+    const fill_side *s = pa, *t = pb;
+    bool s_up = compare_points(s->a, s->b) < 0, t_up = compare_points(t->a, t->b) < 0;
+    int order = compare_points(s_up ? s->a : s->b, t_up ? t->a : t->b);
+    if (order == 0)
+        order = compare_points(s_up ? s->b : s->a, t_up ? t->b : t->a);
+    return order != 0 ? order : (s->key > t->key) - (s->key < t->key);
+}
+
+static bool is_same_place(const fill_side *s, const fill_side *t)
+{
+    return (compare_points(s->a, t->a) == 0 && compare_points(s->b, t->b) == 0) ||
+           (compare_points(s->a, t->b) == 0 && compare_points(s->b, t->a) == 0);
+}
+
+/* Adds a seam if colours lie on both sides of a place, whose sides are item[from] .. item[to - 1]. False: no memory. */
+static bool add_seam(fill_work *w, size_t from, size_t to)
+{
+    const fill_side *first = &w->side.item[from];
+    bool both = false;
+    for (size_t i = from + 1; i < to && is_opaque(w->side.item[i].key); i++)
+        both = both || (w->side.item[i].key != first->key && compare_points(w->side.item[i].a, first->a) != 0);
+    return !both || !is_opaque(first->key) ||
+           (add_side(&w->seam, first->a, first->b, first->key) && add_side(&w->seam, first->b, first->a, first->key));
+}
+
+/* Notes the ends of sides that have nothing filled on their other side. False: no memory. */
+static bool add_rim(fill_work *w, size_t from, size_t to)
+{
+    const fill_side *first = &w->side.item[from];
+    for (size_t i = from + 1; i < to; i++)
+        if (compare_points(w->side.item[i].a, first->a) != 0)
+            return true;
+    if (from == to)
+        return true;
+    if (!array_reserve(&w->rim, &w->rim_room, w->rim_count + 2, sizeof *w->rim))
+        return false;
+    w->rim[w->rim_count++] = first->a;
+    w->rim[w->rim_count++] = first->b;
+    return true;
+}
+
+static int compare_rims(const void *pa, const void *pb)
+{
+    return compare_points(*(const page_point *)pa, *(const page_point *)pb);
+}
+
+static bool is_rim(const fill_work *w, page_point p)
+{
+    return w->rim_count > 0 && bsearch(&p, w->rim, w->rim_count, sizeof *w->rim, compare_rims);
+}
+
+/* Drops sides with one colour on both sides, and finds the seams. False: no memory. */
+static bool join_regions(fill_work *w)
+{
+    fill_side *item = w->side.item;
+    size_t kept = 0, count = w->side.count;
+    bool enough = true;
+    if (count > 1)
+        qsort(item, count, sizeof *item, compare_places);
+    for (size_t i = 0, next; enough && i < count; i = next) {
+        size_t place = kept;
+        for (next = i; next < count && is_same_place(&item[next], &item[i]); next++)
+            if (kept > place && item[kept - 1].key == item[next].key &&
+                compare_points(item[kept - 1].a, item[next].a) != 0)
+                kept--; /* they run against one another */
+            else
+                item[kept++] = item[next];
+        enough = add_rim(w, place, kept) && add_seam(w, place, kept);
+    }
+    w->side.count = kept;
+    if (w->rim_count > 1)
+        qsort(w->rim, w->rim_count, sizeof *w->rim, compare_rims);
+    return enough;
+}
+
+/* ---- lines ----------------------------------------------------------------------------------------------------- */
+
+static int compare_starts(const void *pa, const void *pb)
+{
+    const fill_side *s = pa, *t = pb;
+    if (s->key != t->key)
+        return s->key < t->key ? -1 : 1;
+    int order = compare_points(s->a, t->a);
+    return order != 0 ? order : compare_points(s->b, t->b);
+}
+
+/* The first side of a colour that begins at a point or behind it. */
+static size_t first_from(const side_list *sides, const fill_side *key)
+{
+    size_t low = 0, high = sides->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        const fill_side *at = &sides->item[middle];
+        if (at->key < key->key || (at->key == key->key && compare_points(at->a, key->a) < 0))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Whether d comes before e on the way from where a line has come from, clockwise on the paper. */
+static bool turns_sooner(page_point from, page_point at, page_point d, page_point e)
+{
+    const double back = atan2((double)from.y - at.y, (double)from.x - at.x), turn = 2.0 * 3.14159265358979323846;
+    double to_d = atan2((double)d.y - at.y, (double)d.x - at.x) - back;
+    double to_e = atan2((double)e.y - at.y, (double)e.x - at.x) - back;
+    to_d += to_d <= 0.0 ? turn : 0.0;
+    to_e += to_e <= 0.0 ? turn : 0.0;
+    return to_d < to_e;
+}
+
+/* The side that goes on from where another one ends; of several, that which turns round what is filled. SIZE_MAX: there
+ * is none. */
+static size_t next_side(const side_list *sides, const fill_side *from)
+{
+    const fill_side key = {.a = from->b, .key = from->key};
+    size_t found = SIZE_MAX;
+    for (size_t i = first_from(sides, &key);
+         i < sides->count && sides->item[i].key == key.key && compare_points(sides->item[i].a, key.a) == 0; i++)
+        if (!sides->item[i].done &&
+            (found == SIZE_MAX || turns_sooner(from->a, from->b, sides->item[i].b, sides->item[found].b)))
+            found = i;
+    return found;
+}
+
+/* Appends a point; drops the one before it if that lies straight between its neighbours. */
+static bool add_point(polylines *out, page_point p)
+{
+    const polyline *line = &out->item[out->count - 1];
+    if (line->count > 1) {
+        page_point *last = out->point + out->point_count;
+        int64_t ux = last[-1].x - (int64_t)last[-2].x, uy = last[-1].y - (int64_t)last[-2].y;
+        int64_t vx = p.x - (int64_t)last[-1].x, vy = p.y - (int64_t)last[-1].y;
+        if (ux * vy == uy * vx && ux * vx + uy * vy > 0) {
+            last[-1] = p;
+            return true;
+        }
+    }
+    return polylines_append(out, p);
+}
+
+/* Where the other direction of a seam is in the list. */
+static size_t reverse_of(const side_list *sides, const fill_side *side)
+{
+    const fill_side key = {.a = side->b, .key = side->key};
+    size_t i = first_from(sides, &key);
+    while (sides->item[i].done || compare_points(sides->item[i].b, side->a) != 0)
+        i++;
+    return i;
+}
+
+/* Draws the ring that begins with side `first`. False: no memory. */
+static bool draw_ring(side_list *sides, size_t first, polylines *out)
+{
+    const page_point start = sides->item[first].a;
+    bool enough = polylines_start(out) && add_point(out, start);
+    for (size_t i = first; enough && i != SIZE_MAX;) {
+        fill_side *side = &sides->item[i];
+        side->done = 1;
+        bool back = compare_points(side->b, start) == 0;
+        enough = back || add_point(out, side->b);
+        i = back ? SIZE_MAX : next_side(sides, side);
+    }
+    out->item[out->count - 1].closed = true;
+    return enough;
+}
+
+/* Moves p toward q by `units`, but no farther than to the middle. */
+static page_point moved(page_point p, page_point q, double units)
+{
+    double part = fmin(units / page_distance(p, q), 0.5);
+    return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
+}
+
+/* Draws the seam that begins with side `first`, as far as it goes. It is cut short where the filled area ends, lest a
+ * corner of it stick out there. False: no memory. */
+static bool draw_seam(fill_work *w, size_t first, fills *out)
+{
+    polylines *lines = &out->lines;
+    const double trim = out->seam_mm / 2.0 * w->s->units_per_mm;
+    bool enough = polylines_start(lines) && add_point(lines, w->seam.item[first].a), ends = false;
+    for (size_t i = first; enough && i != SIZE_MAX;) {
+        fill_side *side = &w->seam.item[i];
+        w->seam.item[reverse_of(&w->seam, side)].done = 1;
+        side->done = 1;
+        enough = add_point(lines, side->b);
+        ends = is_rim(w, side->b);
+        i = ends ? SIZE_MAX : next_side(&w->seam, side);
+    }
+    if (!enough)
+        return false;
+    page_point *start = lines->point + lines->item[lines->count - 1].first;
+    page_point *end = lines->point + lines->point_count - 1;
+    if (is_rim(w, *start))
+        *start = moved(*start, start[1], trim);
+    if (ends)
+        *end = moved(*end, end[-1], trim);
+    return true;
+}
+
+/* Appends all lines of the sides, colour by colour. False: no memory. */
+static bool paint(fill_work *w, bool seam, fills *out)
+{
+    side_list *sides = seam ? &w->seam : &w->side;
+    bool enough = true;
+    if (sides->count > 1)
+        qsort(sides->item, sides->count, sizeof *sides->item, compare_starts);
+    for (size_t i = 0; enough && i < sides->count; i++) {
+        if (i == 0 || sides->item[i].key != sides->item[i - 1].key) {
+            enough = array_reserve(&out->paint, &out->room, out->count + 1, sizeof *out->paint);
+            if (enough)
+                out->paint[out->count++] =
+                    (fill_paint){color_of(sides->item[i].key), seam, out->lines.count, out->lines.count};
+        }
+        if (enough && !sides->item[i].done)
+            enough = seam ? draw_seam(w, i, out) : draw_ring(sides, i, &out->lines);
+        if (enough)
+            out->paint[out->count - 1].end = out->lines.count;
+    }
+    return enough;
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------- */
+
+static double seam_width(const roberts_draw_options *options)
+{
+    return options->outline.off ? widest_seam : fmax(fmin(options->outline.width_mm, widest_seam), narrowest_seam);
+}
+
+bool fills_make(const strokes *s, fills *out)
+{
+    fill_work w = {.s = s};
+    *out = (fills){.seam_mm = seam_width(s->options)};
+    if (s->options->fill == ROBERTS_FILL_NONE)
+        return true;
+    bool enough =
+        page_regions_walk(s, take_region, &w) && join_regions(&w) && paint(&w, true, out) && paint(&w, false, out);
+    free(w.side.item);
+    free(w.seam.item);
+    free(w.rim);
+    return enough;
+}
+
+void fills_free(fills *f)
+{
+    polylines_free(&f->lines);
+    free(f->paint);
+    *f = (fills){0};
+}

@@ -1,0 +1,41 @@
+/* fills.h - what visible faces are filled with: regions of one colour, joined to rings on the page.
+ *
+ * A viewer that smooths the borders of two areas side by side lets the paper shine through between them: a hairline.
+ * So seams lie below all areas: lines along their common borders, in the colour of one of the two. */
+#ifndef ROBERTS_DRAW_FILLS_H
+#define ROBERTS_DRAW_FILLS_H
+
+#include "draw/chain.h"
+
+struct strokes;
+
+typedef struct fill_color {
+    unsigned char red, green, blue, alpha; /* alpha: 0 is clear, 255 opaque */
+} fill_color;
+
+/* What is painted with one colour. */
+typedef struct fill_paint {
+    fill_color color;
+    bool seam;         /* lines to be stroked, fills.seam_mm wide; otherwise rings to be filled */
+    size_t first, end; /* of fills.lines */
+} fill_paint;
+
+typedef struct fills {
+    polylines lines;   /* rings are closed; they wind about what they bound (the rule is nonzero) */
+    fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by colour */
+    size_t count, room;
+    double seam_mm;
+} fills;
+
+/* Makes the fills of all views of a page, as its options say. `out` is released by fills_free() in any case. False: no
+ * memory. */
+bool fills_make(const struct strokes *s, fills *out);
+void fills_free(fills *f);
+
+/* The colour of a region, as the options say; alpha 0: it is left open. */
+fill_color fills_color(const roberts_draw_options *options, const roberts_region *region);
+
+/* A colour as it looks on the page's background, which is white where there is none; opaque. */
+fill_color fills_on_paper(const roberts_draw_options *options, fill_color color);
+
+#endif
