@@ -361,7 +361,7 @@ static const struct {
     {"--group element", "<path class=\"edge\" data-edge=\"4-6\" data-faces=\"1,5\" d=\"M"},
     {"--group element --hidden dashed", "data-faces=\"2,3\" data-by=\"0\" d=\"M"},
     {"--group element --fill shade",
-     "<g class=\"body\" data-body=\"0\">\n<path class=\"region\" data-face=\"1\" fill=\"#"},
+     "<g class=\"body\" data-body=\"0\">\n<path class=\"region\" data-face=\"0\" fill=\"#"},
     {"--group element --hatch on", "<path class=\"hatch\" data-face=\"4\" d=\"M"},
     {"--hatch on", "<g id=\"hatch\" inkscape:groupmode=\"layer\" inkscape:label=\"hatch\">"},
     {"--hatch on --layers numbered", "inkscape:label=\"9 hatch\""},
