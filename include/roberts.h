@@ -948,8 +948,8 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
  * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
  * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
  * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
- * layers. In all else like roberts_drawing_write() and roberts_drawing_save(); a table cannot hold a sheet:
- * ROBERTS_BAD_ARGUMENT.
+ * layers. As CSV and JSON a sheet is one table, whose first column `view` is "front", "top", "left" or "right", or
+ * "iso". In all else like roberts_drawing_write() and roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

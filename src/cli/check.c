@@ -6,6 +6,7 @@
 #include "cli/check.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
@@ -101,9 +102,6 @@ int check_format(const cli_options *options)
 {
     const roberts_format format = options->draw.format;
     const bool is_binary = format == ROBERTS_PDF || format == ROBERTS_PNG;
-    if (options->is_sheet && (format == ROBERTS_CSV || format == ROBERTS_JSON))
-        return message_misuse("--sheet makes a page, not a table: choose another format than %s",
-                              values_format_name(format));
     if (options->regions && strcmp(options->regions, "-") == 0 && strcmp(options->output, "-") == 0 &&
         format != ROBERTS_NULL)
         return message_misuse("--regions: the drawing goes to standard output: name a file, or write no drawing with "
@@ -291,6 +289,62 @@ static void warn_number(const cli_options *options)
                         "the file gets this very name: only --turntable puts a number there");
 }
 
+/* A pen wider than this part of the page's shorter side is hardly meant. */
+static const double widest_part = 0.1;
+
+/* Warns of pens that would cover much of the page. */
+static void warn_wide(const cli_options *options)
+{
+    const roberts_page *page = &options->draw.page;
+    const double side = page->width_mm < page->height_mm ? page->width_mm : page->height_mm;
+    for (size_t i = 0; i < PENS; i++) {
+        const roberts_pen *pen = values_pen(&options->draw, i);
+        if (!pen->off && values_pen_is_set(&options->draw, i) && pen->width_mm > widest_part * side)
+            fprintf(stderr, "roberts: warning: --style %s: a pen of %g mm is very wide for a page of %g x %g mm\n",
+                    values_pens[i], pen->width_mm, page->width_mm, page->height_mm);
+    }
+}
+
+/* An input, and which file it is. */
+typedef struct input_identity {
+    struct stat found;
+    size_t index;
+} input_identity;
+
+static int by_file(const void *a, const void *b)
+{
+    const input_identity *p = a, *q = b;
+    if (p->found.st_dev != q->found.st_dev)
+        return p->found.st_dev < q->found.st_dev ? -1 : 1;
+    if (p->found.st_ino != q->found.st_ino)
+        return p->found.st_ino < q->found.st_ino ? -1 : 1;
+    return p->index < q->index ? -1 : 1;
+}
+
+/* Warns if two names lead to one file: its bodies would lie in themselves. Only the first such file is named. */
+static void warn_twice(const cli_options *options)
+{
+    input_identity *list = options->input_count > 1 ? calloc(options->input_count, sizeof *list) : NULL;
+    const char *twice = NULL;
+    size_t count = 0;
+    if (!list)
+        return; /* without memory, the run will fail anyway */
+    for (size_t i = 0; i < options->input_count; i++) {
+        list[count].index = i;
+        if (strcmp(options->input[i], "-") != 0 && stat(options->input[i], &list[count].found) == 0 &&
+            S_ISREG(list[count].found.st_mode))
+            count++;
+    }
+    qsort(list, count, sizeof *list, by_file);
+    for (size_t i = 1; i < count && !twice; i++)
+        if (is_same_file(&list[i - 1].found, &list[i].found))
+            twice = options->input[list[i].index];
+    if (twice)
+        message_warning(stderr, twice, 0,
+                        options->batch ? "this file is named twice" : "this file is named twice, and is drawn twice");
+    free(list);
+}
+
 void check_warn(const cli_options *options, const options_given *given)
 {
     if (options->quiet)
@@ -300,10 +354,13 @@ void check_warn(const cli_options *options, const options_given *given)
     if (options_is_given(given, "format"))
         warn_ending(options);
     warn_number(options);
-    if (has_page(options->draw.format))
+    warn_twice(options);
+    if (has_page(options->draw.format)) {
         warn_pages(options, given);
-    else
+        warn_wide(options);
+    } else {
         warn_useless(options, given, OPTION_PAPER, "has no page");
+    }
     if (!is_table(options->draw.format))
         warn_useless(options, given, OPTION_TABLE, "is no table");
     else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 #include "cli/message.h"
@@ -130,6 +131,26 @@ int hint_unknown(const char *what, const char *word, const char *const *words, c
 
 /* ---- files and models ---- */
 
+/* Commands that convert formats whose first bytes do not tell what they are. */
+static const struct {
+    const char *ending, *command;
+} converters[] = {
+    {".scad", "openscad -o model.stl model.scad"}, {".dae", "assimp export model.dae model.stl"},
+    {".fbx", "assimp export model.fbx model.stl"}, {".3ds", "assimp export model.3ds model.stl"},
+    {".x3d", "assimp export model.x3d model.stl"}, {".iges", "gmsh -2 model.iges -o model.stl"},
+    {".igs", "gmsh -2 model.igs -o model.stl"},    {".brep", "gmsh -2 model.brep -o model.stl"},
+};
+
+/* Names the converter for a file with this ending, or returns NULL. */
+static const char *converter(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; dot && i < sizeof converters / sizeof converters[0]; i++)
+        if (strcasecmp(dot, converters[i].ending) == 0)
+            return converters[i].command;
+    return NULL;
+}
+
 /* If -o was forgotten, a drawing of an earlier run is read as a model. */
 void hint_unread(const cli_options *options, const char *name, roberts_error *error)
 {
@@ -143,6 +164,8 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
     else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
              roberts_format_by_path(name, &format))
         snprintf(error->message + used, room, "; to draw into it, name it with -o");
+    else if (error->status == ROBERTS_BAD_SYNTAX && converter(name) && !strstr(error->message, "to convert it"))
+        snprintf(error->message + used, room, "; to convert it: %s", converter(name));
 }
 
 /* Fewer points have no convex hull. */

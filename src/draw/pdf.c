@@ -10,7 +10,10 @@
 #include "draw/formats.h"
 #include "draw/plot.h"
 
-enum { COMPRESSION = 1, OFFSET_DIGITS = 10 };
+enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
+
+/* A file that is longer cannot say where its objects are. */
+static const uint64_t longest_file = 9999999999;
 
 enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, OBJECTS };
 
@@ -137,7 +140,7 @@ static bool put_compressed(void *out, const void *bytes, size_t size)
 {
     output *to = out;
     output_bytes(to, bytes, size);
-    return !to->failed;
+    return !to->failed && output_position(to) <= longest_file;
 }
 
 static roberts_status write_stream(const strokes *s, output *out, roberts_error *error)
@@ -153,7 +156,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     write_page(p);
     write_fills(p);
     roberts_status status = plot_strokes(s, &to, out, error);
-    output_finish(&p->text, NULL); /* `out` knows of failures */
+    output_finish(&p->text, NULL); /* `out` knows of failures, and pdf_write() looks at the length */
     deflater_finish(&p->deflater);
     deflater_end(&p->deflater);
     free(p);
@@ -228,6 +231,9 @@ roberts_status pdf_write(const strokes *s, output *out, roberts_error *error)
     const uint64_t start = output_position(out);
     roberts_status status = write_stream(s, out, error);
     const uint64_t size = output_position(out) - start;
+    if (status == ROBERTS_OK && !out->failed && output_position(out) + TAIL_MOST > longest_file)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "a PDF of more than 10^10 bytes cannot say where its parts are; choose another format");
     output_text(out, "\nendstream\nendobj\n");
     begin_object(out, object, CONTENT_LENGTH);
     output_digits(out, size, OFFSET_DIGITS);

@@ -30,6 +30,7 @@
 #include "draw/output.h"
 #include "draw/page.h"
 #include "draw/region_table.h"
+#include "draw/sheet.h"
 #include "draw/strokes.h"
 #include "draw/table.h"
 
@@ -219,16 +220,18 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
     return status;
 }
 
-static roberts_status write_table(const subject *what, const roberts_draw_options *options, output *out,
-                                  roberts_error *error)
+/* A sheet is one table, which names the view of each row. */
+static void write_table(const subject *what, const roberts_draw_options *options, output *out)
 {
-    if (what->sheet)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a table cannot hold a sheet of several views");
+    table_view view[ROBERTS_SHEET_VIEWS] = {{what->drawing, NULL}};
+    size_t count = what->sheet ? 0 : 1;
+    for (int i = 0; what->sheet && i < ROBERTS_SHEET_VIEWS; i++)
+        if (what->sheet->view[i])
+            view[count++] = (table_view){what->sheet->view[i], sheet_view_name(what->sheet->angle, i)};
     if (options->format == ROBERTS_CSV)
-        table_write_csv(what->drawing, options, out);
+        table_write_csv(view, count, options, out);
     else
-        table_write_json(what->drawing, options, out);
-    return ROBERTS_OK;
+        table_write_json(view, count, options, out);
 }
 
 static roberts_status write_format(const subject *what, const roberts_draw_options *options, output *out,
@@ -250,7 +253,8 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
         return write_page(what, options, out, error);
     case ROBERTS_CSV:
     case ROBERTS_JSON:
-        return write_table(what, options, out, error);
+        write_table(what, options, out);
+        return ROBERTS_OK;
     case ROBERTS_NULL:
         return ROBERTS_OK;
     }

@@ -63,18 +63,19 @@ static const struct {
     [ROBERTS_COLUMN_NAME] = {NAME, NAME + 1},
 };
 
-/* A table: its columns, from left to right. */
+/* A table: its columns, from left to right, behind that of the view. */
 typedef struct table {
     const roberts_drawing *drawing;
+    const char *view;           /* or NULL */
     const roberts_scene *scene; /* or NULL */
     uint8_t column[COLUMNS];
     int count;
     bool wants_ends;
 } table;
 
-static table table_of(const roberts_drawing *drawing, const roberts_draw_options *options)
+static table table_of(const table_view *view, const roberts_draw_options *options)
 {
-    table t = {.drawing = drawing, .scene = options->scene};
+    table t = {.drawing = view->drawing, .view = view->name, .scene = options->scene};
     for (; t.count < USUAL; t.count++)
         t.column[t.count] = (uint8_t)t.count;
     for (size_t k = 0; k < options->column_count; k++) {
@@ -216,6 +217,10 @@ static void write_csv_text(const char *text, output *out)
 
 static void write_csv_row(const row *r, output *out)
 {
+    if (r->of->view) {
+        output_text(out, r->of->view);
+        output_text(out, ",");
+    }
     for (int i = 0; i < r->of->count; i++) {
         int column = r->of->column[i];
         if (i)
@@ -228,19 +233,28 @@ static void write_csv_row(const row *r, output *out)
     output_bytes(out, "\n", 1);
 }
 
-void table_write_csv(const roberts_drawing *drawing, const roberts_draw_options *options, output *out)
+static void write_csv_head(const table *t, output *out)
 {
-    const table t = table_of(drawing, options);
-    for (int i = 0; i < t.count; i++) {
+    output_text(out, t->view ? "view," : "");
+    for (int i = 0; i < t->count; i++) {
         output_text(out, i ? "," : "");
-        output_text(out, names[t.column[i]]);
+        output_text(out, names[t->column[i]]);
     }
     output_bytes(out, "\n", 1);
-    for (size_t n = 0; n < drawing->count; n++)
-        if (is_listed(&drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE)) {
-            const row r = row_of(&t, &drawing->segment[n]);
-            write_csv_row(&r, out);
-        }
+}
+
+void table_write_csv(const table_view *view, size_t count, const roberts_draw_options *options, output *out)
+{
+    for (size_t v = 0; v < count; v++) {
+        const table t = table_of(&view[v], options);
+        if (v == 0)
+            write_csv_head(&t, out);
+        for (size_t n = 0; n < t.drawing->count; n++)
+            if (is_listed(&t.drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE)) {
+                const row r = row_of(&t, &t.drawing->segment[n]);
+                write_csv_row(&r, out);
+            }
+    }
 }
 
 /* ---- JSON ---- */
@@ -288,20 +302,32 @@ static void write_json_member(const row *r, int i, output *out)
         output_bytes(out, "\"", 1);
 }
 
-void table_write_json(const roberts_drawing *drawing, const roberts_draw_options *options, output *out)
+static void write_json_row(const row *r, output *out)
 {
-    const table t = table_of(drawing, options);
+    if (r->of->view) {
+        output_text(out, "\"view\":\"");
+        output_text(out, r->of->view);
+        output_text(out, "\",");
+    }
+    for (int i = 0; i < r->of->count; i++)
+        write_json_member(r, i, out);
+}
+
+void table_write_json(const table_view *view, size_t count, const roberts_draw_options *options, output *out)
+{
     bool first = true;
     output_text(out, "[");
-    for (size_t n = 0; n < drawing->count; n++) {
-        if (!is_listed(&drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE))
-            continue;
-        output_text(out, first ? "\n{" : ",\n{");
-        first = false;
-        const row r = row_of(&t, &drawing->segment[n]);
-        for (int i = 0; i < t.count; i++)
-            write_json_member(&r, i, out);
-        output_text(out, "}");
+    for (size_t v = 0; v < count; v++) {
+        const table t = table_of(&view[v], options);
+        for (size_t n = 0; n < t.drawing->count; n++) {
+            if (!is_listed(&t.drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE))
+                continue;
+            output_text(out, first ? "\n{" : ",\n{");
+            first = false;
+            const row r = row_of(&t, &t.drawing->segment[n]);
+            write_json_row(&r, out);
+            output_text(out, "}");
+        }
     }
     output_text(out, first ? "]\n" : "\n]\n");
 }

@@ -1,14 +1,14 @@
 /* edge_crossings.c - see edge_crossings.h.
  *
- * The search for crossings finds pairs of faces of which one has a side in the other's plane: touches. The edges of
- * these faces are asked here, body by body. A side may be several edges, where vertices of other faces lie on it. */
+ * The search for crossings also finds touches: pairs of faces, one of which has a side in the other's plane. Here the
+ * edges of these faces are tested, body by body. A side may be several edges, if vertices of other faces lie on it. */
 #include "hide/edge_crossings.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
 
-/* An edge of face[0] of a touch that is left out and may lie in face[1]. */
+/* An edge of face[0] of a touch. It is left out, and may lie in face[1]. */
 typedef struct touching_edge {
     crossing_touch of;
     uint32_t edge;
@@ -19,7 +19,7 @@ typedef struct edge_finder {
     const crossing_rules *rules;
     const crossing_touch *touch; /* [touch_count] by face[0], then face[1]; each once */
     size_t touch_count;
-    unsigned char *touches; /* [face_count] is the face, by its first piece, face[0] of a touch? */
+    unsigned char *touches; /* [face_count] by the face's first piece: is it face[0] of a touch? */
     touching_edge *found;
     size_t count, room;
     crossing_list *out;
@@ -27,7 +27,7 @@ typedef struct edge_finder {
 
 /* ---- the faces of an edge -------------------------------------------------------------------------------------- */
 
-/* How many faces has the edge, which is not a wire? */
+/* How many faces does the edge have? It is not a wire. */
 static uint32_t faces_at(const roberts_scene *scene, uint32_t body, uint32_t edge)
 {
     if (scene_is_convex(scene, body) || !(scene->surface->edge_is[edge] & EDGE_MANY))
@@ -56,7 +56,7 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
     return false;
 }
 
-/* The face of smallest number that the edge has and that does not lie in the plane of g. False: there is none, or the
+/* Finds the edge's face of smallest number that does not lie in the plane of g. False: there is none, or the edge's
  * faces do not lie on both sides of that plane. */
 static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
 {
@@ -88,7 +88,7 @@ static void ends_of(const roberts_scene *scene, uint32_t body, uint32_t edge, ui
     v[1] = scene->solid[body].vertex + e->v[1];
 }
 
-/* The segments from `from` on lie on these edges. */
+/* Notes that the segments from `from` on lie on these edges. */
 static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second)
 {
     for (size_t k = from; k < list->count; k++) {
@@ -97,7 +97,7 @@ static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_
     }
 }
 
-/* What of an edge lies inside of the face that it touches. False: no memory. */
+/* Finds the part of an edge inside the face that it touches. False: no memory. */
 static bool find_inside(edge_finder *e, const touching_edge *t)
 {
     size_t from = e->out->count;
@@ -111,7 +111,7 @@ static bool find_inside(edge_finder *e, const touching_edge *t)
     return enough;
 }
 
-/* What two edges have in common, each of which touches a face of the other. False: no memory. */
+/* Finds the overlap of two edges, each of which touches a face of the other. False: no memory. */
 static bool find_common(edge_finder *e, const touching_edge *a, const touching_edge *b)
 {
     size_t from = e->out->count;

@@ -1,9 +1,9 @@
 /* crossing.c - see crossing.h.
  *
- * The two planes meet in a line, and each face holds spans of it. A convex piece that has corners on both sides of the
- * other's plane holds one span inside. A piece that has a side in the other's plane holds that side; if two pieces of
- * one face hold it, one from above and one from below, and it is a cut, the face goes on there. The faces cross where
- * both hold the line. Places on the line are compared by the coordinate along which it runs most. */
+ * The two planes meet in a line, and each face contains spans of this line. A convex piece with corners on both sides
+ * of the other plane contains one span. A piece may also have a side in the other plane. If that side is a cut between
+ * two pieces of the face, one above the plane and one below, the face goes through the plane there. The faces cross
+ * where their spans overlap. Points on the line are compared by the coordinate in which the line is longest. */
 #include "model/crossing.h"
 
 #include <stdlib.h>
@@ -13,15 +13,15 @@
 
 /* ---- places on the line ---------------------------------------------------------------------------------------- */
 
-/* Two faces at work. */
+/* Two faces under test. */
 typedef struct pair {
     const crossing_rules *rules;
     crossing_face *face[2];
-    int axis;     /* along which their line runs most */
-    double slack; /* what touches along the line, as measured along the axis; in the scene's unit */
+    int axis;     /* in which their line is longest */
+    double slack; /* the touching distance, as measured along the axis; in the scene's unit */
 } pair;
 
-/* Where the border of one face meets the other's plane. */
+/* A point where the border of one face meets the other plane. */
 typedef struct cut {
     uint32_t p, q;   /* a corner, q: ROBERTS_NONE; or on the side from p to q */
     double s, error; /* the coordinate along the axis, from the first face's origin on */
@@ -62,7 +62,7 @@ static pair pair_of(const crossing_rules *rules, crossing_face *f, crossing_face
     return p;
 }
 
-/* Is vertex p before q, by x, y, z? */
+/* Does vertex p come before q in the order of x, y, z? */
 static bool is_before(const roberts_scene *scene, uint32_t p, uint32_t q)
 {
     int order = vec3_compare(scene->point[p], scene->point[q]);
@@ -98,7 +98,7 @@ static cut side_cut(const pair *w, uint32_t p, uint32_t q, crossing_height a, cr
                  .error = 4.0 * off * fabs(to - from) + 0x1p-50 * (fabs(from) + fabs(to))};
 }
 
-/* `other`: the face whose plane it is in. */
+/* `other`: the face in whose plane it lies. */
 static void refine_cut(const pair *w, cut *c, crossing_face *other)
 {
     const crossing_rules *rules = w->rules;
@@ -122,8 +122,8 @@ static void refine_cut(const pair *w, cut *c, crossing_face *other)
     c->exact = true;
 }
 
-/* By how much a, of the border of face[i], comes after b, of that of face[j]. What is within the error of what touches
- * is computed again. */
+/* How far a, on the border of face[i], lies after b, on the border of face[j]. If rounding could change whether they
+ * touch, the answer is computed again in double-double numbers. */
 static double after(const pair *w, cut *a, int i, cut *b, int j)
 {
     double error = a->error + b->error;
@@ -134,8 +134,8 @@ static double after(const pair *w, cut *a, int i, cut *b, int j)
     return a->s - b->s;
 }
 
-/* The later of two cuts, `a` of the border of face[0] and `b` of that of face[1], or the earlier one; a corner rather
- * than a side that touches it. *of: whose border it is on. */
+/* The later or the earlier of two cuts: `a` on the border of face[0], `b` on the border of face[1]. If they touch, a
+ * corner is preferred to a side. *of: the face whose border it is on. */
 static cut chosen(const pair *w, cut *a, cut *b, bool later, int *of)
 {
     double d = after(w, a, 0, b, 1);
@@ -145,7 +145,7 @@ static cut chosen(const pair *w, cut *a, cut *b, bool later, int *of)
     return first ? *a : *b;
 }
 
-/* What a piece has to do with the other's plane. */
+/* How a piece lies about the other plane. */
 typedef struct contact {
     span on;
     uint32_t corners; /* on the plane */
@@ -199,8 +199,8 @@ static crossing_point point_of(const pair *w, cut *c, int of)
                             vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo}), ROBERTS_NONE};
 }
 
-/* Does P come after Q, by x, y, z? Coordinates within the touching distance are equal: how a model is rounded should
- * not turn a line round. */
+/* Does P come after Q in the order of x, y, z? Coordinates within the touching distance count as equal, so that
+ * rounding of the model does not turn a line round. */
 static bool is_behind(const crossing_rules *rules, const crossing_point *P, const crossing_point *Q)
 {
     roberts_vec3 d = vec3_add(vec3_sub(P->point, Q->point), vec3_sub(P->low, Q->low));
@@ -208,7 +208,7 @@ static bool is_behind(const crossing_rules *rules, const crossing_point *P, cons
     return fabs(d.x) > same ? d.x > 0.0 : fabs(d.y) > same ? d.y > 0.0 : d.z > 0.0;
 }
 
-/* Adds what a span of each face has in common, unless they only touch. False: no memory. */
+/* Adds the overlap of two spans, one of each face, unless they only touch. False: no memory. */
 static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
 {
     int of[2];
@@ -237,8 +237,8 @@ typedef struct span_list {
     size_t count, room;
 } span_list;
 
-/* The spans of one face: inside of pieces, along sides of pieces that lie above the other's plane or below it, and
- * along edges of the file. */
+/* The spans of one face: inside its pieces, along sides of pieces that lie above or below the other plane, and along
+ * edges of the file. */
 typedef struct face_spans {
     span_list inside, over, under, edge;
 } face_spans;
@@ -277,7 +277,7 @@ static void unite(const pair *w, span_list *all)
     all->count = to;
 }
 
-/* Adds to `inside` what of the sides above is along sides below as well, and not along an edge. All lists ascend. */
+/* Adds to `inside` the parts that are in `over` and in `under`, but not in `edge`. All lists ascend. */
 static bool add_cuts(const pair *w, int i, face_spans *s)
 {
     for (size_t a = 0, b = 0; a < s->over.count && b < s->under.count;) {
@@ -321,7 +321,7 @@ static bool is_edge_of(const roberts_scene *scene, uint32_t e, const scene_edge 
     return false;
 }
 
-/* Adds the edges of face[i] that lie in the other's plane. They are few, and they are seldom asked for. */
+/* Adds the edges of face[i] that lie in the other plane. They are few and seldom needed. */
 static bool add_edges(const pair *w, int i, span_list *to)
 {
     const roberts_scene *scene = w->rules->scene;
@@ -343,7 +343,7 @@ static bool add_edges(const pair *w, int i, span_list *to)
     return true;
 }
 
-/* What face[i] holds of the line. */
+/* The spans of the line that face[i] contains. */
 static bool find_spans(const pair *w, int i, face_spans *s)
 {
     const crossing_face *f = w->face[i];
@@ -401,7 +401,7 @@ static bool find_in_pieces(const pair *w, crossing_list *out)
     return enough;
 }
 
-/* ---- all of it ------------------------------------------------------------------------------------------------- */
+/* ---- two faces ------------------------------------------------------------------------------------------------- */
 
 /* A side of f lies in the plane of g. False: no memory. */
 static bool add_touch(const crossing_face *f, const crossing_face *g, crossing_list *out)
@@ -412,7 +412,7 @@ static bool add_touch(const crossing_face *f, const crossing_face *g, crossing_l
     return true;
 }
 
-/* Face f is beside g or straddles its plane, as `a` says. */
+/* Does face f lie on one side of g's plane or straddle it? `a` says how. */
 static bool find_touches(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_lie a,
                          crossing_list *out)
 {

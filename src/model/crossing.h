@@ -1,27 +1,27 @@
 /* crossing.h - the segments in which two faces cross.
  *
- * Two faces cross at a point where each goes on at both sides of the other's plane, however near to the point. A face
- * is planar: one convex piece, or several that follow one another in the scene and share a plane. Cuts between its
- * pieces do not end a segment. An edge of the file does that lies in the other face's plane: that edge is the line.
+ * Two faces cross at a point if, arbitrarily near to it, each face lies on both sides of the other plane. A face is
+ * planar. It is one convex piece, or several that follow one another in the scene and share a plane. Cuts between its
+ * pieces do not end a segment. An edge of the file that lies in the other plane does: the edge is then the line.
  *
- * Signs. A corner is on the other face's plane if it is also a corner of that face, by its number, or if it is no
- * farther from the plane than the touching distance and that face's own departure from its plane. So what pokes through
- * a face by less than that only touches it, and gives no line. Distances are computed in doubles with a bound of their
- * error, and in double-double numbers where that bound is more than an eighth of what touches. There they are off by
- * less than 1e-20 of the scene's size for any face that is wider than the touching distance: an exact computation could
- * decide nothing else.
+ * Signs. A corner is on the other face's plane if it is also a corner of that face, by its number. It is also on the
+ * plane if its distance is at most the touching distance plus that face's own departure from its plane. So a body that
+ * pokes through a face by less than that only touches it, and gives no line. Distances are computed in doubles, with a
+ * bound of their error. If the bound exceeds an eighth of the touching distance, they are computed again in
+ * double-double numbers. Then the error is below 1e-20 of the scene's size for every face wider than the touching
+ * distance, so an exact computation would decide the same.
  *
- * Ends. A segment ends at a corner, or where a side pq of one face pierces the plane F of the other, at
- * p + F(p) / (F(p) - F(q)) (q - p) in double-double numbers from the coordinates as read, with p before q in the order
- * of x, y, z. F is Newell's plane through the mean of the corners. So faces that share a side end at the same point,
- * bit for bit. Of an end within the touching distance of a corner of either face, that corner is the end. */
+ * Ends. A segment ends at a corner, or where a side pq of one face pierces the plane F of the other. That point is
+ * p + F(p) / (F(p) - F(q)) (q - p), in double-double numbers from the coordinates as read, with p before q in the order
+ * of x, y, z. F is Newell's plane through the mean of the corners. So faces that share a side get the same end, bit for
+ * bit. An end within the touching distance of a corner of either face is moved to that corner. */
 #ifndef ROBERTS_MODEL_CROSSING_H
 #define ROBERTS_MODEL_CROSSING_H
 
 #include "base/dd.h"
 #include "model/scene.h"
 
-/* What all faces have in common. */
+/* What all faces share. */
 typedef struct crossing_rules {
     const roberts_scene *scene;
     double touching; /* model units */
@@ -36,7 +36,7 @@ typedef struct crossing_face {
     double mean;              /* the plane is n.(P - origin) = mean */
     double length;            /* of n */
     double error;             /* of n.(P - origin) - mean, for each unit of |P - origin| + chord */
-    double chord;             /* bound of the distance of a corner from the origin */
+    double chord;             /* no corner is farther from the origin */
     double touch;             /* of the plane; in lengths of n */
     dd3 exact_n;              /* if `refined` */
     dd exact_mean;
@@ -53,12 +53,12 @@ typedef struct crossing_point {
 typedef struct crossing_segment {
     uint32_t body[2];      /* whose faces they are */
     uint32_t face[2];      /* the first pieces of both, in the scene */
-    uint32_t edge[2];      /* edges of these bodies along it, if it is one of the latter; else ROBERTS_NONE */
+    uint32_t edge[2];      /* in the second case, the edges of these bodies along it; else ROBERTS_NONE */
     crossing_point end[2]; /* end[0] has the smaller x, or y where those touch, or z */
 } crossing_segment;
 
-/* Two faces, by their first pieces. A side of the first lies in the plane of the second, but not all of that face: it
- * may end there along an edge. */
+/* Two faces, given by their first pieces. The first face has a side in the plane of the second, but does not lie in
+ * that plane: it may end there along an edge. */
 typedef struct crossing_touch {
     uint32_t body[2], face[2];
 } crossing_touch;
@@ -81,12 +81,12 @@ static inline bool crossing_in_pieces(const crossing_face *f)
 
 /* How one face lies about the plane of another. */
 typedef struct crossing_lie {
-    bool over, under; /* it has corners there; a face in the plane has neither */
-    bool side;        /* a side of one of its pieces lies in the plane, and is no side of the other face */
+    bool over, under; /* it has corners there; a face in the plane has none on either side */
+    bool side;        /* a side of a piece lies in the plane, and is not a side of the other face */
 } crossing_lie;
 
-/* How f lies about the plane of g. Of a face in one piece that has corners on both sides no side is looked for: it can
- * have none. */
+/* How f lies about the plane of g. A face of one piece with corners on both sides has no side in the plane, so none is
+ * looked for. */
 crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g);
 
 /* May the face end on the other one along a side? */
@@ -95,16 +95,16 @@ static inline bool crossing_ends_on(crossing_lie lie)
     return lie.side && (lie.over || lie.under);
 }
 
-/* Appends the segments in which two different faces cross, in the order of their first ends; also whether one of them
- * may end on the other. False: no memory. */
+/* Appends the segments in which two different faces cross, in the order of their first ends. Also tells whether one
+ * face may end on the other. False: no memory. */
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out);
 
-/* Appends what of an edge of f lies inside of g, if it lies in the plane of g. v: its ends, vertices of the scene.
+/* Appends the part of an edge of f inside g, if the edge lies in the plane of g. v: its ends, vertices of the scene.
  * False: no memory. */
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                       crossing_list *out);
 
-/* Appends what an edge v of f and an edge u of g have in common, if each lies in the plane of the other face. */
+/* Appends the overlap of an edge v of f and an edge u of g, if each lies in the plane of the other face. */
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                           const uint32_t u[2], crossing_list *out);
 

@@ -13,7 +13,7 @@ dd3 crossing_exactly_from(const crossing_rules *rules, uint32_t v, roberts_vec3 
     return dd3_add(d, dd3_between(vec3_scale(k, scene->low[v]), vec3_scale(k, low)));
 }
 
-/* Adds what one piece has of the normal, of the sum of the corners, and of the error. */
+/* Adds one piece's part of the normal, of the sum of the corners, and of the error. */
 static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
 {
     const roberts_scene *scene = rules->scene;
@@ -69,7 +69,7 @@ void crossing_refine(const crossing_rules *rules, crossing_face *f)
         dd3 P = crossing_exactly_from(rules, scene->corner[end - 1], f->origin, f->low);
         for (uint32_t k = first; k < end; k++) {
             dd3 Q = crossing_exactly_from(rules, scene->corner[k], f->origin, f->low);
-            if (k > first || piece > f->first) /* else Q is the origin; and so is P next */
+            if (k > first || piece > f->first) /* else Q is the origin; P is handled likewise */
                 n = dd3_add(n, dd3_cross(P, Q));
             if (count > 3)
                 sum = dd3_add(sum, Q);
@@ -88,7 +88,7 @@ dd crossing_exact_height(const crossing_rules *rules, crossing_face *f, uint32_t
     return dd_sub(dd3_dot(f->exact_n, crossing_exactly_from(rules, v, f->origin, f->low)), f->exact_mean);
 }
 
-/* Is pq, of `body`, a side of g? Of a face in several pieces that is not known: it may be a cut. */
+/* Is pq, of `body`, a side of g? If g has several pieces, pq may be a cut between them: then the answer is false. */
 static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
 {
     const roberts_scene *scene = rules->scene;
@@ -102,14 +102,14 @@ static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint
     return false;
 }
 
-/* Adds how one piece of f lies. */
+/* Adds the position of one piece of f. */
 static void add_lie(const crossing_rules *rules, const crossing_face *f, uint32_t piece, crossing_face *g,
                     crossing_lie *to)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t first = scene->face_start[piece], count = scene->face_start[piece + 1] - first;
     const uint32_t *corner = scene->corner + first;
-    bool whole = !crossing_in_pieces(f), begins = false, before = false; /* the first corner, the last one: in it */
+    bool whole = !crossing_in_pieces(f), begins = false, before = false; /* the first and the last corner are on it */
     for (uint32_t k = 0; k < count && !(whole && to->over && to->under); k++) {
         int sign = crossing_height_of(rules, g, f->body, corner[k]).sign;
         bool ends = begins && k + 1 == count && sign == 0; /* the side back to the first corner, too */

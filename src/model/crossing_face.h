@@ -4,7 +4,7 @@
 
 #include "model/crossing.h"
 
-/* Part of the touching distance that an error may have in a decision. */
+/* The largest error of a decision, as a part of the touching distance. */
 #define CROSSING_TRUSTED 0.125
 
 static inline double crossing_greatest(roberts_vec3 d)
@@ -40,7 +40,7 @@ static inline bool crossing_has_corner(const crossing_rules *rules, const crossi
     return false;
 }
 
-/* A corner's place over a plane. */
+/* A corner's height over a plane. */
 typedef struct crossing_height {
     double h, error; /* in lengths of the plane's n */
     int sign;        /* 0: on it */

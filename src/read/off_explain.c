@@ -307,13 +307,11 @@ static bool describe_points(text *t, char said[SAID])
         return false;
     if (first.words == POSITION && !first.commas)
         snprintf(said, SAID,
-                 "this looks like points, %u numbers on each line, not like OFF; with two lines before them, "
-                 "\"3 points\" and \"%zu\", they can be read as points to take the hull of",
-                 first.words, count);
+                 "these are points, not OFF; put the lines \"3 points\" and \"%zu\" before them and use --hull", count);
     else
         snprintf(said, SAID,
-                 "this looks like a table, %u numbers on each line%s, not like OFF; of points, \"3 points\" and their "
-                 "number are read, and then three numbers for each, with blanks between",
+                 "this is a table, %u numbers a line%s, not OFF; points are the lines \"3 points\", their number, and "
+                 "then three numbers a line, with blanks between",
                  first.words, first.commas ? " with commas" : "");
     return true;
 }

@@ -193,10 +193,9 @@ static roberts_status count_points(reader *r)
 /* Refuses an input that begins with a word that is not a keyword. */
 static roberts_status refuse_word(reader *r, size_t length)
 {
-    const char *hint, *format = read_foreign(r->in.at, length, &hint);
-    if (format)
-        return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
-                         *hint ? "; to convert it: " : "", hint);
+    const roberts_status status = read_refuse_foreign(r, r->in.at, length);
+    if (status != ROBERTS_OK)
+        return status;
     return read_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");
 }
 

@@ -75,15 +75,21 @@ void read_rest(reader *r, char *text, size_t room)
 
 /* ---- which format ---------------------------------------------------------------------------------------------- */
 
-#define GLTF_COMMAND "assimp export model.glb model.stl"
+#define BLENDER_COMMAND                                                                                                \
+    "blender -b model.blend --python-expr \"import bpy; bpy.ops.wm.obj_export(filepath='model.obj', "                  \
+    "forward_axis='Y', up_axis='Z')\""
 #define SCAD_COMMAND "openscad -o model.stl model.scad"
 
 static const struct foreign {
     const char *begins, *format, *command;
     bool whole; /* it must be the whole word */
 } foreign[] = {
-    {"glTF", "glTF", GLTF_COMMAND, false},
-    {"\"", "JSON (as glTF is)", GLTF_COMMAND, false},
+    {"glTF", "glTF", "assimp export model.glb model.stl", false},
+    {"\"", "JSON (as glTF is)", "assimp export model.gltf model.stl", false},
+    {"BLENDER", "Blender's own format", BLENDER_COMMAND, false},
+    {"\x28\xb5\x2f\xfd", "compressed by zstd (as Blender's files are)", BLENDER_COMMAND, false},
+    {"Kaydara", "FBX", "assimp export model.fbx model.stl", true},
+    {"#VRML", "VRML", "", false},
     {"PK", "a ZIP archive (as 3MF is)", "assimp export model.3mf model.stl", false},
     {"ISO-10303-21", "STEP", "gmsh -2 model.step -o model.stl", false},
     {"module", "OpenSCAD", SCAD_COMMAND, true},
@@ -112,17 +118,15 @@ static const struct foreign {
     {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
 };
 
-const char *read_foreign(const char *word, size_t length, const char **hint)
+roberts_status read_refuse_foreign(reader *r, const char *word, size_t length)
 {
-    *hint = "";
     for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
         size_t wanted = strlen(foreign[i].begins);
-        if ((foreign[i].whole ? length == wanted : length >= wanted) && memcmp(word, foreign[i].begins, wanted) == 0) {
-            *hint = foreign[i].command;
-            return foreign[i].format;
-        }
+        if ((foreign[i].whole ? length == wanted : length >= wanted) && memcmp(word, foreign[i].begins, wanted) == 0)
+            return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s",
+                             foreign[i].format, *foreign[i].command ? "; to convert it: " : "", foreign[i].command);
     }
-    return NULL;
+    return ROBERTS_OK;
 }
 
 enum { STL_HEADER = 80, STL_TRIANGLE = 50, STL_FIRST = STL_HEADER + 4, LOOK = 512 };
@@ -220,6 +224,8 @@ static roberts_status read_any(reader *r, const off_division *division)
     if (looks_like_stl(r))
         return stl_read_binary(r);
     const size_t first = input_need(in, 1) ? input_token(in) : 0;
+    if (input_need(in, 1) && *in->at == '#' && input_need(in, 5) && memcmp(in->at, "#VRML", 5) == 0)
+        return read_refuse_foreign(r, in->at, 5); /* it looks like a comment */
     if (first == 3 && memcmp(in->at, "ply", 3) == 0)
         return ply_read(r);
     if (input_at_word(in, "solid")) {

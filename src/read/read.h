@@ -50,9 +50,9 @@ roberts_status read_expected(reader *r, roberts_status status, const char *forma
  * those of two are drawn as lines. */
 void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
 
-/* Returns the name of another format that begins with this word, and sets *hint to a command that converts it, or "".
- * NULL: unknown. */
-const char *read_foreign(const char *word, size_t length, const char **hint);
+/* Refuses an input that begins with this word if the word begins a format that cannot be read. The message names the
+ * format, and a command that converts it. ROBERTS_OK: no such format is known. */
+roberts_status read_refuse_foreign(reader *r, const char *word, size_t length);
 
 /* ---- text, word by word ---------------------------------------------------------------------------------------- */
 

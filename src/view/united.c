@@ -1,4 +1,4 @@
-/* united.c - see united.h. Threads take chunks of lines; what they find is then laid down in the order of the lines. */
+/* united.c - see united.h. Threads work on chunks of lines. Then their results are joined in the order of the lines. */
 #include "view/united.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 enum { CHUNK_LINES = 512, CHUNKS_PER_THREAD = 2 };
 
-/* What is found of one chunk. */
+/* The result of one chunk. */
 typedef struct chunk {
     union_piece *piece;
     union_side *side;
@@ -24,7 +24,7 @@ typedef struct search {
     uint32_t *first; /* [count] counts from the pieces of the chunk */
 } search;
 
-/* Keeps the answer about one line, unless it is that nothing changes. first: where the line's pieces begin. */
+/* Keeps the answer for one line, unless the union does not change the line. first: where the line's pieces begin. */
 static bool keep(chunk *to, const union_work *work, uint32_t *first)
 {
     if (work->piece_count == 1 && work->piece[0].state == UNION_ALONE)
@@ -64,7 +64,7 @@ static bool find_chunk(const search *s, uint32_t index, chunk *to)
     return done;
 }
 
-/* Lays the chunks down one after another. */
+/* Joins the results of the chunks, in order. */
 static bool join_chunks(united *u, const search *s, const chunk *found, uint32_t chunks)
 {
     size_t pieces = 0, sides = 0;

@@ -126,8 +126,6 @@ static const struct {
     {"--sheet first --roll 9", "--sheet and --roll exclude each other"},
     {"--sheet first --pick 0,0", "--sheet and --pick exclude each other"},
     {"--sheet first --turntable 2 -o a-%d.svg", "--sheet and --turntable exclude each other"},
-    {"--sheet third -f csv", "--sheet makes a page, not a table: choose another format than csv"},
-    {"--sheet third -o a.json", "--sheet makes a page, not a table: choose another format than json"},
     {"-q -v", "--quiet and --verbose exclude each other"},
     {"- -", "standard input (-) can be read only once"},
     {"--page a7", "--page: \"a7\" is unknown"},

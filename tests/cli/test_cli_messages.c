@@ -360,6 +360,35 @@ static void what_is_no_model(void **state)
     assert_said("roberts: in: is a folder; name the files in it, as *.off or *.stl\n");
 }
 
+/* The ending names a converter where the first bytes do not. */
+static void converters_are_named(void **state)
+{
+    (void)state;
+    put("in/box.scad", "w = 10;\ncube(w);\n");
+    assert_int_equal(run("in/box.scad -f null"), 1);
+    assert_said("found \"w\"; to convert it: openscad -o model.stl model.scad\n");
+    put("in/box.scad", "module box() { cube(1); }\n");
+    assert_int_equal(run("in/box.scad -f null"), 1);
+    assert_said("roberts: in/box.scad:1: this is OpenSCAD, but only OFF, STL, OBJ and PLY can be read; to convert it: "
+                "openscad -o model.stl model.scad\n");
+    put("in/box.off", "w = 10;\n");
+    assert_int_equal(run("in/box.off -f null"), 1);
+    assert_said("found \"w\"\n");
+}
+
+/* A file that is named twice lies in itself. */
+static void files_named_twice_are_warned_of(void **state)
+{
+    (void)state;
+    assert_int_equal(run("models/table.off models/platonic/cube.off models/platonic/../table.off -f null"), 0);
+    assert_string_equal(last.err, "roberts: models/platonic/../table.off: warning: this file is named twice, and is "
+                                  "drawn twice\n");
+    assert_int_equal(run("-q models/table.off models/table.off -f null"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("models/table.off models/platonic/cube.off -f null"), 0);
+    assert_string_equal(last.err, "");
+}
+
 /* It is the streams that are meant by -, also where a file is called so. */
 static void a_file_called_minus(void **state)
 {
@@ -393,6 +422,10 @@ static const struct {
     {"--style crease:width=1 --style outline:color=red -f hpgl", ""},
     {"--style outline:color=red -f dxf", ""},
     {"--dpi 20 -o in/a.png", ""},
+    {"--style outline:width=21", ""},
+    {"--style outline:width=21.1", "--style outline: a pen of 21.1 mm is very wide for a page of 210 x 297 mm\n"},
+    {"--style outline:width=50 --page 600x500", ""},
+    {"--style crease:width=1000,off", "the pen of --style crease has no effect: these lines are off\n"},
     {"--style hidden:color=red", "--style hidden has no effect: hidden lines are not drawn without --hidden dashed or "
                                  "solid\n"},
     {"--style hidden:width=1 --hidden none", "--style hidden has no effect"},
@@ -788,6 +821,8 @@ int main(void)
         IN_FOLDER(endings_that_mislead_are_warned_of),
         IN_FOLDER(numbers_without_a_turntable_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
+        IN_FOLDER(converters_are_named),
+        IN_FOLDER(files_named_twice_are_warned_of),
         IN_FOLDER(what_a_drawing_lacks_is_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),

@@ -102,8 +102,8 @@ static void output_of(const char *line, char output[64])
 /* Whether the line calls a program that is not installed. */
 static bool lacks_program(const char *line)
 {
-    static const char *const programs[] = {"rbox",     "qconvex", "qhalf",   "inkscape", "vpype",
-                                           "pdflatex", "ffmpeg",  "python3", "gnuplot"};
+    static const char *const programs[] = {"rbox",     "qconvex", "inkscape", "vpype",
+                                           "pdflatex", "ffmpeg",  "python3",  "gnuplot"};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         char called[16], piped[32], probe[64];
         snprintf(called, sizeof called, "%s ", programs[i]);

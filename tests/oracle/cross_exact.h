@@ -28,7 +28,7 @@ struct cross_finder {
     struct meeting {
         rational s;
         vec<rational> at;
-        int up, down; /* by how much the winding number on each side falls here for points farther along */
+        int up, down; /* by how much the winding number on each side is smaller for points farther along */
     };
 
     /* A side that runs along the line. */
@@ -121,7 +121,7 @@ struct cross_finder {
         return o.even_odd ? winding % 2 != 0 : winding != 0;
     }
 
-    /* Does the face continue on both sides at s, which is not a meeting, without a side that bounds it there? */
+    /* Does the face continue on both sides at s, without a side that bounds it there? s is not a meeting. */
     bool goes_on(const profile &p, const rational &s) const
     {
         long up = 0, down = 0, net = 0;
@@ -186,8 +186,8 @@ struct cross_finder {
         }
     };
 
-    /* Bodies that only touch keep their own edges: where the sides between two positions have two faces for each pair
-     * of the file's vertices, these are an edge each. Else all of them are one edge. */
+    /* Bodies that only touch keep their own edges. If, between two positions, each pair of the file's vertices has two
+     * faces, each pair is an edge. Otherwise all sides there are one edge. */
     void take_edges()
     {
         std::map<std::array<uint32_t, 2>, std::map<std::array<uint32_t, 2>, std::vector<size_t>>> sides;
@@ -241,7 +241,7 @@ struct cross_finder {
         }
     }
 
-    /* Surely not in the plane of the face? */
+    /* Is it certainly outside of the face's plane? */
     bool off_plane(size_t f, uint32_t v) const
     {
         const roberts_vec3 &p = o.mesh.vertex[v];
@@ -282,8 +282,8 @@ struct cross_finder {
         }
     }
 
-    /* Does the face hold what lies beside X on one side of the edge, in its plane? way: 1 to the left, as seen against
-     * the normal, or -1. */
+    /* Does the face contain the points beside X on one side of the edge, in its plane? way: 1 for the left side, as
+     * seen against the normal, or -1. */
     bool holds_beside(size_t f, const carrier &e, const vec<rational> &X, int way) const
     {
         const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
@@ -314,7 +314,7 @@ struct cross_finder {
         return x * x + y * y + z * z < 3.046e-6;
     }
 
-    /* The faces that end at X in the edge, or in any edge there that has not two of them: such edges are one. */
+    /* The faces that end at X in the edge. All edges there that do not have two faces count as one edge. */
     std::vector<size_t> group_at(const carrier &e, const vec<rational> &X) const
     {
         const std::vector<size_t> &own = edges.at(e.key);
@@ -394,7 +394,7 @@ struct cross_finder {
         return over && under;
     }
 
-    /* What lies on one edge. */
+    /* The lines on one edge. */
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
         const carrier e = carrier_of(key);
@@ -408,7 +408,7 @@ struct cross_finder {
                 near.push_back(f);
                 add_cuts(f, e, cut);
             }
-        std::vector<rational> divided; /* edges that have not two faces divide one another at their ends */
+        std::vector<rational> divided; /* edges that do not have two faces divide one another at their ends */
         for (const auto &[other, faces] : edges) {
             int on_line = 0;
             for (uint32_t v : other) {
@@ -453,7 +453,8 @@ struct cross_finder {
         return d.x * p.y == d.y * p.x && d.y * p.z == d.z * p.y && d.x * p.z == d.z * p.x;
     }
 
-    /* Adds from .. to of an edge at X, in which the first of `group` ends on the first of `theirs` that lies across. */
+    /* Adds from .. to of an edge at X. There the first face of `group` ends on the first of `theirs` that is in another
+     * plane. */
     void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const carrier &e,
              const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool divide,
              std::vector<seam> &out) const

@@ -4,12 +4,12 @@
  *   Two faces cross at a point X if each has points on both sides of the other's plane, however near to X. They do not
  *   cross where a bounding side of one of them runs along the other's plane: there, that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
- *   An edge is left out if its faces are flat to one another, by less than a tenth of a degree, and lie on both sides
- * of it in the picture. As far as it lies inside another face, with its own faces on both sides of that one, it is an
- *   intersection line. So is what two edges that are left out have in common, if the faces of each lie on both sides of
- *   those of the other. The line's faces are the other face, or the first one of the other edge, and the first of its
- * own that is not in one plane with that. A face hides a point of a line as one of an edge (mesh_oracle.h); the line's
- * own faces do not.
+ *   An edge is left out if the angle between its faces is less than a tenth of a degree, and they lie on both sides of
+ *   it in the picture. But where it lies inside another face, and its own faces lie on both sides of that face, it is
+ *   an intersection line. So is the overlap of two edges that are left out, if the faces of each lie on both sides of
+ *   the faces of the other. The faces of such a line are the other face, or the first one of the other edge, and the
+ *   first of its own faces that is not in one plane with that. Faces hide points of these lines as they hide points of
+ *   edges (mesh_oracle.h), but a line's own faces do not hide it.
  *
  * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from any start
  * and in either direction, does not exist. */

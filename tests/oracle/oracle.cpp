@@ -5,17 +5,17 @@
  *   - g > 0 for the plane of each front face, n inward: strictly behind the front of the solid;
  *   - g >= 0 for each silhouette edge ab (one face front, the other not), the plane through a, b and the viewer, n to
  *     the side of the front face: in or on the border of the solid's projection.
- * A near plane h(X) = n.(X - near) = 0, n away from the eye E, leaves less of a solid to hide something:
+ * A near plane h(X) = n.(X - near) = 0, n away from the eye E, cuts off the part of a solid before it. What is left
+ * hides:
  *   - h > 0: strictly behind it, where it closes the solid like a front face;
  *   - g(E) h - h(E) g >= 0 for each face that is not front, the plane through the eye and the line in which the face
- *     meets the near plane: in or on the border of that section's projection. (Both factors are >= 0, so what is left
- *     of the solid, where g >= 0 and h >= 0, lies within; where the face does not reach the near plane this says
- *     nothing new.)
+ *     meets the near plane: in or on the border of that section's projection. (Both factors are >= 0, so the rest of
+ *     the solid, where g >= 0 and h >= 0, lies within. If the face does not reach the near plane, this adds nothing.)
  * Along an edge X(t) each g is linear in t, so the hidden part is one interval; single points are dropped. The solid is
- * the convex hull of its vertices (CGAL, exact predicates): a face whose corners do not lie in one plane to the last
- * bit counts as the triangles that the hull makes of it, a planar one as coplanar triangles, which cut alike.
+ * the convex hull of its vertices (CGAL, exact predicates). A face whose corners do not lie exactly in one plane counts
+ * as the triangles that the hull makes of it. A planar face counts as coplanar triangles, which cut alike.
  *
- * Each question is asked by exactly() (exact.h): first with intervals of doubles, then, if need be, with rational
+ * exactly() (exact.h) decides each question: first with intervals of doubles, then, if need be, with rational
  * numbers. */
 #include "oracle.h"
 
@@ -70,7 +70,7 @@ struct solid {
     std::vector<uint32_t> vertex;
     std::vector<face> faces;
     std::vector<wall> walls;
-    bool there = true, cut = false; /* some corner lies beyond the near plane, some on the eye's side of it */
+    bool there = true, cut = false; /* some corner is beyond the near plane; some is before it */
     box shadow;                     /* of its projection, with a margin for rounding */
 };
 
@@ -183,8 +183,8 @@ struct oracle {
         return n;
     }
 
-    /* Does the face look at the viewer? With slack: moving its corners by that much changes twice its projected area
-     * by at most twice slack times perimeter; what is less than that may be either. */
+    /* Does the face look at the viewer? If its corners move by `slack`, twice its projected area changes by at most
+     * twice slack times perimeter. If the area is smaller than that, the answer is open. */
     void turn_face(const solid &s, face &f)
     {
         double perimeter = 0;
@@ -239,7 +239,7 @@ struct oracle {
         }
     }
 
-    /* What the near plane leaves of the edge. */
+    /* The part of the edge beyond the near plane. */
     void cut_edge(const solid &s, oracle_edge &e)
     {
         exactly(exact_only, &exact, [&](auto zero) {
@@ -272,7 +272,7 @@ struct oracle {
             const kernel::Point_3 &p = hull.point(v);
             return roberts_vec3{p.x(), p.y(), p.z()};
         };
-        std::vector<int> side(hull.number_of_faces()); /* of the face on which the viewer is; < 0: it is front */
+        std::vector<int> side(hull.number_of_faces()); /* the viewer's side of the face; < 0: a front face */
         for (auto f : hull.faces()) {                  /* hull faces run counter-clockwise seen from outside */
             auto h = hull.halfedge(f);
             roberts_vec3 a = at(hull.source(h)), b = at(hull.target(h)), c = at(hull.target(hull.next(h)));
@@ -339,8 +339,7 @@ struct oracle {
 
     /* -- clipping -- */
 
-    /* Leaves of t0..t1 where a function that goes evenly from gp at 0 to gq at 1 is not negative; false: not more than
-     * a point. */
+    /* Cuts t0..t1 to where a linear function, gp at 0 and gq at 1, is not negative. False: at most a point is left. */
     template <class N> static bool keep(const N &gp, const N &gq, N &t0, N &t1)
     {
         int sp = sign_of(gp), sq = sign_of(gq);
@@ -366,7 +365,7 @@ struct oracle {
                 N more(grow * length(n));
                 gp = gp + more, gq = gq + more;
             }
-            bool strict = w.kind == wall::FRONT || w.kind == wall::NEAR; /* in it is not behind it */
+            bool strict = w.kind == wall::FRONT || w.kind == wall::NEAR; /* a point in the wall is not behind it */
             if (!keep(gp, gq, t0, t1) || (strict && sign_of(gp) == 0 && sign_of(gq) == 0))
                 return false;
         }
@@ -383,9 +382,9 @@ struct oracle {
         });
     }
 
-    /* A solid all of whose corners move by at most `slack` hides at least its region shrunk by that, at most the
-     * region grown by that; the edge moves as well, hence twice. Seen from an eye, what a moved corner hides moves
-     * in proportion to the distance from the eye. */
+    /* If each corner of a solid moves by at most `slack`, the solid hides at least its region shrunk by that, and at
+     * most the region grown by that. The edge moves as well, hence twice. In perspective, the border of the region
+     * moves in proportion to the distance from the eye. */
     void hide(double stretch)
     {
         for (edge_work &w : edges) {
@@ -415,7 +414,7 @@ struct oracle {
             w.sure.push_back(part);
     }
 
-    /* -- boxes in the picture: only to leave out pairs that are far from each other, by doubles and a wide margin -- */
+    /* -- boxes in the picture, in doubles with a wide margin: only to leave out pairs that are far apart -- */
 
     void frame()
     {
@@ -440,7 +439,7 @@ struct oracle {
         vec<double> v = cross(t, u);
         right = {u.x, u.y, u.z};
         up = {v.x, v.y, v.z};
-        if (view.w) /* the picture is measured in tangents; margin: what a point near the eye can make of rounding */
+        if (view.w) /* in tangents; margin: the largest effect of rounding on a point near the eye */
             largest = std::max({largest, std::fabs(view.x), std::fabs(view.y), std::fabs(view.z)});
         margin = 1e-9 * std::hypot(hi.x - lo.x, hi.y - lo.y, hi.z - lo.z) + 1e-12 * largest + 4 * slack;
         if (!std::isfinite(margin))
@@ -488,7 +487,7 @@ struct oracle {
     }
 };
 
-/* Sorts and joins intervals; only the doubles decide, and only whether two intervals are printed as one. */
+/* Sorts and joins intervals. Doubles suffice: they decide only whether two intervals are printed as one. */
 void unite(std::vector<oracle_interval> &list)
 {
     std::vector<oracle_interval> out;

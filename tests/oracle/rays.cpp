@@ -1,4 +1,4 @@
-/* rays.cpp - the definition of "hidden" read aloud, in rational numbers and nothing else: one ray, every triangle. It
+/* rays.cpp - the definition of "hidden", applied literally in rational numbers: one ray against every triangle. It
  * shares no line with oracle.cpp, so that each can find the other's mistakes. */
 #include "oracle.h"
 
@@ -33,7 +33,7 @@ struct scene {
         return {number(mesh.vertex[v].x), number(mesh.vertex[v].y), number(mesh.vertex[v].z)};
     }
 
-    /* Sign of det(b - a, c - a, inside - a) for a point inside the solid: the side on which abc has the solid. */
+    /* Sign of det(b - a, c - a, inside - a) for a point inside the solid: the side of abc on which the solid lies. */
     int solid_side(const point &a, const point &b, const point &c, uint32_t solid) const
     {
         number sum(0);
@@ -74,7 +74,7 @@ number dot(const point &a, const point &b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Everything the ray from X meets at r >= 0, front faces only. */
+/* All front faces that the ray from X meets at r >= 0. */
 std::vector<hit> cast(const scene &s, const point &X, const point &dir)
 {
     std::vector<hit> hits;
@@ -96,7 +96,7 @@ std::vector<hit> cast(const scene &s, const point &X, const point &dir)
             if (u < 0 || v < 0 || u + v > 1) /* Y = u ab + v ac: outside the triangle */
                 continue;
             int side = s.solid_side(a, b, c, solid);
-            if ((slope > 0) == (side > 0)) /* toward the viewer lies the solid: a back face */
+            if ((slope > 0) == (side > 0)) /* the solid lies on the viewer's side: a back face */
                 continue;
             hits.push_back({solid, r, a, n});
         }
@@ -104,8 +104,8 @@ std::vector<hit> cast(const scene &s, const point &X, const point &dir)
     return hits;
 }
 
-/* What remains of the hits on the ray where a near plane cuts, and those on the sections with which it closes the
- * solids: where the ray passes through it within a solid, some corner of which lies beyond. */
+/* Drops the hits that a near plane cuts off, and adds those on the sections with which it closes the solids: the ray
+ * passes through the plane within a solid that has a corner beyond it. */
 std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, const std::vector<hit> &hits)
 {
     std::vector<hit> left;
@@ -113,7 +113,7 @@ std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, co
     point n = minus(a, {number(view.x), number(view.y), number(view.z)});
     number r = dot(n, minus(a, ray.X)) / dot(n, ray.dir);
     point C{ray.X[0] + r * ray.dir[0], ray.X[1] + r * ray.dir[1], ray.X[2] + r * ray.dir[2]};
-    std::map<uint32_t, bool> within; /* is C within what is left of the solid? */
+    std::map<uint32_t, bool> within; /* is C in the rest of the solid? */
     for (const hit &h : hits)
         if (h.r <= r)
             left.push_back(h);

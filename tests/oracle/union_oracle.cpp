@@ -1,7 +1,7 @@
-/* union_oracle.cpp - see union_oracle.h. A line is cut where it meets any face; the middle of each piece is asked for
- * the angles. Of a convex body the planes through the point say what it fills. Of another body a point beside the line
- * is asked whether it lies inside, for each of the sectors into which the planes through the line part their
- * surroundings. */
+/* union_oracle.cpp - see union_oracle.h. A line is cut where it meets any face. At the middle of each piece, the
+ * angles that the bodies fill are computed. For a convex body, the planes of its faces through the point give the
+ * angle. For any other body, the planes through the line divide its surroundings into sectors, and a point beside the
+ * line in each sector is tested: is it inside? */
 #include "union_oracle.h"
 
 #include "cross_exact.h"
@@ -72,7 +72,7 @@ struct union_finder {
     const oracle_view &view;
     mesh_oracle o;
     std::vector<point3> vertex;
-    std::vector<point3> normal; /* [face]; of convex bodies it points out */
+    std::vector<point3> normal; /* [face]; points outward for convex bodies */
     std::vector<solid> solids;
     std::vector<std::tuple<uint32_t, uint32_t, std::vector<size_t>>> edges;
     std::vector<std::array<double, 6>> face_box;
@@ -188,7 +188,7 @@ struct union_finder {
         return inside ? 1 : -1;
     }
 
-    /* Is a point that lies in no face inside the body? By a ray that meets no border. */
+    /* Is a point that lies in no face inside the body? Casts a ray that meets no border. */
     bool inside(const solid &s, const point3 &X) const
     {
         static const int ways[][3] = {{101, 37, 11}, {-13, 97, 29}, {7, -31, 89}, {-61, 5, -83}, {43, 71, -67}};
@@ -264,13 +264,13 @@ struct union_finder {
         return cut;
     }
 
-    /* A body at a point: it has faces there, or has it wholly inside, or is left out. */
+    /* A body at a point: the point is in some of its faces, or inside it. All other bodies are left out. */
     struct presence {
         const solid *s;
         std::vector<size_t> face;
     };
 
-    /* False: some body has the point inside. */
+    /* False: the point is inside some body. */
     bool bodies_at(const point3 &X, std::vector<presence> &out) const
     {
         const double x[3] = {CGAL::to_double(X.x), CGAL::to_double(X.y), CGAL::to_double(X.z)};
@@ -310,8 +310,8 @@ struct union_finder {
         return all;
     }
 
-    /* Does any body fill the sector between r and s? The point that is asked lies a little along d, too, and so in no
-     * plane across the line. */
+    /* Does any body fill the sector between r and s? The test point is moved a little along d, too, so that it lies in
+     * no plane across the line. */
     bool fills_any(const presence &p, const point3 &X, const point3 &r, const point3 &s, const point3 &d) const
     {
         static const int mix[][3] = {{1, 1, 1}, {1, 2, 3}, {3, 2, -1}, {2, 5, 2}, {7, 3, -5}, {4, 9, 7}};
@@ -332,7 +332,7 @@ struct union_finder {
         throw std::runtime_error("no way into a sector is clear");
     }
 
-    /* What the bodies fill around X, a point of a line that runs along d: -1: the line is not drawn there. */
+    /* What the bodies fill around X, a point of a line with direction d. -1: the line is not drawn there. */
     int class_at(const point3 &X, const point3 &d)
     {
         asked++;
@@ -361,13 +361,13 @@ struct union_finder {
         auto in_space = [&](const direction &r) { return plus({r.x * e1.x, r.x * e1.y, r.x * e1.z}, r.y, e2); };
         for (size_t i = 0; i < n; i++) {
             direction r = ray[i], s = ray[(i + 1) % n];
-            if (turn(r, s) <= 0) /* half a turn: the middle in place of the end */
+            if (turn(r, s) <= 0) /* half a turn: take the middle instead of the end */
                 s = {-r.y, r.x};
             point3 R = in_space(r), S = in_space(s), way = plus(R, rational(1), S);
             for (const presence &p : bodies)
                 full[i] = full[i] || (p.s->convex ? fills(p, way) : fills_any(p, X, R, S, d));
         }
-        std::vector<size_t> side; /* rays that bound what is filled */
+        std::vector<size_t> side; /* rays that bound the filled sectors */
         for (size_t i = 0; i < n; i++)
             if (full[i] != full[(i + n - 1) % n])
                 side.push_back(i);

@@ -221,8 +221,7 @@ static const struct {
     {"more faces", "OFF\n3 1 0\n" POINTS "3 0 1 2\n3 2 1 0\n3 2 1 0\n", TRIANGLE,
      "7: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"points, the first one 0", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "",
-     "0: this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
-     "\"4\", they can be read as points to take the hull of;"},
+     "0: these are points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull;"},
     {"text after the last face", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\n# c\nhello\n", TRIANGLE,
      "9: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"two models", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\nOFF\n3 1 0\n" POINTS "3 0 1 2\n", TRIANGLE,
@@ -331,8 +330,18 @@ static const struct {
     {"glTF, binary", "glTF\2", ROBERTS_BAD_SYNTAX, 1,
      "this is glTF, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.glb model.stl"},
     {"glTF, text", "{\n  \"asset\": {}\n}\n", ROBERTS_BAD_SYNTAX, 2,
-     "this is JSON (as glTF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.glb "
+     "this is JSON (as glTF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.gltf "
      "model.stl"},
+    {"Blender", "BLENDER-v304", ROBERTS_BAD_SYNTAX, 1,
+     "this is Blender's own format, but only OFF, STL, OBJ and PLY can be read; to convert it: blender -b model.blend "
+     "--python-expr \"import bpy; bpy.ops.wm.obj_export(filepath='model.obj', forward_axis='Y', up_axis='Z')\""},
+    {"Blender, compressed", "\x28\xb5\x2f\xfd", ROBERTS_BAD_SYNTAX, 1,
+     "this is compressed by zstd (as Blender's files are), but only OFF, STL, OBJ and PLY can be read; to convert it: "
+     "blender -b model.blend --python-expr \"import bpy; bpy.ops.wm.obj_export(filepath='model.obj', forward_axis='Y', "
+     "up_axis='Z')\""},
+    {"VRML", "#VRML V2.0 utf8\n", ROBERTS_BAD_SYNTAX, 1, "this is VRML, but only OFF, STL, OBJ and PLY can be read"},
+    {"FBX", "Kaydara FBX Binary", ROBERTS_BAD_SYNTAX, 1,
+     "this is FBX, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.fbx model.stl"},
     {"STEP", "ISO-10303-21;\nHEADER;\n", ROBERTS_BAD_SYNTAX, 1,
      "this is STEP, but only OFF, STL, OBJ and PLY can be read; to convert it: gmsh -2 model.step -o model.stl"},
     {"OpenSCAD", "// a box\ncube([1, 2, 3]);\n", ROBERTS_BAD_SYNTAX, 1,
@@ -360,7 +369,7 @@ static const struct {
      "the number of points, alone on its line, expected, but the input ends here"},
     {"fewer points than told", "3 rbox c\n3\n0 0 0\n1 1 1\n", ROBERTS_BAD_SYNTAX, 5,
      "x of vertex 2 of 0..2 expected, but the input ends here"},
-    {"another format with counts", "#VRML V2.0 utf8\nShape {\n", ROBERTS_BAD_SYNTAX, 2,
+    {"a word that no format has", "# c\nShape {\n", ROBERTS_BAD_SYNTAX, 2,
      "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"Shape\""},
     {"unknown prefix", "XOFF\n3 1 0\n", ROBERTS_BAD_SYNTAX, 1,
      "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"XOFF\""},
@@ -493,22 +502,20 @@ static const struct {
      "corner 2 of 3 in face 1 of 0..1 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have "
      "6"},
     {"points", "0.5 0 0\n1 0 0\n\n0 1 0\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
-     "\"3\", they can be read as points to take the hull of"},
+     "these are points, not OFF; put the lines \"3 points\" and \"3\" before them and use --hull"},
     {"whole points", "1 2 3\n4 5 6\n7 8 9\n1 5 2", ROBERTS_BAD_INDEX, 0,
-     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
-     "\"4\", they can be read as points to take the hull of"},
+     "these are points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull"},
     {"two counts, and a wrong face", "OFF\n3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n", ROBERTS_BAD_INDEX, 7,
      "face 1 names vertex 3, but there are 3, numbered from 0"},
     {"points with a minus", "-1 2 3\r\n4 5 6\r\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like points, 3 numbers on each line, not like OFF; with two lines before them, \"3 points\" and "
-     "\"2\", they can be read as points to take the hull of"},
+     "these are points, not OFF; put the lines \"3 points\" and \"2\" before them and use --hull"},
     {"a table", "1.5,2,3\n4,5,6\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like a table, 3 numbers on each line with commas, not like OFF; of points, \"3 points\" and their "
-     "number are read, and then three numbers for each, with blanks between"},
+     "this is a table, 3 numbers a line with commas, not OFF; points are the lines \"3 points\", their number, and "
+     "then "
+     "three numbers a line, with blanks between"},
     {"points with normals", ".5 2 3 0 0 1\n4 5 6 0 0 1\n", ROBERTS_BAD_SYNTAX, 0,
-     "this looks like a table, 6 numbers on each line, not like OFF; of points, \"3 points\" and their number are "
-     "read, and then three numbers for each, with blanks between"},
+     "this is a table, 6 numbers a line, not OFF; points are the lines \"3 points\", their number, and then "
+     "three numbers a line, with blanks between"},
     {"faces counted from 1", "OFF\n3 2 0\n" POINTS "3 1 2 1\n3 2 1 3\n", ROBERTS_BAD_INDEX, 7,
      "face 1 names vertex 3, but there are 3, numbered from 0; up to here no face names vertex 0: do they count from "
      "1?"},

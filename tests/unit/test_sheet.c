@@ -464,6 +464,54 @@ static void every_page_format(void **state)
     free_views(&v);
 }
 
+/* The rows of each view are those of its own table, behind the view's name. */
+static void tables_name_the_views(void **state)
+{
+    static const char *const names[2][4] = {{"front", "top", "left", "iso"}, {"front", "top", "right", "iso"}};
+    (void)state;
+    for (int angle = 0; angle < 2; angle++)
+        for (int without_top = 0; without_top < 2; without_top++) {
+            roberts_draw_options options = roberts_draw_options_default();
+            sink sheet = {0};
+            views v;
+            hide_views(&v, box, angle ? ROBERTS_THIRD_ANGLE : ROBERTS_FIRST_ANGLE);
+            options.format = ROBERTS_CSV;
+            options.column_count = 1;
+            options.column[0] = ROBERTS_COLUMN_DEPTH;
+            if (without_top)
+                v.sheet.view[ROBERTS_SHEET_TOP] = NULL;
+            assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &sheet, NULL), ROBERTS_OK);
+            const char *at = sheet.bytes;
+            assert_memory_equal(at, "view,body,v0,", 13);
+            at = strchr(at, '\n') + 1;
+            for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
+                sink own = {0};
+                if (!v.sheet.view[i])
+                    continue;
+                assert_int_equal(roberts_drawing_write(&v.drawing[i], &options, sink_write, &own, NULL), ROBERTS_OK);
+                assert_non_null(strstr(own.bytes, ",z0,z1\n"));
+                for (const char *row = strchr(own.bytes, '\n') + 1; *row; row = strchr(row, '\n') + 1) {
+                    const size_t length = strcspn(row, "\n") + 1, name = strlen(names[angle][i]);
+                    assert_memory_equal(at, names[angle][i], name);
+                    assert_int_equal(at[name], ',');
+                    assert_memory_equal(at + name + 1, row, length);
+                    at += name + 1 + length;
+                }
+                free(own.bytes);
+            }
+            assert_int_equal(*at, '\0');
+            free(sheet.bytes);
+            sheet = (sink){0};
+            options.format = ROBERTS_JSON;
+            assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &sheet, NULL), ROBERTS_OK);
+            assert_memory_equal(sheet.bytes, "[\n{\"view\":\"front\",\"body\":", 25);
+            assert_non_null(
+                strstr(sheet.bytes, angle ? "\n{\"view\":\"right\",\"body\":" : "\n{\"view\":\"left\",\"body\":"));
+            free(sheet.bytes);
+            free_views(&v);
+        }
+}
+
 static const struct {
     const char *name;
     roberts_format format;
@@ -472,8 +520,6 @@ static const struct {
     double gap_mm;
     const char *message;
 } refused_cases[] = {
-    {"CSV", ROBERTS_CSV, {210, 297, 10}, {0, 0, 0, 0, false}, 0, "a table cannot hold a sheet of several views"},
-    {"JSON", ROBERTS_JSON, {210, 297, 10}, {0, 0, 0, 0, false}, 0, "a table cannot hold a sheet of several views"},
     {"too large",
      ROBERTS_SVG,
      {210, 297, 10},
@@ -571,6 +617,7 @@ int main(void)
         cmocka_unit_test(symbols_go_with_the_page),
         cmocka_unit_test(all_views_share_the_layers),
         cmocka_unit_test(every_page_format),
+        cmocka_unit_test(tables_name_the_views),
         cmocka_unit_test(what_makes_no_sheet_is_refused),
         cmocka_unit_test(size_changes_nothing),
         cmocka_unit_test_setup_teardown(saved_as_written, temporary_make, temporary_remove),

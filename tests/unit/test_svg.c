@@ -13,6 +13,7 @@
 
 #include <cmocka.h>
 
+#include "draw/formats.h"
 #include "drawing.h"
 #include "skip.h"
 
@@ -370,6 +371,39 @@ static void pdf_objects_are_where_the_table_says(void **state)
     roberts_drawing_free(&drawing);
 }
 
+/* Offsets have ten digits. As if many bytes were written already, the file ends below that length or is refused. */
+static void too_long_a_pdf_is_refused(void **state)
+{
+    roberts_drawing drawing = model_drawing("table", "iso");
+    roberts_draw_options options = roberts_draw_options_default();
+    strokes s;
+    (void)state;
+    options.format = ROBERTS_PDF;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    for (int i = 0; i < 3; i++) {
+        static const uint64_t before[] = {9999900000, 9999999000, 10000000000};
+        sink to = {0};
+        roberts_error error;
+        output *out = malloc(sizeof *out);
+        assert_non_null(out);
+        output_start(out, sink_write, &to);
+        out->written = before[i];
+        assert_int_equal(pdf_write(&s, out, &error), i == 0 ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT);
+        if (i == 0) {
+            assert_int_equal(output_finish(out, NULL), ROBERTS_OK);
+            assert_memory_equal(to.bytes + to.size - 17, "99999", 5);
+            assert_true(before[i] + to.size < 10000000000);
+        } else {
+            assert_string_equal(error.message,
+                                "a PDF of more than 10^10 bytes cannot say where its parts are; choose another format");
+        }
+        free(to.bytes);
+        free(out);
+    }
+    strokes_free(&s);
+    roberts_drawing_free(&drawing);
+}
+
 /* Whatever the numbers of strokes per path of Cairo's and per surface are, none is lost where one ends. */
 static void no_stroke_is_lost(void **state)
 {
@@ -519,6 +553,7 @@ int main(void)
         cmocka_unit_test(closed_lines_are_closed),
         cmocka_unit_test(images_know_their_resolution),
         cmocka_unit_test(pdf_objects_are_where_the_table_says),
+        cmocka_unit_test(too_long_a_pdf_is_refused),
         cmocka_unit_test(no_stroke_is_lost),
         cmocka_unit_test(bytes_are_the_same_later),
         cmocka_unit_test(failures_are_told),
