@@ -494,6 +494,11 @@ typedef struct roberts_region {
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
     roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
                               upward, z toward the viewer */
+    /** How the picture of a point moves, for each unit by which the point moves in the face's plane: up along the
+     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Of a level face
+     * +y and +x are meant. In perspective both are taken at the foot. Faces in one plane have the same. */
+    roberts_vec2 steep, level;
+    roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
     roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
 } roberts_region;
 
@@ -755,6 +760,28 @@ typedef enum roberts_fill {
     ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
 } roberts_fill;
 
+/** Which way the strokes of a hatching run. */
+typedef enum roberts_hatch_along {
+    ROBERTS_HATCH_PICTURE, /**< to the right, the same for all faces */
+    ROBERTS_HATCH_STEEP,   /**< along the steepest line of each face */
+    ROBERTS_HATCH_ACROSS,  /**< across it, along a level line of each face */
+} roberts_hatch_along;
+
+/** Strokes on faces, closer together where less light falls (`light`). A face on which the light falls straight has
+ * none; where none falls they are as close as `spacing_mm`, and between these their length on the same area goes with
+ * the cosine of the light's angle (Lambert). Strokes of faces in one plane go on from one to the next. It needs
+ * `regions` in each drawing. */
+typedef struct roberts_hatching {
+    bool on;                   /**< default: false */
+    double spacing_mm;         /**< from stroke to stroke on paper, where no light falls: 0.01 to 1000; default: 0.8 */
+    uint32_t levels;           /**< how many tones there are, up to 1000; 0: one for each shade; default: 10 */
+    roberts_hatch_along along; /**< default: ROBERTS_HATCH_PICTURE */
+    double degrees;            /**< how far strokes are turned counter-clockwise, in the picture or in the face's plane;
+                                    -360 to 360; default: 45 */
+    double cross;              /**< what is darker than this part of the darkest has its further strokes across the
+                                    others: 0 to 1; default: 1, nothing */
+} roberts_hatching;
+
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
@@ -858,10 +885,12 @@ typedef struct roberts_draw_options {
     roberts_pen frame;             /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
                                         cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
+    roberts_pen hatch;             /**< strokes of `hatching`; default: 0.25 mm */
     roberts_pen text;              /**< text and its lines; default: 0.25 mm */
     roberts_pen hidden_text;       /**< labels of what is hidden; default: 0.25 mm, grey */
     roberts_lettering lettering;   /**< default: none */
     roberts_background background; /**< default: off */
+    roberts_hatching hatching;     /**< default: off */
     roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
     unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
     bool shaded;                   /**< fills are darker where less light falls; default: false */

@@ -186,6 +186,8 @@ static const char *missing(const cli_options *options, const options_given *give
         return "it is not drawn without --frame";
     if (pen == PEN_SYMBOL && !options->is_sheet)
         return "it is not drawn without --sheet";
+    if (pen == PEN_HATCH && !draw->hatching.on)
+        return "faces are not hatched without --hatch";
     if (pen == PEN_TEXT && !options_is_given(given, "label"))
         return "there is no text without --label";
     if (pen == PEN_HIDDEN_TEXT && !(options_is_given(given, "label") && draw->hidden != ROBERTS_HIDDEN_NONE))
@@ -212,7 +214,8 @@ static bool any_dashed(const roberts_draw_options *draw)
 {
     bool any = draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back);
     for (size_t pen = 0; pen < PENS; pen++)
-        any = any || (pen != PEN_HIDDEN && pen < PEN_FRAME && is_dashed(values_pen(draw, pen)));
+        any = any || (pen != PEN_HIDDEN && (pen < PEN_FRAME || (pen == PEN_HATCH && draw->hatching.on)) &&
+                      is_dashed(values_pen(draw, pen)));
     return any;
 }
 

@@ -367,11 +367,12 @@ static const option rows[] = {
      .words = values_pens,
      .set = values_set_style,
      .brief = "a pen",
-     .help = "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, text or hidden-text "
-             "(default: 0.5, 0.5, 0.35, "
-             "0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
-             "dash=DASH/GAP in mm "
-             "as seen, or none; off, on",
+     .help =
+         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
+         "(default: 0.5, 0.5, 0.35, "
+         "0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
+         "dash=DASH/GAP in mm "
+         "as seen, or none; off, on",
      .manual =
          "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, text or "
          "hidden-text. width=MM is its "
@@ -379,11 +380,39 @@ static const option rows[] = {
          "color=COLOR its colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as "
          "seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, "
          "on brings it back. May be given several times.\n"
-         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25 and 0.25 mm, black and, for hidden-text, "
+         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm, black and, for "
+         "hidden-text, "
          "grey; hidden lines have dashes of 3 mm "
          "and "
          "gaps of 0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
          "thinner pens."},
+    {.group = GROUP_LINES,
+     .name = "hatch",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "KEY=VALUE,...",
+     .words = values_hatch_keys,
+     .set = values_set_hatch,
+     .brief = "strokes on faces by their shade",
+     .help =
+         "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
+         "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
+         "plane; angle=DEGREES; cross=0.5: the darker half in two directions",
+     .manual =
+         "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
+         "of "
+         "their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
+         "them:\n"
+         "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. A face that has a part of the "
+         "light has so much fewer strokes, and a face on which the light falls straight has none (Lambert's law).\n"
+         "levels=N: how many tones there are; 0: one for each shade. Default: 10. Faces of one tone have strokes in "
+         "line with one another.\n"
+         "direction=picture (the default): strokes run the same way on all faces. steep, across: on each face along "
+         "its steepest line, or along a level line. Faces that lie in one plane have strokes in line with one another. "
+         "In perspective, too, strokes are parallel on paper.\n"
+         "angle=DEGREES: how far strokes are turned counter-clockwise. Default: 45 in the picture, 0 on faces.\n"
+         "cross=PART: a tone darker than this part of the darkest has its further strokes across the others. 0.5 is a "
+         "good value. Default: none.\n"
+         "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -418,7 +447,8 @@ static const option rows[] = {
      .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
-         "from 1 hidden to 6 outline, 7 frame, 8 symbol and 10 text, the same in every drawing. The software of "
+         "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch and 10 text, the same in every drawing. The software "
+         "of "
          "AxiDraw finds "
          "layers by their numbers."},
     {.group = GROUP_LINES,

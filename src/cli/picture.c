@@ -220,14 +220,21 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
-    const roberts_format format = options->draw.format;
-    const bool fills = format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_PS ||
-                       format == ROBERTS_EPS || format == ROBERTS_PNG || format == ROBERTS_TIKZ;
-    const bool labels = options->draw.lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
-    return (fills && options->draw.fill != ROBERTS_FILL_NONE) || (labels && format < ROBERTS_CSV);
+    const roberts_draw_options *page = &options->draw;
+    const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
+                       page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
+    const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
+    const bool labels = page->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) ||
+           (strokes && page->hatching.on && !page->hatch.off);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
@@ -272,11 +279,6 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
             status = find_regions(&one, scene, v, i, error);
     }
     return status;
-}
-
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
 }
 
 /* Whether what is written asks the scene for the faces of edges, or for names. */

@@ -463,6 +463,7 @@ const char *const values_pens[] = {
     [PEN_HIDDEN] = "hidden",
     [PEN_FRAME] = "frame",
     [PEN_SYMBOL] = "symbol",
+    [PEN_HATCH] = "hatch",
     [PEN_TEXT] = "text",
     [PEN_HIDDEN_TEXT] = "hidden-text",
     [PENS] = NULL,
@@ -477,6 +478,7 @@ static const size_t pen_fields[PENS] = {
     [PEN_HIDDEN] = offsetof(roberts_draw_options, back),
     [PEN_FRAME] = offsetof(roberts_draw_options, frame),
     [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
+    [PEN_HATCH] = offsetof(roberts_draw_options, hatch),
     [PEN_TEXT] = offsetof(roberts_draw_options, text),
     [PEN_HIDDEN_TEXT] = offsetof(roberts_draw_options, hidden_text),
 };

@@ -17,18 +17,19 @@ typedef struct group_key {
 
 /* ---- what a number stands for ---- */
 
-uint32_t groups_view(const strokes *s, uint32_t number)
+piece_source groups_source(const strokes *s, uint32_t number)
 {
     uint32_t view = 0;
+    if (number >= s->view[0].first_region) {
+        while (view + 1 < s->views && s->view[view + 1].first_region <= number)
+            view++;
+        const roberts_region *region = &s->view[view].drawing->regions->region[number - s->view[view].first_region];
+        return (piece_source){.view = view, .body = region->solid, .region = region};
+    }
     while (view + 1 < s->views && s->view[view + 1].first <= number)
         view++;
-    return view;
-}
-
-static const roberts_segment *segment_of(const strokes *s, uint32_t number)
-{
-    const uint32_t view = groups_view(s, number);
-    return &s->view[view].drawing->segment[number - s->view[view].first];
+    const roberts_segment *segment = &s->view[view].drawing->segment[number - s->view[view].first];
+    return (piece_source){.view = view, .body = segment->solid, .segment = segment};
 }
 
 /* Whether two segments, one after the other, are of one edge or one intersection. */
@@ -56,6 +57,10 @@ uint32_t *groups_parts(const strokes *s, size_t count)
         }
         next += most + 1; /* views do not overlap; so it does no harm if this is more than 2^32 */
     }
+    for (size_t i = s->view[0].first_region; part && i < count; i++) {
+        const piece_source source = groups_source(s, (uint32_t)i);
+        part[i] = by_body ? source.body : (uint32_t)i; /* strokes of hatching are joined with none but such strokes */
+    }
     return part;
 }
 
@@ -71,7 +76,8 @@ static uint32_t rank_of(roberts_line line)
 
 static uint64_t key_of(const strokes *s, const piece *p)
 {
-    const uint64_t view = groups_view(s, p->number), body = segment_of(s, p->number)->solid;
+    const piece_source source = groups_source(s, p->number);
+    const uint64_t view = source.view, body = source.body;
     const uint64_t rank = rank_of((roberts_line)p->line);
     return s->options->grouping == ROBERTS_GROUP_BODY ? view << 40 | body << 8 | rank : view << 40 | rank << 32 | body;
 }
@@ -103,6 +109,15 @@ static group_key *sort_pieces(const strokes *s, pieces *p)
     free(p->item);
     p->item = sorted;
     return key;
+}
+
+/* Whether piece i is in the group of the piece before it. With an element for each piece, so is the hatching of each
+ * region by itself. */
+static bool is_same_group(const strokes *s, const group_key *key, const pieces *p, size_t i)
+{
+    return key[i].key == key[i - 1].key &&
+           (s->options->grouping == ROBERTS_GROUP_BODY || p->item[i].line != LINE_HATCH ||
+            p->item[i].number == p->item[i - 1].number);
 }
 
 /* Moves polylines to the end of those of `s`. */
@@ -145,17 +160,16 @@ roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
     roberts_status status = ROBERTS_OK;
     group_key *key = sort_pieces(s, p);
     for (size_t i = 0; key && i < p->count; i++)
-        groups += i == 0 || key[i].key != key[i - 1].key;
+        groups += i == 0 || !is_same_group(s, key, p, i);
     s->group = alloc_array(groups, sizeof *s->group);
     if (!key || !s->group)
         status = error_no_memory(error);
     for (size_t i = 0, end; status == ROBERTS_OK && i < p->count; i = end) {
         const piece *first = &p->item[i];
-        for (end = i + 1; end < p->count && key[end].key == key[i].key;)
+        for (end = i + 1; end < p->count && is_same_group(s, key, p, end);)
             end++;
-        const stroke_group group = {.view = groups_view(s, first->number),
-                                    .body = segment_of(s, first->number)->solid,
-                                    .line = (roberts_line)first->line};
+        const piece_source source = groups_source(s, first->number);
+        const stroke_group group = {.view = source.view, .body = source.body, .line = (roberts_line)first->line};
         status = make_group(s, &(pieces){.item = p->item + i, .count = end - i}, group, &pen, error);
     }
     for (size_t i = 0; status == ROBERTS_OK && i < sizeof plain / sizeof plain[0]; i++) {

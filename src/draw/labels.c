@@ -401,11 +401,33 @@ static size_t make_labels(const strokes *s, const targets *t, label *list)
     return count;
 }
 
+static bool add_strokes(const strokes *s, page_room *r, size_t first, size_t end)
+{
+    for (size_t i = first; i < end; i++)
+        if (!room_add_polyline(r, &s->lines, i, s->units_per_mm))
+            return false;
+    return true;
+}
+
+/* Hatching would leave no room anywhere, so labels may lie on it. It is the undermost class. */
+static bool add_all_strokes(const strokes *s, page_room *r)
+{
+    if (!strokes_are_grouped(s->options))
+        return add_strokes(s, r, s->start[1], s->lines.count);
+    for (size_t g = 0; g < s->group_count; g++)
+        if (s->group[g].line != LINE_HATCH && !add_strokes(s, r, s->group[g].first, s->group[g].end))
+            return false;
+    return true;
+}
+
 static bool fill_room(const strokes *s, page_room *r)
 {
     uint32_t number;
-    if (!room_add_lines(r, &s->lines, s->units_per_mm) || !room_add_lines(r, &s->notes.lines, s->units_per_mm))
+    if (!add_all_strokes(s, r))
         return false;
+    for (size_t i = 0; i < s->notes.lines.count; i++)
+        if (!room_add_polyline(r, &s->notes.lines, i, s->units_per_mm))
+            return false;
     for (size_t i = 0; i < s->taken_count; i++)
         if (!room_add_box(r, &s->taken[i], &number))
             return false;

@@ -16,6 +16,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "draw/collinear.h"
+#include "draw/strokes.h"
 
 enum { AHEAD = 16 }; /* memory is asked for this many pieces ahead */
 
@@ -47,8 +48,9 @@ static double depth(const line_view *v, const piece *p, double t)
 }
 
 /* Of classes that coincide, the one of smallest rank is drawn. */
-static const uint8_t rank[] = {[ROBERTS_OUTLINE] = 0,      [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2,
-                               [ROBERTS_INTERSECTION] = 3, [ROBERTS_WIRE] = 4,   [ROBERTS_BACK] = 5};
+static const uint8_t rank[] = {
+    [ROBERTS_OUTLINE] = 0, [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2, [ROBERTS_INTERSECTION] = 3,
+    [ROBERTS_WIRE] = 4,    [ROBERTS_BACK] = 5,   [LINE_HATCH] = 6};
 
 /* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always goes before a hidden one,
  * which may be nearer: it may lie just below the surface of the solid whose edge is seen. */

@@ -129,15 +129,13 @@ static roberts_vec2 in_mm(page_point p, double units_per_mm)
     return (roberts_vec2){p.x / units_per_mm, p.y / units_per_mm};
 }
 
-bool room_add_lines(page_room *r, const polylines *lines, double units_per_mm)
+bool room_add_polyline(page_room *r, const polylines *lines, size_t i, double units_per_mm)
 {
-    for (size_t i = 0; i < lines->count; i++) {
-        const polyline *line = &lines->item[i];
-        const page_point *p = lines->point + line->first;
-        for (uint32_t k = 0; k + 1 < line->count + line->closed; k++)
-            if (!room_add_line(r, in_mm(p[k], units_per_mm), in_mm(p[(k + 1) % line->count], units_per_mm)))
-                return false;
-    }
+    const polyline *line = &lines->item[i];
+    const page_point *p = lines->point + line->first;
+    for (uint32_t k = 0; k + 1 < line->count + line->closed; k++)
+        if (!room_add_line(r, in_mm(p[k], units_per_mm), in_mm(p[(k + 1) % line->count], units_per_mm)))
+            return false;
     return true;
 }
 

@@ -17,7 +17,7 @@ void room_free(page_room *r);
 
 /* Each returns false where there is no memory. A box may be moved later, under the number that it got. */
 bool room_add_line(page_room *r, roberts_vec2 a, roberts_vec2 b);
-bool room_add_lines(page_room *r, const polylines *lines, double units_per_mm);
+bool room_add_polyline(page_room *r, const polylines *lines, size_t i, double units_per_mm);
 bool room_add_box(page_room *r, const room_box *box, uint32_t *number);
 bool room_move_box(page_room *r, uint32_t number, const room_box *box);
 void room_drop_box(page_room *r, uint32_t number);

@@ -97,6 +97,8 @@ roberts_draw_options roberts_draw_options_default(void)
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
+        .hatch = {.width_mm = 0.25},
+        .hatching = {.spacing_mm = 0.8, .levels = 10, .degrees = 45.0, .cross = 1.0},
         .text = {.width_mm = 0.25},
         .hidden_text = {.width_mm = 0.25, .red = 128, .green = 128, .blue = 128},
         .fill = ROBERTS_FILL_NONE,
@@ -115,13 +117,20 @@ static bool pen_is_valid(const roberts_pen *pen)
 
 static bool pens_are_valid(const roberts_draw_options *options)
 {
-    const roberts_pen *const pen[] = {&options->outline, &options->border,     &options->crease, &options->intersection,
-                                      &options->wire,    &options->back,       &options->frame,  &options->symbol,
-                                      &options->text,    &options->hidden_text};
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease,     &options->intersection,
+                                      &options->wire,    &options->back,   &options->frame,      &options->symbol,
+                                      &options->hatch,   &options->text,   &options->hidden_text};
     for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
         if (!pen_is_valid(pen[i]))
             return false;
     return true;
+}
+
+static bool hatching_is_valid(const roberts_hatching *h)
+{
+    return !h->on || (h->spacing_mm >= 0.01 && h->spacing_mm <= 1000.0 && h->levels <= 1000 &&
+                      h->along >= ROBERTS_HATCH_PICTURE && h->along <= ROBERTS_HATCH_ACROSS &&
+                      fabs(h->degrees) <= 360.0 && h->cross >= 0.0 && h->cross <= 1.0);
 }
 
 static bool columns_are_valid(const roberts_draw_options *options)
@@ -157,6 +166,11 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the light comes from no direction");
+    if (!hatching_is_valid(&options->hatching))
+        return error_set(
+            error, ROBERTS_BAD_ARGUMENT, 0,
+            "hatching: the spacing is 0.01 to 1000 mm; there are at most 1000 levels; the angle is -360 to "
+            "360 degrees, and cross 0 to 1");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;

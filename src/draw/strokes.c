@@ -11,6 +11,7 @@
 #include "base/vec.h"
 #include "draw/dashes.h"
 #include "draw/groups.h"
+#include "draw/hatch.h"
 #include "draw/labels.h"
 #include "draw/pdf_text.h"
 #include "draw/overlap.h"
@@ -40,6 +41,8 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->frame;
     case LINE_SYMBOL:
         return &options->symbol;
+    case LINE_HATCH:
+        return &options->hatch;
     case LINE_TEXT:
         return &options->text;
     case LINE_HIDDEN_TEXT:
@@ -51,22 +54,21 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
 
 const char *strokes_class_name(roberts_line line)
 {
-    static const char *const name[] = {[ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease",
-                                       [ROBERTS_BACK] = "hidden",     [ROBERTS_BORDER] = "border",
-                                       [ROBERTS_WIRE] = "wire",       [ROBERTS_INTERSECTION] = "intersection",
-                                       [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",
-                                       [LINE_TEXT] = "text",          [LINE_HIDDEN_TEXT] = "hidden-text"};
+    static const char *const name[] = {
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease",       [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",           [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",          [LINE_HATCH] = "hatch",
+        [LINE_TEXT] = "text",          [LINE_HIDDEN_TEXT] = "hidden-text"};
     return name[line];
 }
 
 uint32_t strokes_class_number(roberts_line line)
 {
-    uint32_t below = 0;
-    if (line == LINE_TEXT || line == LINE_HIDDEN_TEXT)
-        return line == LINE_TEXT ? 10 : 11;
-    while (line_order[below] != line)
-        below++;
-    return below + 1;
+    static const uint8_t number[] = {
+        [ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,    [ROBERTS_INTERSECTION] = 3, [ROBERTS_CREASE] = 4,
+        [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6, [LINE_FRAME] = 7,           [LINE_SYMBOL] = 8,
+        [LINE_HATCH] = 9,     [LINE_TEXT] = 10,      [LINE_HIDDEN_TEXT] = 11};
+    return number[line];
 }
 
 static bool is_broken(const roberts_draw_options *options, roberts_line line)
@@ -86,7 +88,8 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* A class is drawn unless its pen is off, or it is the class of hidden lines and they are not wanted. */
 static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
 {
-    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
+    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE) &&
+           (line != LINE_HATCH || options->hatching.on);
 }
 
 bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
@@ -118,10 +121,16 @@ static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, dou
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
-static void enlarge_by_fills(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
-                             roberts_vec2 *max)
+static bool is_hatched(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
-    const roberts_region_list *regions = options->fill == ROBERTS_FILL_NONE ? NULL : drawing->regions;
+    return drawing->regions && is_class_drawn(options, LINE_HATCH);
+}
+
+static void enlarge_by_regions(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                               roberts_vec2 *max)
+{
+    const bool drawn = options->fill != ROBERTS_FILL_NONE || is_hatched(drawing, options);
+    const roberts_region_list *regions = drawn ? drawing->regions : NULL;
     for (size_t i = 0; regions && i < regions->corner_count; i++)
         enlarge(min, max, regions->corner[i]);
 }
@@ -145,8 +154,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge(min, max, segment->p1);
         }
     }
-    if (options->outline.off || options->border.off) /* else no fill reaches farther than these */
-        enlarge_by_fills(drawing, options, min, max);
+    if (options->outline.off || options->border.off) /* otherwise no region reaches farther than these */
+        enlarge_by_regions(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -307,23 +316,31 @@ static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *e
 static roberts_status draw(strokes *s, roberts_error *error)
 {
     const page_view *view = s->view;
-    size_t total = 0, number = 0;
+    size_t room = 0, number = 0;
     double epsilon = 0.0;
     pieces p = {0};
     uint32_t *part = NULL;
     roberts_status status = ROBERTS_OK;
     for (size_t i = 0; i < s->views; i++) {
-        total += view[i].drawing->count;
+        room += view[i].drawing->count;
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
     }
-    p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
+    p.item = room <= INT32_MAX ? alloc_array(room, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
     for (size_t i = 0; i < s->views; number += view[i++].drawing->count) {
         s->view[i].first = (uint32_t)number;
         collect(s, &view[i], number, &p);
     }
-    if (strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, total)))
+    for (size_t i = 0; i < s->views; i++) {
+        s->view[i].first_region = (uint32_t)number;
+        number += is_hatched(view[i].drawing, s->options) ? view[i].drawing->regions->count : 0;
+    }
+    if (number > INT32_MAX)
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK && is_class_drawn(s->options, LINE_HATCH))
+        status = hatch_add(s, &p, &room, error);
+    if (status == ROBERTS_OK && strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, number)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK && !overlap_remove(&p, epsilon))
         status = error_no_memory(error);
@@ -385,7 +402,7 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
         if (needed)
             widest = width;
     }
-    return widest;
+    return is_class_drawn(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
 }
 
 /* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a

@@ -8,18 +8,19 @@
 #include "draw/page.h"
 #include "draw/room.h"
 
-/* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the
- * symbol of a sheet, text and its lines, and labels of what is hidden. */
+/* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the symbol
+ * of a sheet, hatching, text and its lines, and labels of what is hidden. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
+#define LINE_HATCH ((roberts_line)(ROBERTS_BACK_OUTLINE + 3)) /* strokes on faces */
 #define LINE_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 4))
 #define LINE_HIDDEN_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 5))
 
 /* From the undermost class to the uppermost. */
-enum { LINE_CLASSES = 10 };
+enum { LINE_CLASSES = 11 };
 static const roberts_line line_order[LINE_CLASSES] = {
-    ROBERTS_BACK,    ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER,
-    ROBERTS_OUTLINE, LINE_FRAME,   LINE_SYMBOL,          LINE_TEXT,      LINE_HIDDEN_TEXT};
+    LINE_HATCH, ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
+    LINE_FRAME, LINE_SYMBOL,  LINE_TEXT,    LINE_HIDDEN_TEXT};
 
 enum { TAKEN_MOST = 4 };
 
@@ -37,6 +38,7 @@ typedef struct page_view {
     page_map map;
     int place;              /* on a sheet: ROBERTS_SHEET_FRONT to _ISO */
     uint32_t first;         /* the number of its first segment */
+    uint32_t first_region;  /* the number of its first region: after those of all segments */
     roberts_vec2 low, high; /* if the drawing is `framed`: its field of view, extended to the page's shape */
 } page_view;
 
@@ -106,7 +108,8 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* "outline", "hidden", ...: what a class is called in files. */
 const char *strokes_class_name(roberts_line line);
 
-/* The number of a class where layers and pens are numbered: from 1, the undermost first, the same in every drawing. */
+/* The number of a class where layers and pens are numbered, the same in every drawing: from 1, the undermost first, but
+ * hatching has the last one. */
 uint32_t strokes_class_number(roberts_line line);
 
 /* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and

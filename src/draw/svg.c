@@ -2,6 +2,7 @@
  *
  * The paths come from Cairo (plot.c). The text is written here, because the SVG of Cairo 1.16 has no layers, and
  * numbers its groups by a counter of the process. */
+#include "base/error.h"
 #include "draw/formats.h"
 #include "draw/svg_fills.h"
 #include "draw/plot.h"
@@ -258,11 +259,12 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_element(out, "desc", s->options->description);
     if (s->options->background.on)
         write_background(out, s->options);
-    svg_write_fills(s, out);
     svg_plot p = {s, out, (int32_t)(1000.0 / s->units_per_mm + 0.5)};
     const plotter to = {begin_layer, write_stroke, end_part, &p};
     roberts_status status = ROBERTS_OK;
-    if (strokes_are_grouped(s->options))
+    if (!svg_write_fills(s, out))
+        status = error_no_memory(error);
+    else if (strokes_are_grouped(s->options))
         svg_groups_write(s, out);
     else
         status = plot_strokes(s, &to, out, error);

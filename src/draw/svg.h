@@ -23,6 +23,10 @@ void svg_layer(output *out, const roberts_draw_options *options, uint32_t number
 /* Writes the pen of a class as attributes. */
 void svg_pen(output *out, const roberts_draw_options *options, roberts_line line);
 
+/* Write the attributes that name a body, and a view of a sheet. */
+void svg_body(output *out, const roberts_draw_options *options, uint32_t body);
+void svg_view(output *out, const strokes *s, uint32_t view);
+
 /* Writes the strokes in their groups. */
 void svg_groups_write(const strokes *s, output *out);
 

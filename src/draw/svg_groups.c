@@ -48,15 +48,34 @@ static const char *view_name(const strokes *s, uint32_t view)
     return names[s->view[view].place];
 }
 
+static const char *body_name(const roberts_draw_options *options, uint32_t body)
+{
+    return options->scene ? roberts_scene_name(options->scene, body) : "";
+}
+
+void svg_body(output *out, const roberts_draw_options *options, uint32_t body)
+{
+    const char *name = body_name(options, body);
+    output_text(out, " class=\"body\"");
+    attribute_integer(out, " data-body=\"", body);
+    if (*name)
+        svg_attribute(out, "data-name", name);
+}
+
+void svg_view(output *out, const strokes *s, uint32_t view)
+{
+    output_text(out, " class=\"view\"");
+    svg_attribute(out, "data-view", view_name(s, view));
+}
+
 /* ---- groups ---- */
 
 static void open_view(const svg_groups *w, const stroke_group *g)
 {
     const char *name = view_name(w->s, g->view);
     svg_id(w->out, w->s->options, name);
-    output_text(w->out, " class=\"view\"");
     svg_layer(w->out, w->s->options, (uint32_t)w->s->view[g->view].place + 1, name);
-    svg_attribute(w->out, "data-view", name);
+    svg_view(w->out, w->s, g->view);
 }
 
 /* Only layers have an id: on sheets and within bodies there are several groups of a class. */
@@ -74,17 +93,14 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
 static void open_body(const svg_groups *w, const stroke_group *g, bool outermost)
 {
     const roberts_draw_options *options = w->s->options;
-    const char *name = options->scene ? roberts_scene_name(options->scene, g->body) : "";
+    const char *name = body_name(options, g->body);
     char unnamed[24];
     snprintf(unnamed, sizeof unnamed, "body-%u", (unsigned)g->body);
-    if (outermost)
+    if (outermost) {
         svg_id(w->out, options, unnamed);
-    output_text(w->out, " class=\"body\"");
-    if (outermost)
         svg_layer(w->out, options, g->body + 1, *name ? name : unnamed);
-    attribute_integer(w->out, " data-body=\"", g->body);
-    if (*name)
-        svg_attribute(w->out, "data-name", name);
+    }
+    svg_body(w->out, options, g->body);
 }
 
 static void open_level(const svg_groups *w, const stroke_group *g, int depth)
@@ -167,13 +183,18 @@ static void write_stroke(const svg_groups *w, const polyline *line)
         output_bytes(w->out, "Z", 1);
 }
 
-/* The names of the edge that a piece is part of. */
-static void write_edge(const svg_groups *w, const stroke_group *g, uint32_t number)
+/* The names of the edge that a piece is part of, or of the face with a stroke of hatching. */
+static void write_names(const svg_groups *w, const stroke_group *g, uint32_t number)
 {
+    const piece_source source = groups_source(w->s, number);
     const roberts_drawing *drawing = w->s->view[g->view].drawing;
-    const roberts_segment *segment = &drawing->segment[number - w->s->view[g->view].first];
+    const roberts_segment *segment = source.segment;
     uint32_t face[2];
-    output_text(w->out, " class=\"edge\"");
+    output_text(w->out, segment ? " class=\"edge\"" : " class=\"hatch\"");
+    if (source.region && source.region->face != ROBERTS_NONE)
+        attribute_integer(w->out, " data-face=\"", source.region->face);
+    if (!segment)
+        return;
     if (segment->v0 != ROBERTS_NONE)
         attribute_pair(w->out, " data-edge=\"", segment->v0, segment->v1, "-");
     roberts_segment_faces(w->s->options->scene, drawing, segment, face);
@@ -189,7 +210,7 @@ static void write_path(const svg_groups *w, const stroke_group *g, size_t first,
     const bool named = w->s->options->grouping == ROBERTS_GROUP_ELEMENT && !is_plain(g);
     output_text(w->out, "<path");
     if (named)
-        write_edge(w, g, w->s->lines.item[first].number);
+        write_names(w, g, w->s->lines.item[first].number);
     output_text(w->out, " d=\"");
     for (size_t i = first; i < end; i++) {
         if (i > first && (i - first) % POINTS_A_LINE == 0)
@@ -199,12 +220,14 @@ static void write_path(const svg_groups *w, const stroke_group *g, size_t first,
     output_text(w->out, "\"/>\n");
 }
 
-/* With an element for each piece, the dashes of a piece are one path; otherwise all strokes are. */
+/* With an element for each piece, the dashes of a piece and the hatching of a region are one path; otherwise all
+ * strokes are. */
 static void write_paths(const svg_groups *w, const stroke_group *g)
 {
     const roberts_draw_options *options = w->s->options;
     const polyline *line = w->s->lines.item;
-    const bool several = options->grouping == ROBERTS_GROUP_BODY || options->real_dashes || is_plain(g);
+    const bool several =
+        options->grouping == ROBERTS_GROUP_BODY || options->real_dashes || is_plain(g) || g->line == LINE_HATCH;
     for (size_t i = g->first, end; i < g->end; i = end) {
         for (end = i + 1; several && end < g->end && line[end].number == line[i].number;)
             end++;

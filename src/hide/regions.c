@@ -16,6 +16,7 @@
 #include "base/threads.h"
 #include "hide/map_cells.h"
 #include "hide/segments.h"
+#include "hide/slope.h"
 
 /* Part of a stretch: where a point in it is taken. */
 #define ASIDE 0.4557
@@ -377,17 +378,6 @@ static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint3
     return source->vertex_color ? corners_color(source, solid, face) : none;
 }
 
-/* The normal of a face on the side that is seen, along the axes of the viewer. */
-static roberts_vec3 normal_of(const hide_job *job, uint32_t face)
-{
-    const view *v = &job->seen.view;
-    const plane F = job->fronts.scene->face_plane[face];
-    const roberts_vec3 inward = {F.a, F.b, F.c},
-                       n = vec3_scale(job->seen.facing[face] == VIEW_BACK ? 1.0 : -1.0, inward);
-    const roberts_vec3 own = {vec3_dot(n, v->right), vec3_dot(n, v->up), vec3_dot(n, v->dir)};
-    return vec3_scale(1.0 / vec3_length(own), own);
-}
-
 static void put_corners(const region_work *w, const region_ring *ring, roberts_region_list *out)
 {
     double unit = w->job->seen.view.unit;
@@ -440,9 +430,10 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
-                                                         .normal = normal_of(w->job, ring->face),
                                                          .color = color_of(w->job->seen.source, solid, face)};
         }
+        if (k == 0 || ring->face != place[k - 1].face)
+            slope_find(&w->job->seen, ring->face, w->job->upright, &out->region[out->count - 1]);
         out->region[out->count - 1].ring_count++;
         out->region[out->count - 1].area += ring->area * unit * unit;
         out->ring_start[out->ring_count++] = out->corner_count;
@@ -486,7 +477,7 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     own.all_edges = true;
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
-    hide_job job = {.options = &own, .regions = out};
+    hide_job job = {.options = &own, .regions = out, .upright = camera->up};
     roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)
