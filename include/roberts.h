@@ -495,8 +495,9 @@ typedef struct roberts_region {
     roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
                               upward, z toward the viewer */
     /** How the picture of a point moves, for each unit by which the point moves in the face's plane: up along the
-     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Of a level face
-     * +y and +x are meant. In perspective both are taken at the foot. Faces in one plane have the same. */
+     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Up is +z, or the
+     * axis along which the camera's `up` lies, unless it looks along z. Of a level face +y and +x are meant. In
+     * perspective both are taken at the foot. Faces in one plane have the same. */
     roberts_vec2 steep, level;
     roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
     roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
@@ -778,7 +779,11 @@ typedef struct roberts_hatching {
     roberts_hatch_along along; /**< default: ROBERTS_HATCH_PICTURE */
     double degrees;            /**< how far strokes are turned counter-clockwise, in the picture or in the face's plane;
                                     -360 to 360; default: 45 */
-    double cross;              /**< what is darker than this part of the darkest has its further strokes across the
+    /** false: the strokes of each tone are equally far apart. true: a darker tone has the strokes of the lighter ones,
+     * and more between them, so that strokes go on from tone to tone, as on curved surfaces; only tones of a half, a
+     * quarter, ... are spaced evenly. Default: false */
+    bool nested;
+    double cross; /**< what is darker than this part of the darkest has its further strokes across the
                                     others: 0 to 1; default: 1, nothing */
 } roberts_hatching;
 

@@ -393,7 +393,8 @@ static const option rows[] = {
      .help =
          "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
          "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
-         "plane; angle=DEGREES; cross=0.5: the darker half in two directions",
+         "plane; angle=DEGREES; cross=0.5: the darker half in two directions; lines=nested: strokes go on from tone "
+         "to tone",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
          "of "
@@ -409,6 +410,9 @@ static const option rows[] = {
          "angle=DEGREES: how far strokes are turned counter-clockwise. Default: 45 in the picture, 0 on faces.\n"
          "cross=PART: a tone darker than this part of the darkest has its further strokes across the others. 0.5 is a "
          "good value. Default: none.\n"
+         "lines=even (the default): the strokes of a tone are equally far apart. nested: a darker tone has the strokes "
+         "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
+         "surfaces, with cross=0.5.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
