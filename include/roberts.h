@@ -841,6 +841,12 @@ typedef enum roberts_column {
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
+/** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
+typedef struct roberts_plotter {
+    bool centre;   /**< the origin is in the middle of the page */
+    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+} roberts_plotter;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -878,6 +884,7 @@ typedef struct roberts_draw_options {
     bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol", and "9 hatch"; default: without numbers */
     roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
     const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
+    roberts_plotter plotter;         /**< HP-GL; default: zeroed */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */

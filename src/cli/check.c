@@ -253,6 +253,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--id-prefix", "only svg has ids");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
+    if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
+        warn("--plotter", "only hpgl has a plotter's origin");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)

@@ -357,6 +357,18 @@ static const option rows[] = {
      .manual =
          "The resolution of png, in dots per inch: 10 to 10000. Default: 150. An image has at most 32767 pixels a "
          "side."},
+    {.group = GROUP_PAGE,
+     .name = "plotter",
+     .flags = OPTION_PAPER,
+     .value = "ORIGIN[,TURN]",
+     .set = values_set_plotter,
+     .brief = "origin and turn of hpgl",
+     .help = "origin of hpgl, corner or center (default: corner), and how the page is turned: 90, 180 or 270",
+     .manual =
+         "Where an hpgl plotter has its origin: corner, the page's lower left one (the default), or center. TURN turns "
+         "the page counter-clockwise by 90, 180 or 270 degrees. A plotter whose x axis runs along the longer side of "
+         "the paper, as that of the HP 7475A, draws an upright page with corner,90 and a --landscape page as it is. "
+         "Large drafting plotters often have the origin in the middle."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,
