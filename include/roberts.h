@@ -495,8 +495,9 @@ typedef struct roberts_region {
     roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
                               upward, z toward the viewer */
     /** How the picture of a point moves, for each unit by which the point moves in the face's plane: up along the
-     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Of a level face
-     * +y and +x are meant. In perspective both are taken at the foot. Faces in one plane have the same. */
+     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Up is +z, or the
+     * axis along which the camera's `up` lies, unless it looks along z. Of a level face +y and +x are meant. In
+     * perspective both are taken at the foot. Faces in one plane have the same. */
     roberts_vec2 steep, level;
     roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
     roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
@@ -778,7 +779,11 @@ typedef struct roberts_hatching {
     roberts_hatch_along along; /**< default: ROBERTS_HATCH_PICTURE */
     double degrees;            /**< how far strokes are turned counter-clockwise, in the picture or in the face's plane;
                                     -360 to 360; default: 45 */
-    double cross;              /**< what is darker than this part of the darkest has its further strokes across the
+    /** false: the strokes of each tone are equally far apart. true: a darker tone has the strokes of the lighter ones,
+     * and more between them, so that strokes go on from tone to tone, as on curved surfaces; only tones of a half, a
+     * quarter, ... are spaced evenly. Default: false */
+    bool nested;
+    double cross; /**< what is darker than this part of the darkest has its further strokes across the
                                     others: 0 to 1; default: 1, nothing */
 } roberts_hatching;
 
@@ -866,6 +871,12 @@ typedef enum roberts_column {
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
+/** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
+typedef struct roberts_plotter {
+    bool centre;   /**< the origin is in the middle of the page */
+    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+} roberts_plotter;
+
 /** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
  * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
  * program leaves is removed when the same file is saved again. */
@@ -906,6 +917,7 @@ typedef struct roberts_draw_options {
     bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: named alone */
     roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
     const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
+    roberts_plotter plotter;         /**< HP-GL; default: zeroed */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */

@@ -247,8 +247,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw;
     warn_lost(options);
-    if (options_is_given(given, "light") && !draw->shaded)
-        warn("--light", "nothing is shaded without --fill shade");
+    if (options_is_given(given, "light") && !draw->shaded && !draw->hatching.on)
+        warn("--light", "nothing is shaded without --fill shade or --hatch");
     if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
         warn("--layers", "only layers of svg are numbered");
     if (options_is_given(given, "group") && draw->format != ROBERTS_SVG)
@@ -257,6 +257,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--id-prefix", "only svg has ids");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
+    if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
+        warn("--plotter", "only hpgl has a plotter's origin");
     if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)

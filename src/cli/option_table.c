@@ -358,6 +358,18 @@ static const option rows[] = {
      .manual =
          "The resolution of png, in dots per inch: 10 to 10000. Default: 150. An image has at most 32767 pixels a "
          "side."},
+    {.group = GROUP_PAGE,
+     .name = "plotter",
+     .flags = OPTION_PAPER,
+     .value = "ORIGIN[,TURN]",
+     .set = values_set_plotter,
+     .brief = "origin and turn of hpgl",
+     .help = "origin of hpgl, corner or center (default: corner), and how the page is turned: 90, 180 or 270",
+     .manual =
+         "Where an hpgl plotter has its origin: corner, the page's lower left one (the default), or center. TURN turns "
+         "the page counter-clockwise by 90, 180 or 270 degrees. A plotter whose x axis runs along the longer side of "
+         "the paper, as that of the HP 7475A, draws an upright page with corner,90 and a --landscape page as it is. "
+         "Large drafting plotters often have the origin in the middle."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,
@@ -396,7 +408,8 @@ static const option rows[] = {
      .help =
          "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
          "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
-         "plane; angle=DEGREES; cross=0.5: the darker half in two directions",
+         "plane; angle=DEGREES; cross=0.5: the darker half in two directions; lines=nested: strokes go on from tone "
+         "to tone",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
          "of "
@@ -412,6 +425,9 @@ static const option rows[] = {
          "angle=DEGREES: how far strokes are turned counter-clockwise. Default: 45 in the picture, 0 on faces.\n"
          "cross=PART: a tone darker than this part of the darkest has its further strokes across the others. 0.5 is a "
          "good value. Default: none.\n"
+         "lines=even (the default): the strokes of a tone are equally far apart. nested: a darker tone has the strokes "
+         "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
+         "surfaces, with cross=0.5.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",

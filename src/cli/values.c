@@ -275,6 +275,22 @@ int values_set_align(const option *o, const char *value, cli_options *options)
     return status;
 }
 
+/* ORIGIN or ORIGIN,TURN. */
+int values_set_plotter(const option *o, const char *value, cli_options *options)
+{
+    char origin[16];
+    bool fits;
+    uint32_t turn = 0;
+    const char *rest = parse_word(value, ',', origin, sizeof origin, &fits);
+    const bool centre = strcmp(origin, "center") == 0 || strcmp(origin, "centre") == 0;
+    if (!fits || (!centre && strcmp(origin, "corner") != 0))
+        return message_misuse("--%s: the origin is corner or center, not \"%s\"", o->name, origin);
+    if (rest && (!parse_integer(rest, &turn) || turn > 270 || turn % 90 != 0))
+        return message_misuse("--%s: a page is turned by 0, 90, 180 or 270 degrees, not \"%s\"", o->name, rest);
+    options->draw.plotter = (roberts_plotter){centre, turn};
+    return EXIT_DONE;
+}
+
 int values_set_frame(const option *o, const char *value, cli_options *options)
 {
     (void)o;

@@ -6,9 +6,10 @@
 #include "cli/parse.h"
 #include "cli/values.h"
 
-enum { KEY_SPACING, KEY_LEVELS, KEY_ANGLE, KEY_DIRECTION, KEY_CROSS, KEY_OFF, KEY_ON };
+enum { KEY_SPACING, KEY_LEVELS, KEY_ANGLE, KEY_DIRECTION, KEY_CROSS, KEY_LINES, KEY_OFF, KEY_ON };
 
-const char *const values_hatch_keys[] = {"spacing", "levels", "angle", "direction", "cross", "off", "on", NULL};
+const char *const values_hatch_keys[] = {"spacing", "levels", "angle", "direction", "cross",
+                                         "lines",   "off",    "on",    NULL};
 
 static const double shortest_mm = 0.01, longest_mm = 1000.0;
 enum { LEVELS_MOST = 1000, ANGLE_MOST = 360 };
@@ -18,6 +19,7 @@ static int set_key(roberts_hatching *h, const char *item, bool *turned)
 {
     static const char *const directions[] = {"picture", "steep", "across", NULL};
     static const roberts_hatch_along along[] = {ROBERTS_HATCH_PICTURE, ROBERTS_HATCH_STEEP, ROBERTS_HATCH_ACROSS};
+    static const char *const lines[] = {"even", "nested", NULL};
     char key[64];
     bool fits;
     const char *value = parse_word(item, '=', key, sizeof key, &fits);
@@ -47,6 +49,11 @@ static int set_key(roberts_hatching *h, const char *item, bool *turned)
         if (strcmp(value, "none") == 0 || (parse_number(value, &h->cross) && h->cross >= 0.0 && h->cross <= 1.0))
             return EXIT_DONE;
         return message_misuse("--hatch: cross=%s is neither none nor a number from 0 to 1", value);
+    case KEY_LINES:
+        if (!lines[parse_find(value, lines)])
+            return hint_unknown("--hatch: lines", value, lines, NULL);
+        h->nested = parse_find(value, lines) == 1;
+        return EXIT_DONE;
     case KEY_DIRECTION:
         if (!directions[parse_find(value, directions)])
             return hint_unknown("--hatch: direction", value, directions, NULL);

@@ -32,10 +32,10 @@ typedef struct hatch_crossing {
     double t; /* along the line, units of the page */
 } hatch_crossing;
 
-/* Parallel lines: number i is where across . (p - origin) = (i + 1/2) step. */
+/* Parallel lines: number i is where across . (p - origin) = (i + 1/2) step. Of these a `part` is drawn. */
 typedef struct hatch_lines {
     roberts_vec2 origin, along, across; /* units of the page; along and across of length 1 */
-    double step;
+    double step, part;
 } hatch_lines;
 
 typedef struct hatch_work {
@@ -82,7 +82,8 @@ static hatch_lines lines_for(const strokes *s, const page_region *on, double deg
     const roberts_hatching *h = &s->options->hatching;
     const roberts_vec2 d = direction(h, on->region, degrees);
     const double length = hypot(d.x, d.y);
-    hatch_lines lines = {.along = {1.0, 0.0}, .step = h->spacing_mm * s->units_per_mm / tone};
+    const double step = h->spacing_mm * s->units_per_mm;
+    hatch_lines lines = {.along = {1.0, 0.0}, .step = h->nested ? step : step / tone, .part = h->nested ? tone : 1.0};
     if (isnormal(length))
         lines.along = (roberts_vec2){d.x / length, d.y / length};
     lines.across = (roberts_vec2){-lines.along.y, lines.along.x};
@@ -108,9 +109,22 @@ static hatch_corner corner_at(const hatch_lines *lines, roberts_vec2 p)
                           lines->along.x * q.x + lines->along.y * q.y};
 }
 
+/* Whether a line is drawn if only a part of them is. The lines of a part are drawn in each larger one, too, and are
+ * spread as evenly as that allows: the order is that of the radical inverse (J. G. van der Corput,
+ * "Verteilungsfunktionen", Proceedings of the Royal Academy of Amsterdam 38, 1935), which turns the bits of a number
+ * round. So a half has every second line, a quarter every fourth. */
+static bool is_drawn(double line, double part)
+{
+    const unsigned n = (unsigned)((uint64_t)(int64_t)line & 0xffff);
+    unsigned turned = 0;
+    for (int bit = 0; bit < 16; bit++)
+        turned |= (n >> bit & 1) << (15 - bit);
+    return turned < part * 65536.0;
+}
+
 /* Adds the crossings of a side. The result is the same for both directions of the side. False: no memory, or too many.
  */
-static bool cross_side(hatch_work *w, hatch_corner a, hatch_corner b)
+static bool cross_side(hatch_work *w, const hatch_lines *lines, hatch_corner a, hatch_corner b)
 {
     if (a.across > b.across || (a.across == b.across && a.along > b.along)) {
         const hatch_corner swap = a;
@@ -126,8 +140,9 @@ static bool cross_side(hatch_work *w, hatch_corner a, hatch_corner b)
     if (!array_reserve(&w->crossing, &w->crossing_room, w->crossing_count + count, sizeof *w->crossing))
         return false;
     for (size_t i = 0; i < count; i++) {
-        const double line = first + (double)i, part = (line - a.across) / (b.across - a.across);
-        w->crossing[w->crossing_count++] = (hatch_crossing){(int64_t)line, a.along + part * (b.along - a.along)};
+        const double line = first + (double)i, t = (line - a.across) / (b.across - a.across);
+        if (lines->part == 1.0 || is_drawn(line, lines->part))
+            w->crossing[w->crossing_count++] = (hatch_crossing){(int64_t)line, a.along + t * (b.along - a.along)};
     }
     return true;
 }
@@ -179,7 +194,7 @@ static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *
         hatch_corner before = corner_at(lines, on->point[end - 1]);
         for (size_t k = first; k < end; k++) {
             const hatch_corner own = corner_at(lines, on->point[k]);
-            if (!cross_side(w, before, own))
+            if (!cross_side(w, lines, before, own))
                 return false;
             before = own;
         }

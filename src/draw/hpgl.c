@@ -2,8 +2,9 @@
  * cutters.
  *
  * A class has a pen (SP). Width and colour of the pen are told, too (PW, PC): plotters with real pens ignore them. 40
- * units are a mm, the origin is the lower left corner of the page, and y is up. Coordinates are whole numbers, because
- * many plotters and cutters read no others; so they are true to half a unit, 0.0125 mm. */
+ * units are a mm. The origin is the lower left corner of the page, or its middle, and the page may be turned, as the
+ * plotter needs it. Coordinates are whole numbers, because many plotters and cutters read no others. So they are true
+ * to half a unit, 0.0125 mm. */
 #include "draw/formats.h"
 #include "draw/plot.h"
 
@@ -17,8 +18,8 @@ enum {
 typedef struct hpgl {
     const strokes *s;
     output *out;
-    double units;  /* of HP-GL in a unit of the page */
-    double height; /* of the page, in units of HP-GL */
+    double units;         /* of HP-GL in a unit of the page */
+    double width, height; /* of the page, in units of HP-GL */
 } hpgl;
 
 /* Writes an instruction up to `value`, and what stands behind it. */
@@ -63,7 +64,20 @@ static void begin_class(void *context, roberts_line line)
 
 static page_point on_plotter(const hpgl *p, page_point at)
 {
-    return (page_point){page_round(at.x * p->units), page_round(p->height - at.y * p->units)};
+    const roberts_plotter *axes = &p->s->options->plotter;
+    double x = at.x * p->units, y = p->height - at.y * p->units, width = p->width, height = p->height;
+    for (uint32_t turned = 0; turned < axes->turn; turned += 90) {
+        const double up = x, side = width;
+        x = height - y;
+        y = up;
+        width = height;
+        height = side;
+    }
+    if (axes->centre) {
+        x -= width / 2.0;
+        y -= height / 2.0;
+    }
+    return (page_point){page_round(x), page_round(y)};
 }
 
 static void write_point(output *out, page_point at)
@@ -98,7 +112,8 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
 
 roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
 {
-    hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, s->options->page.height_mm * UNITS_PER_MM};
+    const roberts_page *page = &s->options->page;
+    hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
     write_integer(out, "IN;NP", PENS, ";\n");
     roberts_status status = plot_strokes(s, &to, out, error);

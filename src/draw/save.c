@@ -162,6 +162,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
     if (options->grouping < ROBERTS_GROUP_CLASS || options->grouping > ROBERTS_GROUP_ELEMENT)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to group the lines of SVG");
+    if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
     if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))

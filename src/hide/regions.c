@@ -477,7 +477,7 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     own.all_edges = true;
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
-    hide_job job = {.options = &own, .regions = out, .upright = camera->up};
+    hide_job job = {.options = &own, .regions = out, .upright = slope_upright(camera)};
     roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)

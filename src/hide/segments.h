@@ -11,7 +11,7 @@ typedef struct hide_job {
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
     struct roberts_region_list *regions; /* NULL: not wanted */
-    roberts_vec3 upright;                /* of regions: what points up in the model; 0,0,0 is +z */
+    roberts_vec3 upright;                /* of regions: what points up in the model */
     seen seen;
     hide_fronts fronts;
     objet grid;

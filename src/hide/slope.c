@@ -47,19 +47,30 @@ static roberts_vec3 steepest(roberts_vec3 n, roberts_vec3 upright)
     return best;
 }
 
+static int sign(double x)
+{
+    return (x > 0.0) - (x < 0.0);
+}
+
+roberts_vec3 slope_upright(const roberts_camera *camera)
+{
+    const roberts_vec3 up = {sign(camera->up.x), sign(camera->up.y), sign(camera->up.z)};
+    const bool from_above = camera->dir.x == 0.0 && camera->dir.y == 0.0 && camera->dir.z != 0.0;
+    const bool along_axis = fabs(up.x) + fabs(up.y) + fabs(up.z) == 1.0;
+    return along_axis && !from_above ? up : (roberts_vec3){0, 0, 1};
+}
+
 void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region)
 {
     const view *v = &s->view;
     const plane F = s->scene->face_plane[face];
     const roberts_vec3 inward = {F.a, F.b, F.c};
-    const double length = vec3_length(inward), up_length = vec3_length(upright);
+    const double length = vec3_length(inward);
     const roberts_vec3 n = vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / length, inward);
     roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / (length * length), inward));
     if (weight(v, foot) < nearest_foot)
         foot = s->scene->point[s->scene->corner[s->scene->face_start[face]]];
-    const bool given = isnormal(up_length);
-    const roberts_vec3 up = given ? vec3_scale(1.0 / up_length, upright) : (roberts_vec3){0, 0, 1};
-    const roberts_vec3 steep = steepest(n, up), p = view_point(v, foot);
+    const roberts_vec3 steep = steepest(n, upright), p = view_point(v, foot);
     region->normal = to_viewer(v, n);
     region->steep = moves(v, foot, steep);
     region->level = moves(v, foot, vec3_cross(steep, n));

@@ -4,8 +4,12 @@
 
 #include "view/seen.h"
 
-/* Fills the normal, steep, level and foot of a region of scene face `face`. upright: what points up in the model, of
- * any length; 0,0,0 is +z. Faces in one plane that are seen from the same side get the same, to within rounding. */
+/* What points up in the model: +z, or the axis along which the camera's `up` lies. A camera that looks along z has any
+ * such `up`, so there it is +z. */
+roberts_vec3 slope_upright(const roberts_camera *camera);
+
+/* Fills the normal, steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
+ * that are seen from the same side get the same, to within rounding. */
 void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region);
 
 #endif

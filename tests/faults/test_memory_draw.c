@@ -22,7 +22,11 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 9, 9), line_at(ROBERTS_CREASE, 3, 3, 6, 6),
                               line_at(ROBERTS_OUTLINE, 9, 9, 0, 9), line_at(ROBERTS_CREASE, 5, 0, 9, 0),
                               line_at(ROBERTS_BACK, 1, 5, 8, 5),    line_at(ROBERTS_BACK, 1, 6, 8, 6)};
-    roberts_drawing drawing = {.count = 6, .segment = some};
+    roberts_region region = {.ring_count = 1, .normal = {0.6, 0.0, 0.8}};
+    size_t start[2] = {0, 4};
+    roberts_vec2 corner[4] = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+    const roberts_region_list regions = {1, 1, 4, &region, start, corner};
+    roberts_drawing drawing = {.count = 6, .segment = some, .regions = &regions};
     roberts_draw_options options = roberts_draw_options_default();
     some[1].z0 = some[1].z1 = 1.0;
     some[4].state = some[5].state = ROBERTS_HIDDEN;
@@ -31,6 +35,8 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     options.frame.off = false;
     options.lettering.labels = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
     options.lettering.native = format == ROBERTS_PDF;
+    options.hatching.on = true;
+    options.hatching.spacing_mm = 10.0;
     roberts_sheet both = {.view = {&drawing, &drawing}};
     drawing.window_max = (roberts_vec2){9, 9};
     size_t before = memory_blocks, failures = 0;

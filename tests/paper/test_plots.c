@@ -215,6 +215,38 @@ static void tiny_strokes_of_hpgl(void **state)
     free(text);
 }
 
+/* The corners of a page of 100 x 60 mm, as 4000 x 2400 units: right, up from the lower left. */
+static void plotters_have_their_axes(void **state)
+{
+    static const struct {
+        roberts_plotter plotter;
+        const char *line;
+    } cases[] = {
+        {{false, 0}, "PU0,0;PD4000,2400;"},          {{false, 90}, "PU2400,0;PD0,4000;"},
+        {{false, 180}, "PU4000,2400;PD0,0;"},        {{false, 270}, "PU0,4000;PD2400,0;"},
+        {{true, 0}, "PU-2000,-1200;PD2000,1200;"},   {{true, 90}, "PU1200,-2000;PD-1200,2000;"},
+        {{true, 180}, "PU2000,1200;PD-2000,-1200;"}, {{true, 270}, "PU-1200,2000;PD1200,-2000;"},
+    };
+    roberts_segment segment = line_at(ROBERTS_CREASE, 0, 0, 100, 60);
+    const roberts_drawing drawing = {.count = 1, .segment = &segment, .framed = true, .window_max = {100, 60}};
+    roberts_draw_options options = roberts_draw_options_default();
+    roberts_error error;
+    sink to = {0};
+    (void)state;
+    options.page = (roberts_page){.width_mm = 100, .height_mm = 60};
+    options.order = ROBERTS_ORDER_NONE;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        options.plotter = cases[i].plotter;
+        char *text = written(&drawing, options, ROBERTS_HPGL);
+        print_message("%s\n", cases[i].line);
+        assert_non_null(strstr(text, cases[i].line));
+        free(text);
+    }
+    options.plotter.turn = 45;
+    assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
+}
+
 static const struct {
     unsigned char red, green, blue;
     int number;
@@ -312,6 +344,7 @@ int main(void)
         cmocka_unit_test(tikz_knows_the_vertices_seen),
         cmocka_unit_test(texts_of_tikz),
         cmocka_unit_test(tiny_strokes_of_hpgl),
+        cmocka_unit_test(plotters_have_their_axes),
         cmocka_unit_test(colours_of_dxf),
         cmocka_unit_test_setup_teardown(a_reader_of_dxf_opens_it, temporary_make, temporary_remove),
         cmocka_unit_test_setup_teardown(latex_compiles_tikz, temporary_make, temporary_remove),
