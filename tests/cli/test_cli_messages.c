@@ -218,6 +218,17 @@ static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 static const struct {
     const char *arguments, *said;
 } misuse_cases[] = {
+    {"--hatch spacng=1", "did you mean spacing?"},
+    {"--hatch spacing", "--hatch: spacing needs a value\n"},
+    {"--hatch on=1", "--hatch: on takes no value\n"},
+    {"--hatch spacing=0", "--hatch: spacing=0 is not a length from 0.01 to 1000 mm\n"},
+    {"--hatch levels=1.5", "--hatch: levels=1.5 is not a whole number from 0 to 1000\n"},
+    {"--hatch angle=400", "--hatch: angle=400 is not a number of degrees from -360 to 360\n"},
+    {"--hatch cross=2", "--hatch: cross=2 is neither none nor a number from 0 to 1\n"},
+    {"--hatch direction=up", "--hatch: direction: \"up\" is unknown; it can be picture, steep, across\n"},
+    {"--group bodies", "bodies"},
+    {"--id-prefix 9a",
+     "--id-prefix: \"9a\" cannot begin an id: it needs a letter or _, then letters, digits, - . or _\n"},
     {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
                   "tabloid, or WxH in mm, as 210x297, or 8.5x11in\n"},
     {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
@@ -404,6 +415,12 @@ static const struct {
     {"--plotter center,90 -f hpgl", ""},
     {"--plotter corner", "--plotter has no effect: only hpgl has a plotter's origin\n"},
     {"--layers numbered -f pdf", "--layers has no effect: only layers of svg are numbered\n"},
+    {"--style hatch:color=red", "--style hatch has no effect: faces are not hatched without --hatch\n"},
+    {"--hatch on -f csv", "--hatch has no effect: csv has no page\n"},
+    {"--hatch on --dash real", "--dash real has no effect: no lines are dashed, as by --hidden dashed\n"},
+    {"--hatch on --dash real --style hatch:dash=1", ""},
+    {"--group body -f pdf", "--group has no effect: only svg has groups\n"},
+    {"--id-prefix a -f tikz", "--id-prefix has no effect: only svg has ids\n"},
     {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
     {"--background red -f hpgl", "--background has no effect: hpgl has no background\n"},
     {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},
