@@ -168,7 +168,7 @@ static void noisy_points(void **state)
             double bound = 1e-5 * size * vec3_length(vec3_scale(1 / size, across)); /* squares must not vanish */
             for (uint32_t f = 0; f < scene->face_count; f++)
                 for (size_t v = 0; v < mesh.vertex_count; v++) {
-                    double inside = plane_at(scene->face_plane[f], vec3_sub(mesh.vertex[v], scene->centre));
+                    double inside = plane_at(scene_plane(scene, f), vec3_sub(mesh.vertex[v], scene->centre));
                     if (scene_width(scene, f) > 1e-3 * size && !(inside >= -bound))
                         fail_msg("noise %g, round %d: vertex %zu is %g outside face %u", noise, round, v, -inside, f);
                 }
