@@ -526,9 +526,11 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
     assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
-    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
-    assert_string_equal(last.err, "roberts: in/a.csv: warning: its ending says csv, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but regions are written as json\n");
     assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
 }
 
