@@ -291,7 +291,7 @@ static void boxes_by_table(void **state)
     }
 }
 
-/* Where depth moves right and up by as much as it is, the line of sight is that of "iso": other pictures,
+/* Where depth moves right and up by its own amount, the line of sight is that of "iso": other pictures,
  * same parts. */
 static void boxes_seen_obliquely(void **state)
 {
