@@ -1032,7 +1032,7 @@ static void counts_and_lines(void **state)
     }
 }
 
-/* Edges that go together are told from others by a number of sixteen bits, which comes again after 65,535 of them. Here
+/* Edges that go together share a number of sixteen bits, which comes again after 65,535 of them. Here
  * it is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in
  * between go one by one. Of each bar two edges are hidden by halves, and one wholly. */
 static void more_groups_than_stamps(void **state)
