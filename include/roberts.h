@@ -870,6 +870,7 @@ typedef enum roberts_column {
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
     ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMN_BY,    /**< by_name: the same of the solid that hides the piece */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 

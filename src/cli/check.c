@@ -285,12 +285,12 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
-/* Regions are JSON, whatever the name. */
+/* Regions are JSON, unless the name ends in .csv. */
 static void warn_regions(const cli_options *options)
 {
     char text[80];
     roberts_format told;
-    if (!options->regions || !roberts_format_by_path(options->regions, &told) || told == ROBERTS_JSON)
+    if (!options->regions || !roberts_format_by_path(options->regions, &told) || is_table(told))
         return;
     snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
     message_warning(stderr, options->regions, 0, text);

@@ -146,12 +146,10 @@ static const option rows[] = {
      .set = values_set_columns,
      .brief = "further columns of tables",
      .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +level (how "
-             "many layers hide "
-             "it), +name (of "
-             "the group)",
+             "many layers hide it), +name (of the group), +by (the name of what hides it)",
      .manual =
-         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name. OUTPUT "
-         "FORMATS says what they hold."},
+         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name, +by. "
+         "OUTPUT FORMATS says what they hold."},
     {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,

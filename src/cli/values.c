@@ -148,7 +148,7 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
 
 const char *const values_columns[] = {
     [ROBERTS_COLUMN_ENDS] = "+ends", [ROBERTS_COLUMN_DEPTH] = "+depth", [ROBERTS_COLUMN_LEVEL] = "+level",
-    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMNS] = NULL,
+    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMN_BY] = "+by",       [ROBERTS_COLUMNS] = NULL,
 };
 
 /* One further column. */
