@@ -496,6 +496,12 @@ typedef struct roberts_region {
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
     roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
                               upward, z toward the viewer */
+    /** How the picture of a point moves, for each unit by which the point moves in the face's plane: up along the
+     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Up is +z, or the
+     * axis along which the camera's `up` lies, unless it looks along z. Of a level face +y and +x are meant. In
+     * perspective both are taken at the foot. Faces in one plane have the same. */
+    roberts_vec2 steep, level;
+    roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
     roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
 } roberts_region;
 
@@ -757,6 +763,32 @@ typedef enum roberts_fill {
     ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
 } roberts_fill;
 
+/** Which way the strokes of a hatching run. */
+typedef enum roberts_hatch_along {
+    ROBERTS_HATCH_PICTURE, /**< to the right, the same for all faces */
+    ROBERTS_HATCH_STEEP,   /**< along the steepest line of each face */
+    ROBERTS_HATCH_ACROSS,  /**< across it, along a level line of each face */
+} roberts_hatch_along;
+
+/** Strokes on faces, closer together where less light falls (`light`). A face on which the light falls straight has
+ * none; where none falls they are as close as `spacing_mm`, and between these their length on the same area goes with
+ * the cosine of the light's angle (Lambert). Strokes of faces in one plane go on from one to the next. It needs
+ * `regions` in each drawing. */
+typedef struct roberts_hatching {
+    bool on;                   /**< default: false */
+    double spacing_mm;         /**< from stroke to stroke on paper, where no light falls: 0.01 to 1000; default: 0.8 */
+    uint32_t levels;           /**< how many tones there are, up to 1000; 0: one for each shade; default: 10 */
+    roberts_hatch_along along; /**< default: ROBERTS_HATCH_PICTURE */
+    double degrees;            /**< how far strokes are turned counter-clockwise, in the picture or in the face's plane;
+                                    -360 to 360; default: 45 */
+    /** false: the strokes of each tone are equally far apart. true: a darker tone has the strokes of the lighter ones,
+     * and more between them, so that strokes go on from tone to tone, as on curved surfaces; only tones of a half, a
+     * quarter, ... are spaced evenly. Default: false */
+    bool nested;
+    double cross; /**< what is darker than this part of the darkest has its further strokes across the
+                                    others: 0 to 1; default: 1, nothing */
+} roberts_hatching;
+
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
@@ -776,11 +808,54 @@ typedef struct roberts_placement {
     bool standard;        /**< scale 0: the largest of 1, 2 or 5 times a power of ten that fits (ISO 5455) */
 } roberts_placement;
 
+/** What a label names. */
+typedef enum roberts_label_kind {
+    ROBERTS_LABEL_VERTICES = 1,
+    ROBERTS_LABEL_EDGES = 2,
+    ROBERTS_LABEL_FACES = 4,  /**< it needs `regions` in each drawing */
+    ROBERTS_LABEL_BODIES = 8, /**< it needs `regions`, too */
+} roberts_label_kind;
+
+/** A name that a label shows in place of numbers. */
+typedef struct roberts_name {
+    roberts_label_kind of;
+    uint32_t number;  /**< of the vertex, face or body; of an edge its smaller vertex */
+    uint32_t other;   /**< of an edge its larger vertex; else 0 */
+    const char *text; /**< UTF-8; empty: no label */
+} roberts_name;
+
+/** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct is a page without any. Letters are strokes of
+ * the fonts "simplex" of A. V. Hershey, Latin and Greek, near ISO 3098; accents are composed. A character that they
+ * lack is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the
+ * largest visible part of faces and bodies; where there is room, none lies on a line or on another one. What is hidden
+ * has a label where hidden lines are drawn. */
+typedef struct roberts_lettering {
+    double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5 */
+    bool native;      /**< SVG, PDF and TikZ: text in a font of the reader, which can be searched and copied */
+    unsigned labels;  /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input */
+    size_t name_count;
+    const roberts_name *name;  /**< [name_count] by of, number, other, each once; what they name is labelled */
+    roberts_warnings warnings; /**< characters that the fonts lack */
+} roberts_lettering;
+
 /** In which order the pen draws the lines of a class. */
 typedef enum roberts_order {
     ROBERTS_ORDER_TRAVEL, /**< lines that meet are chained, and chains ordered so that the lifted pen travels little */
     ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line begins at the end of the one before */
 } roberts_order;
+
+/** How the lines of an SVG are grouped. Except for ROBERTS_GROUP_CLASS, groups and elements have a `class` and names
+ * for scripts and style sheets: a body's group has data-body (its number) and data-name (that of its group in the
+ * input, if it has one); a piece of an edge has data-edge="4-17" (its vertices, not for an intersection),
+ * data-faces="2,5" (the faces there, as roberts_segment_faces() gives them) and, where it is hidden, data-by (the body
+ * seen there). Pens are attributes of groups, so that rules of style sheets override them. On a sheet the views are the
+ * layers, with data-view="front"; the groups below are in them. */
+typedef enum roberts_grouping {
+    ROBERTS_GROUP_CLASS,   /**< a layer for each class, with one path */
+    ROBERTS_GROUP_BODY,    /**< a layer for each body, with a group of one path for each class */
+    ROBERTS_GROUP_ELEMENT, /**< a layer for each class, with a group for each body, with a path for each piece of an
+                                edge; pieces are not chained */
+} roberts_grouping;
 
 /** What was drawn on a page. */
 typedef struct roberts_ink {
@@ -795,6 +870,7 @@ typedef enum roberts_column {
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
     ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMN_BY,    /**< by_name: the same of the solid that hides the piece */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
@@ -823,7 +899,12 @@ typedef struct roberts_draw_options {
     roberts_pen frame;             /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
                                         cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
+    roberts_pen hatch;             /**< strokes of `hatching`; default: 0.25 mm */
+    roberts_pen text;              /**< text and its lines; default: 0.25 mm */
+    roberts_pen hidden_text;       /**< labels of what is hidden; default: 0.25 mm, grey */
+    roberts_lettering lettering;   /**< default: none */
     roberts_background background; /**< default: off */
+    roberts_hatching hatching;     /**< default: off */
     roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
     unsigned char fill_color[3];   /**< of ROBERTS_FILL_COLOR: red, green, blue; default: white */
     bool shaded;                   /**< fills are darker where less light falls; default: false */
@@ -831,14 +912,16 @@ typedef struct roberts_draw_options {
                                         viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
-    const roberts_scene *scene;    /**< tables: the drawing's scene, which knows the faces and ends of edges, and
-                                        names; NULL: these fields stay empty */
+    const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, which knows the faces and ends
+                                        of edges, and names; NULL: these fields stay empty */
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers;      /**< SVG: layers are called "1 hidden" to "8 symbol"; default: "hidden" to "symbol" */
-    roberts_plotter plotter; /**< HP-GL; default: zeroed */
-    double dpi;              /**< PNG: dots per inch; default: 150 */
+    bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: named alone */
+    roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
+    const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
+    roberts_plotter plotter;         /**< HP-GL; default: zeroed */
+    double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */

@@ -17,6 +17,7 @@ const option_title option_titles[OPTION_GROUPS] = {
                     "Lengths on paper are in mm, or have a unit: mm, cm, in or pt (1/72 inch; TeX's is 1/72.27), as in "
                     "8.5x11in. This holds for pens too: width=0.8pt."},
     [GROUP_LINES] = {"Lines", NULL, NULL},
+    [GROUP_TEXT] = {"Text", "UTF-8", "Text is UTF-8."},
     [GROUP_VIEW] =
         {"View", NULL,
          "A view is given by --view, by --dir, by --eye, or by --azimuth and --elevation. --up and --roll go "
@@ -145,12 +146,10 @@ static const option rows[] = {
      .set = values_set_columns,
      .brief = "further columns of tables",
      .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +level (how "
-             "many layers hide "
-             "it), +name (of "
-             "the group)",
+             "many layers hide it), +name (of the group), +by (the name of what hides it)",
      .manual =
-         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name. OUTPUT "
-         "FORMATS says what they hold."},
+         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name, +by. "
+         "OUTPUT FORMATS says what they hold."},
     {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,
@@ -341,7 +340,7 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
-         "Below the borders between colours lie lines of at most 0.3 mm, so that no gap shines through on a screen. "
+         "Below the borders between colours lie lines of at most 0.4 mm, so that no gap shines through on a screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
          "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
     {.group = GROUP_PAGE,
@@ -392,19 +391,55 @@ static const option rows[] = {
      .set = values_set_style,
      .brief = "a pen",
      .help =
-         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame or symbol (default: 0.5, 0.5, 0.35, "
-         "0.35, 0.35, 0.25 dashed, 0.7, 0.35 mm, black). width=MM; color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm "
+         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
+         "(default: 0.5, 0.5, 0.35, "
+         "0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
+         "dash=DASH/GAP in mm "
          "as seen, or none; off, on",
      .manual =
-         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame or symbol. width=MM is its "
+         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, text or "
+         "hidden-text. width=MM is its "
          "width, "
          "color=COLOR its colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as "
          "seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, "
          "on brings it back. May be given several times.\n"
-         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7 and 0.35 mm, black; hidden lines have dashes of 3 mm "
+         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm, black and, for "
+         "hidden-text, "
+         "grey; hidden lines have dashes of 3 mm "
          "and "
          "gaps of 0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
          "thinner pens."},
+    {.group = GROUP_LINES,
+     .name = "hatch",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "KEY=VALUE,...",
+     .words = values_hatch_keys,
+     .set = values_set_hatch,
+     .brief = "strokes on faces by their shade",
+     .help =
+         "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
+         "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
+         "plane; angle=DEGREES; cross=0.5: the darker half in two directions; lines=nested: strokes go on from tone "
+         "to tone",
+     .manual =
+         "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
+         "of "
+         "their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
+         "them:\n"
+         "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. A face that has a part of the "
+         "light has so much fewer strokes, and a face on which the light falls straight has none (Lambert's law).\n"
+         "levels=N: how many tones there are; 0: one for each shade. Default: 10. Faces of one tone have strokes in "
+         "line with one another.\n"
+         "direction=picture (the default): strokes run the same way on all faces. steep, across: on each face along "
+         "its steepest line, or along a level line. Faces that lie in one plane have strokes in line with one another. "
+         "In perspective, too, strokes are parallel on paper.\n"
+         "angle=DEGREES: how far strokes are turned counter-clockwise. Default: 45 in the picture, 0 on faces.\n"
+         "cross=PART: a tone darker than this part of the darkest has its further strokes across the others. 0.5 is a "
+         "good value. Default: none.\n"
+         "lines=even (the default): the strokes of a tone are equally far apart. nested: a darker tone has the strokes "
+         "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
+         "surfaces, with cross=0.5.\n"
+         "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -439,8 +474,77 @@ static const option rows[] = {
      .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
-         "from 1 hidden to 6 outline, 7 frame and 8 symbol, the same in every drawing. The software of AxiDraw finds "
+         "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch and 10 text, the same in every drawing. The software "
+         "of "
+         "AxiDraw finds "
          "layers by their numbers."},
+    {.group = GROUP_LINES,
+     .name = "group",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "BY",
+     .words = values_groups,
+     .set = values_set_group,
+     .brief = "groups of svg",
+     .help =
+         "groups of svg, for style sheets and scripts: class (the default), body (with its name, classes inside) or "
+         "element (every piece of an edge by itself)",
+     .manual =
+         "How the lines of svg are grouped. class (the default): a layer for each class, with one path. body: a layer "
+         "for each body, with a path for each class. element: a layer for each class, in it a group for each body, in "
+         "it a path for each piece of an edge; pieces are not joined to longer strokes.\n"
+         "With body and element, groups and elements have names for style sheets and scripts. class is the line's "
+         "class, body, view or edge. data-body and data-name are the body's number and its name in the file, if it has "
+         "one. data-edge is like 4-17, the edge's vertices, and data-faces like 2,5, the faces there; all as in "
+         "tables. A hidden piece has data-by, the body seen there. Pens are attributes of groups, so that rules of "
+         "style sheets override them. On sheets the views are the layers."},
+    {.group = GROUP_LINES,
+     .name = "id-prefix",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "TEXT",
+     .set = values_set_id_prefix,
+     .brief = "what ids of svg begin with",
+     .help = "ids of svg begin with this, so that several drawings can be in one page of the web",
+     .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. So several "
+               "drawings can be in one page of the web, where an id may be used only once."},
+
+    /* ---- text ---- */
+    {.group = GROUP_TEXT,
+     .name = "label",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WHAT,...",
+     .words = values_labels,
+     .set = values_set_label,
+     .brief = "numbers at vertices or edges or faces or bodies",
+     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas",
+     .manual =
+         "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
+         "several with commas. A label is beside its vertex or the middle of the edge's longest visible part, or in "
+         "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
+         "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
+         "Edges that are not drawn have none."},
+    {.group = GROUP_TEXT,
+     .name = "label-size",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MM",
+     .set = values_set_length,
+     TO(draw.lettering.height_mm),
+     RANGE(0.5, 100),
+     .brief = "height of capitals",
+     .help = "height of the capitals (default: 3.5)",
+     .manual = "How high capitals are. Default: 3.5, which goes with the pen of 0.25 mm (ISO 3098, type A)."},
+    {.group = GROUP_TEXT,
+     .name = "text",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_texts,
+     .set = values_set_text_mode,
+     .brief = "strokes or text of the reader",
+     .help = "strokes: letters that pens draw, everywhere the same; native: text for the reader's fonts, in svg, pdf "
+             "and tikz (default: strokes)",
+     .manual = "strokes (the default): letters are drawn as strokes of a pen, everywhere the same: upright letters "
+               "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
+               "svg, pdf and tikz have the text itself, which can be searched, copied, and set in the document's "
+               "fonts; other formats have strokes all the same."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

@@ -220,13 +220,21 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
 /* Whether what is drawn needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
-    const roberts_format format = options->draw.format;
-    const bool fills = format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_PS ||
-                       format == ROBERTS_EPS || format == ROBERTS_PNG || format == ROBERTS_TIKZ;
-    return fills && options->draw.fill != ROBERTS_FILL_NONE;
+    const roberts_draw_options *page = &options->draw;
+    const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
+                       page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
+    const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
+    const bool labels = page->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) ||
+           (strokes && page->hatching.on && !page->hatch.off);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
@@ -273,10 +281,10 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
-/* Whether what is written asks the scene for the faces of edges. */
-static bool is_table(const cli_options *options)
+/* Whether what is written asks the scene for the faces of edges, or for names. */
+static bool needs_scene(const cli_options *options)
 {
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+    return is_table(options) || (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
 }
 
 /* What messages call the drawing. */
@@ -331,6 +339,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.description = options->description.text;
     page.ink = &run->ink;
     page.scene = scene;
+    page.lettering.warnings = options->scene.warnings;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];
@@ -384,7 +393,7 @@ static roberts_status save_regions(const cli_options *options, const views *v, r
     return roberts_regions_save(&v->regions[0], &table, options->regions, error);
 }
 
-/* Makes one picture. Before the last one is written the scene is released, unless a table needs it. Returns the exit
+/* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
                 run_stats run, roberts_time begin)
@@ -398,7 +407,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         warn_idle(options, *scene, &v);
     if (status == ROBERTS_OK)
         status = save_regions(options, &v, &error);
-    if (last && !is_table(options)) {
+    if (last && !needs_scene(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;
     }

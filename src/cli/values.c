@@ -148,7 +148,7 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
 
 const char *const values_columns[] = {
     [ROBERTS_COLUMN_ENDS] = "+ends", [ROBERTS_COLUMN_DEPTH] = "+depth", [ROBERTS_COLUMN_LEVEL] = "+level",
-    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMNS] = NULL,
+    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMN_BY] = "+by",       [ROBERTS_COLUMNS] = NULL,
 };
 
 /* One further column. */
@@ -483,6 +483,9 @@ const char *const values_pens[] = {
     [PEN_HIDDEN] = "hidden",
     [PEN_FRAME] = "frame",
     [PEN_SYMBOL] = "symbol",
+    [PEN_HATCH] = "hatch",
+    [PEN_TEXT] = "text",
+    [PEN_HIDDEN_TEXT] = "hidden-text",
     [PENS] = NULL,
 };
 
@@ -495,6 +498,9 @@ static const size_t pen_fields[PENS] = {
     [PEN_HIDDEN] = offsetof(roberts_draw_options, back),
     [PEN_FRAME] = offsetof(roberts_draw_options, frame),
     [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
+    [PEN_HATCH] = offsetof(roberts_draw_options, hatch),
+    [PEN_TEXT] = offsetof(roberts_draw_options, text),
+    [PEN_HIDDEN_TEXT] = offsetof(roberts_draw_options, hidden_text),
 };
 
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)
@@ -559,6 +565,60 @@ int values_set_layers(const option *o, const char *value, cli_options *options)
     size_t i;
     int status = choose(o, value, &i);
     options->draw.number_layers = i == 1;
+    return status;
+}
+
+const char *const values_groups[] = {"class", "body", "element", NULL};
+
+int values_set_group(const option *o, const char *value, cli_options *options)
+{
+    static const roberts_grouping groupings[] = {ROBERTS_GROUP_CLASS, ROBERTS_GROUP_BODY, ROBERTS_GROUP_ELEMENT};
+    size_t i;
+    int status = choose(o, value, &i);
+    if (status == EXIT_DONE)
+        options->draw.grouping = groupings[i];
+    return status;
+}
+
+int values_set_id_prefix(const option *o, const char *value, cli_options *options)
+{
+    static const char letters[] = "_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ", others[] = "-.0123456789";
+    const char *at = value;
+    while (*at && (strchr(letters, *at) || (at > value && strchr(others, *at))))
+        at++;
+    if (*at || !*value)
+        return message_misuse("--%s: \"%s\" cannot begin an id: it needs a letter or _, then letters, digits, - . or _",
+                              o->name, value);
+    options->draw.id_prefix = value;
+    return EXIT_DONE;
+}
+
+/* ---- text ---- */
+
+const char *const values_labels[] = {"vertices", "edges", "faces", "bodies", NULL};
+
+int values_set_label(const option *o, const char *value, cli_options *options)
+{
+    char word[64];
+    bool fits;
+    options->draw.lettering.labels = 0;
+    while (value) {
+        value = parse_word(value, ',', word, sizeof word, &fits);
+        const size_t i = parse_find(word, o->words);
+        if (!fits || !o->words[i])
+            return hint_unknown("--label", word, o->words, "with commas between several");
+        options->draw.lettering.labels |= 1u << i;
+    }
+    return EXIT_DONE;
+}
+
+const char *const values_texts[] = {"strokes", "native", NULL};
+
+int values_set_text_mode(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.lettering.native = i == 1;
     return status;
 }
 

@@ -147,6 +147,19 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
     return true;
 }
 
+bool chain_apart(const pieces *p, roberts_line line, polylines *out)
+{
+    for (size_t i = 0; i < p->count; i++) {
+        page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
+        if (p->item[i].line != line || is_same(a, b))
+            continue;
+        if (!polylines_start(out) || !polylines_append(out, a) || !polylines_append(out, b))
+            return false;
+        out->item[out->count - 1].number = p->item[i].number;
+    }
+    return true;
+}
+
 /* ---- places ---- */
 
 static uint32_t *cell_of(const net *n, int32_t x, int32_t y)

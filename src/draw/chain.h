@@ -26,6 +26,7 @@ typedef struct piece {
 typedef struct pieces {
     piece *item;
     size_t count;
+    const uint32_t *part; /* by number: pieces of different parts are not joined; NULL: all are of one part */
 } pieces;
 
 /* A point of the page, in its units. */
@@ -74,6 +75,7 @@ static inline bool page_touches(page_point p, page_point q)
  * point. */
 typedef struct polyline {
     uint32_t first, count; /* points */
+    uint32_t number;       /* of the piece, if that is not chained; otherwise 0 */
     bool closed;
 } polyline;
 
@@ -93,6 +95,9 @@ bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 
 /* The same in the order of the pieces. A polyline goes on with the next piece if that starts or ends where it ends. */
 bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
+
+/* Makes a polyline of each piece by itself, with its number. */
+bool chain_apart(const pieces *p, roberts_line line, polylines *out);
 
 /* Begins a polyline; appends a point to the last one. False: no memory. */
 bool polylines_start(polylines *p);

@@ -151,6 +151,7 @@ static bool copy_line(const polylines *from, const polyline *line, polylines *ou
     if (!polylines_start(out))
         return false;
     out->item[out->count - 1].closed = line->closed;
+    out->item[out->count - 1].number = line->number;
     for (uint32_t i = 0; i < line->count; i++)
         if (!add(out, from->point[line->first + i]))
             return false;
@@ -216,10 +217,12 @@ static roberts_status cut_line(const polylines *from, const polyline *line, cons
                                polylines *out)
 {
     walker w = {.p = from->point + line->first, .count = line->count, .closed = line->closed, .most = most};
-    size_t before = out->count;
+    const size_t before = out->count;
     roberts_status status = w.closed ? cut_closed(&w, pattern, out) : cut_runs(&w, pattern, 0, w.count - 1, out);
     if (status == ROBERTS_OK && out->count == before && !copy_line(from, line, out))
         return ROBERTS_NO_MEMORY; /* closed, and no run has a gap */
+    for (size_t i = before; i < out->count; i++)
+        out->item[i].number = line->number;
     return status;
 }
 

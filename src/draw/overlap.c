@@ -16,6 +16,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "draw/collinear.h"
+#include "draw/strokes.h"
 
 enum { AHEAD = 16 }; /* memory is asked for this many pieces ahead */
 
@@ -47,8 +48,9 @@ static double depth(const line_view *v, const piece *p, double t)
 }
 
 /* Of classes that coincide, the one of smallest rank is drawn. */
-static const uint8_t rank[] = {[ROBERTS_OUTLINE] = 0,      [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2,
-                               [ROBERTS_INTERSECTION] = 3, [ROBERTS_WIRE] = 4,   [ROBERTS_BACK] = 5};
+static const uint8_t rank[] = {
+    [ROBERTS_OUTLINE] = 0, [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2, [ROBERTS_INTERSECTION] = 3,
+    [ROBERTS_WIRE] = 4,    [ROBERTS_BACK] = 5,   [LINE_HATCH] = 6};
 
 /* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always goes before a hidden one,
  * which may be nearer: it may lie just below the surface of the solid whose edge is seen. */
@@ -110,7 +112,13 @@ static size_t envelope(const line_view *v, span *item, size_t count, span *work)
     return merged;
 }
 
-/* Joins neighbours of one class. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
+/* Whether pieces i and j may be joined. */
+static bool is_one_part(const pieces *p, uint32_t i, uint32_t j)
+{
+    return !p->part || p->part[p->item[i].number] == p->part[p->item[j].number];
+}
+
+/* Joins neighbours of one class and part. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
 static size_t join(const line_view *v, span *item, size_t count)
 {
     size_t kept = 0;
@@ -118,7 +126,8 @@ static size_t join(const line_view *v, span *item, size_t count)
         span *last = kept ? &item[kept - 1] : NULL;
         const piece *own = &v->p->item[item[i].piece];
         bool touches = last && item[i].t0 - last->t1 <= PIECE_TOUCH;
-        bool same = touches && v->p->item[last->piece].line == own->line;
+        bool same =
+            touches && v->p->item[last->piece].line == own->line && is_one_part(v->p, last->first, item[i].first);
         if (same && own->number < v->p->item[last->first].number)
             last->first = item[i].first;
         if (same || (touches && item[i].t1 - item[i].t0 < PIECE_TOUCH)) {

@@ -97,6 +97,10 @@ roberts_draw_options roberts_draw_options_default(void)
         .back = {.width_mm = 0.25, .dash_mm = 12 * 0.25, .gap_mm = 3 * 0.25},
         .frame = {.width_mm = 0.7, .off = true},
         .symbol = {.width_mm = 0.35},
+        .hatch = {.width_mm = 0.25},
+        .hatching = {.spacing_mm = 0.8, .levels = 10, .degrees = 45.0, .cross = 1.0},
+        .text = {.width_mm = 0.25},
+        .hidden_text = {.width_mm = 0.25, .red = 128, .green = 128, .blue = 128},
         .fill = ROBERTS_FILL_NONE,
         .fill_color = {255, 255, 255},
         .light = {-1.0, 2.0, 3.0},
@@ -113,12 +117,20 @@ static bool pen_is_valid(const roberts_pen *pen)
 
 static bool pens_are_valid(const roberts_draw_options *options)
 {
-    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease, &options->intersection,
-                                      &options->wire,    &options->back,   &options->frame,  &options->symbol};
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease,     &options->intersection,
+                                      &options->wire,    &options->back,   &options->frame,      &options->symbol,
+                                      &options->hatch,   &options->text,   &options->hidden_text};
     for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
         if (!pen_is_valid(pen[i]))
             return false;
     return true;
+}
+
+static bool hatching_is_valid(const roberts_hatching *h)
+{
+    return !h->on || (h->spacing_mm >= 0.01 && h->spacing_mm <= 1000.0 && h->levels <= 1000 &&
+                      h->along >= ROBERTS_HATCH_PICTURE && h->along <= ROBERTS_HATCH_ACROSS &&
+                      fabs(h->degrees) <= 360.0 && h->cross >= 0.0 && h->cross <= 1.0);
 }
 
 static bool columns_are_valid(const roberts_draw_options *options)
@@ -143,14 +155,24 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(
             error, ROBERTS_BAD_ARGUMENT, 0,
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
+    const double height = options->lettering.height_mm;
+    if (!(height == 0.0 || (height >= 0.5 && height <= 100.0)))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "letters must be 0.5 to 100 mm high");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
+    if (options->grouping < ROBERTS_GROUP_CLASS || options->grouping > ROBERTS_GROUP_ELEMENT)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to group the lines of SVG");
     if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
     if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the light comes from no direction");
+    if (!hatching_is_valid(&options->hatching))
+        return error_set(
+            error, ROBERTS_BAD_ARGUMENT, 0,
+            "hatching: the spacing is 0.01 to 1000 mm; there are at most 1000 levels; the angle is -360 to "
+            "360 degrees, and cross 0 to 1");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;

@@ -2,6 +2,7 @@
 #include "draw/strokes.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -9,6 +10,10 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/dashes.h"
+#include "draw/groups.h"
+#include "draw/hatch.h"
+#include "draw/labels.h"
+#include "draw/pdf_text.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
 #include "draw/travel.h"
@@ -36,6 +41,12 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->frame;
     case LINE_SYMBOL:
         return &options->symbol;
+    case LINE_HATCH:
+        return &options->hatch;
+    case LINE_TEXT:
+        return &options->text;
+    case LINE_HIDDEN_TEXT:
+        return &options->hidden_text;
     default:
         return &options->back;
     }
@@ -44,18 +55,20 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
 const char *strokes_class_name(roberts_line line)
 {
     static const char *const name[] = {
-        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
-        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [ROBERTS_INTERSECTION] = "intersection",
-        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol"};
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease",       [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",           [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",          [LINE_HATCH] = "hatch",
+        [LINE_TEXT] = "text",          [LINE_HIDDEN_TEXT] = "hidden-text"};
     return name[line];
 }
 
 uint32_t strokes_class_number(roberts_line line)
 {
-    uint32_t below = 0;
-    while (line_order[below] != line)
-        below++;
-    return below + 1;
+    static const uint8_t number[] = {
+        [ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,    [ROBERTS_INTERSECTION] = 3, [ROBERTS_CREASE] = 4,
+        [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6, [LINE_FRAME] = 7,           [LINE_SYMBOL] = 8,
+        [LINE_HATCH] = 9,     [LINE_TEXT] = 10,      [LINE_HIDDEN_TEXT] = 11};
+    return number[line];
 }
 
 static bool is_broken(const roberts_draw_options *options, roberts_line line)
@@ -75,7 +88,8 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* A class is drawn unless its pen is off, or it is the class of hidden lines and they are not wanted. */
 static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
 {
-    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE);
+    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE) &&
+           (line != LINE_HATCH || options->hatching.on);
 }
 
 bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
@@ -107,10 +121,16 @@ static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, dou
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
-static void enlarge_by_fills(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
-                             roberts_vec2 *max)
+static bool is_hatched(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
-    const roberts_region_list *regions = options->fill == ROBERTS_FILL_NONE ? NULL : drawing->regions;
+    return drawing->regions && is_class_drawn(options, LINE_HATCH);
+}
+
+static void enlarge_by_regions(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
+                               roberts_vec2 *max)
+{
+    const bool drawn = options->fill != ROBERTS_FILL_NONE || is_hatched(drawing, options);
+    const roberts_region_list *regions = drawn ? drawing->regions : NULL;
     for (size_t i = 0; regions && i < regions->corner_count; i++)
         enlarge(min, max, regions->corner[i]);
 }
@@ -134,8 +154,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge(min, max, segment->p1);
         }
     }
-    if (options->outline.off || options->border.off) /* else no fill reaches farther than these */
-        enlarge_by_fills(drawing, options, min, max);
+    if (options->outline.off || options->border.off) /* otherwise no region reaches farther than these */
+        enlarge_by_regions(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -180,7 +200,7 @@ static void collect(const strokes *s, const page_view *view, size_t number, piec
     }
 }
 
-static bool add_frame(strokes *s)
+static bool add_frame(const strokes *s, polylines *out)
 {
     const double x0 = s->frame_mm[0].x * s->units_per_mm, x1 = s->frame_mm[1].x * s->units_per_mm;
     const double y0 = s->frame_mm[0].y * s->units_per_mm, y1 = s->frame_mm[1].y * s->units_per_mm;
@@ -188,28 +208,84 @@ static bool add_frame(strokes *s)
     piece side[4];
     for (int i = 0; i < 4; i++)
         side[i] = (piece){.a = corner[i], .b = corner[i + 1], .line = LINE_FRAME};
-    return s->options->frame.off || chain_in_order(&(pieces){side, 4}, LINE_FRAME, &s->lines);
+    return s->options->frame.off || chain_in_order(&(pieces){.item = side, .count = 4}, LINE_FRAME, out);
 }
 
-static bool add_symbol(strokes *s)
+static bool add_symbol(const strokes *s, polylines *out)
 {
-    return s->symbol_size == 0.0 ||
-           symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, &s->lines);
+    return s->symbol_size == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, out);
 }
 
-/* Appends the polylines of one class; the pen comes from `*pen`. */
-static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, page_point *pen, roberts_error *error)
+double strokes_text_height(const roberts_draw_options *options)
 {
-    size_t first = s->lines.count;
+    return options->lettering.height_mm > 0.0 ? options->lettering.height_mm : 3.5;
+}
+
+bool strokes_text_is_native(const roberts_draw_options *options)
+{
+    const roberts_format format = options->format;
+    return options->lettering.native && (format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_TIKZ);
+}
+
+static bool add_text(const strokes *s, roberts_line line, polylines *out)
+{
+    return strokes_pen(s->options, line)->off ||
+           notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
+}
+
+/* Says once how many characters the fonts lack. Fonts of the reader are not known here, but for those of PDF. */
+static void tell_missing(const strokes *s)
+{
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    const bool native = strokes_text_is_native(s->options), is_pdf = s->options->format == ROBERTS_PDF;
+    size_t missing = 0;
+    uint32_t first = 0;
+    char text[160];
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const char *line = notes_line(&s->notes, i).text;
+        missing += native && is_pdf ? pdf_text_missing(line) : letters_missing(line, missing ? NULL : &first);
+    }
+    if (missing == 0 || !to->warn || (native && !is_pdf))
+        return;
+    if (native)
+        snprintf(text, sizeof text, "%zu character%s that the fonts of PDF lack written as question marks", missing,
+                 missing == 1 ? "" : "s");
+    else if (first)
+        snprintf(text, sizeof text, "%zu character%s that the letters lack drawn as a box, the first of them U+%04X",
+                 missing, missing == 1 ? "" : "s", (unsigned)first);
+    else
+        snprintf(text, sizeof text, "%zu character%s drawn as a box, the first of them a byte that is not UTF-8",
+                 missing, missing == 1 ? "" : "s");
+    to->warn(to->context, "", 0, text);
+}
+
+roberts_status strokes_label(strokes *s, roberts_error *error)
+{
+    if (!labels_add(s))
+        return error_no_memory(error);
+    tell_missing(s);
+    return ROBERTS_OK;
+}
+
+roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
+                             roberts_error *error)
+{
+    const bool apart = strokes_are_grouped(s->options) && s->options->grouping == ROBERTS_GROUP_ELEMENT;
+    const bool ordered = s->options->order == ROBERTS_ORDER_TRAVEL;
+    const size_t first = out->count;
     bool done;
     if (line == LINE_FRAME)
-        done = add_frame(s);
+        done = add_frame(s, out);
     else if (line == LINE_SYMBOL)
-        done = add_symbol(s);
-    else if (s->options->order == ROBERTS_ORDER_NONE)
-        done = chain_in_order(p, line, &s->lines);
+        done = add_symbol(s, out);
+    else if (line == LINE_TEXT || line == LINE_HIDDEN_TEXT)
+        done = add_text(s, line, out) && (!ordered || travel_order(out, first, pen));
+    else if (apart)
+        done = chain_apart(p, line, out) && (!ordered || travel_order(out, first, pen));
+    else if (!ordered)
+        done = chain_in_order(p, line, out);
     else
-        done = chain_pieces(p, line, &s->lines) && travel_order(&s->lines, first, pen);
+        done = chain_pieces(p, line, out) && travel_order(out, first, pen);
     if (!done)
         return error_no_memory(error);
     if (!s->options->real_dashes || !is_broken(s->options, line))
@@ -217,35 +293,61 @@ static roberts_status add_class(strokes *s, const pieces *p, roberts_line line, 
     const roberts_pen *with = strokes_pen(s->options, line);
     const dash_pattern pattern = {with->dash_mm * s->units_per_mm, with->gap_mm * s->units_per_mm,
                                   with->width_mm * s->units_per_mm};
-    return dashes_cut(&s->lines, first, &pattern, error);
+    return dashes_cut(out, first, &pattern, error);
+}
+
+/* Makes the polylines of all classes. */
+static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *error)
+{
+    page_point pen = {0, 0}; /* the upper left corner */
+    roberts_status status = ROBERTS_OK;
+    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
+        s->start[i] = s->lines.count;
+        if (line_order[i] == LINE_TEXT)
+            status = strokes_label(s, error);
+        if (status == ROBERTS_OK)
+            status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
+        s->start[i + 1] = s->lines.count;
+    }
+    return status;
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
 static roberts_status draw(strokes *s, roberts_error *error)
 {
     const page_view *view = s->view;
-    size_t total = 0, number = 0;
+    size_t room = 0, number = 0;
     double epsilon = 0.0;
     pieces p = {0};
-    page_point pen = {0, 0}; /* the upper left corner */
+    uint32_t *part = NULL;
     roberts_status status = ROBERTS_OK;
     for (size_t i = 0; i < s->views; i++) {
-        total += view[i].drawing->count;
+        room += view[i].drawing->count;
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
     }
-    p.item = total <= INT32_MAX ? alloc_array(total, sizeof *p.item) : NULL;
+    p.item = room <= INT32_MAX ? alloc_array(room, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
-    for (size_t i = 0; i < s->views; number += view[i++].drawing->count)
+    for (size_t i = 0; i < s->views; number += view[i++].drawing->count) {
+        s->view[i].first = (uint32_t)number;
         collect(s, &view[i], number, &p);
-    if (!overlap_remove(&p, epsilon))
-        status = error_no_memory(error);
-    for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
-        s->start[i] = s->lines.count;
-        status = add_class(s, &p, line_order[i], &pen, error);
-        s->start[i + 1] = s->lines.count;
     }
+    for (size_t i = 0; i < s->views; i++) {
+        s->view[i].first_region = (uint32_t)number;
+        number += is_hatched(view[i].drawing, s->options) ? view[i].drawing->regions->count : 0;
+    }
+    if (number > INT32_MAX)
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK && is_class_drawn(s->options, LINE_HATCH))
+        status = hatch_add(s, &p, &room, error);
+    if (status == ROBERTS_OK && strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, number)))
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK && !overlap_remove(&p, epsilon))
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK)
+        status = part ? groups_make(s, &p, error) : make_classes(s, &p, error);
     free(p.item);
+    free(part);
     if (status == ROBERTS_OK && !fills_make(s, &s->fills))
         status = error_no_memory(error);
     return status;
@@ -262,14 +364,16 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page with margins that keep the drawing away from a frame: by 5 mm, on small pages by a tenth of the shorter side
- * within the margins. A drawing with a field of view ends at its frame. */
+/* The page with margins that keep the drawing away from a frame, by 5 mm, and leave room for labels; on small pages by
+ * a tenth of the shorter side within the margins each. A drawing with a field of view ends at its frame. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
     double room_mm = fmin(page.width_mm, page.height_mm) - 2.0 * page.margin_mm;
     if (!options->frame.off && !drawing->framed)
         page.margin_mm += fmin(from_frame_mm, room_mm / 10.0);
+    if (!drawing->framed && options->placement.scale == 0.0)
+        page.margin_mm += fmin(labels_reach(options), room_mm / 10.0);
     return page;
 }
 
@@ -298,7 +402,7 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
         if (needed)
             widest = width;
     }
-    return widest;
+    return is_class_drawn(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
 }
 
 /* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a
@@ -330,7 +434,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
-    s->view[s->views++] = (page_view){drawing, s->map, min, max};
+    s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
     return draw(s, error);
 }
 
@@ -345,7 +449,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         if (sheet->view[i])
-            s->view[s->views++] = (page_view){.drawing = sheet->view[i], .map = map.view[i]};
+            s->view[s->views++] = (page_view){.drawing = sheet->view[i], .map = map.view[i], .place = i};
     s->map = map.view[ROBERTS_SHEET_FRONT];
     s->sheet = sheet;
     s->symbol_size = map.symbol_size;
@@ -356,6 +460,8 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+    notes_free(&s->notes);
+    free(s->group);
     fills_free(&s->fills);
 }
 

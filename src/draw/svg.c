@@ -2,13 +2,15 @@
  *
  * The paths come from Cairo (plot.c). The text is written here, because the SVG of Cairo 1.16 has no layers, and
  * numbers its groups by a counter of the process. */
+#include "base/error.h"
 #include "draw/formats.h"
 #include "draw/svg_fills.h"
 #include "draw/plot.h"
+#include "draw/svg.h"
 
 /* ---- colours ---- */
 
-static void write_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
+void svg_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
 {
     static const char hex[] = "0123456789abcdef";
     const unsigned char part[] = {red, green, blue};
@@ -21,14 +23,34 @@ static void write_color(output *out, unsigned char red, unsigned char green, uns
 
 /* ---- text ---- */
 
-/* Writes UTF-8 with <, > and & as entities. A byte that belongs to no character of XML 1.0, in its shortest form (RFC
- * 3629), becomes a question mark: a file's name may hold any bytes. */
-static void write_escaped(output *out, const char *text)
+/* The entity of a character, or NULL. White space and quotes are changed in attributes alone. */
+static const char *entity_of(char c, bool in_attribute)
+{
+    switch (c) {
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '&':
+        return "&amp;";
+    case '"':
+        return in_attribute ? "&quot;" : NULL;
+    case '\t':
+        return in_attribute ? "&#9;" : NULL;
+    case '\n':
+        return in_attribute ? "&#10;" : NULL;
+    default:
+        return NULL;
+    }
+}
+
+static void write_escaped(output *out, const char *text, bool in_attribute)
 {
     while (*text) {
         size_t length = output_character(text);
-        if (*text == '<' || *text == '>' || *text == '&')
-            output_text(out, *text == '<' ? "&lt;" : *text == '>' ? "&gt;" : "&amp;");
+        const char *entity = entity_of(*text, in_attribute);
+        if (entity)
+            output_text(out, entity);
         else if (length)
             output_bytes(out, text, length);
         else
@@ -37,31 +59,66 @@ static void write_escaped(output *out, const char *text)
     }
 }
 
-static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
+void svg_text(output *out, const char *text)
 {
-    const char *name = strokes_class_name(line);
-    const roberts_pen *pen = strokes_pen(options, line);
-    double dash[2];
-    output_text(out, "<g id=\"");
+    write_escaped(out, text, false);
+}
+
+void svg_attribute(output *out, const char *name, const char *text)
+{
+    output_text(out, " ");
     output_text(out, name);
-    output_text(out, "\" inkscape:groupmode=\"layer\" inkscape:label=\"");
+    output_text(out, "=\"");
+    write_escaped(out, text, true);
+    output_text(out, "\"");
+}
+
+void svg_id(output *out, const roberts_draw_options *options, const char *name)
+{
+    output_text(out, " id=\"");
+    if (options->id_prefix)
+        write_escaped(out, options->id_prefix, true);
+    output_text(out, name);
+    output_text(out, "\"");
+}
+
+void svg_layer(output *out, const roberts_draw_options *options, uint32_t number, const char *name)
+{
+    output_text(out, " inkscape:groupmode=\"layer\" inkscape:label=\"");
     if (options->number_layers) {
-        output_integer(out, strokes_class_number(line));
+        output_integer(out, number);
         output_text(out, " ");
     }
-    output_text(out, name);
-    output_text(out, "\">\n<path fill=\"none\" stroke=\"");
-    write_color(out, pen->red, pen->green, pen->blue);
+    write_escaped(out, name, true);
+    output_text(out, "\"");
+}
+
+void svg_pen(output *out, const roberts_draw_options *options, roberts_line line)
+{
+    const roberts_pen *pen = strokes_pen(options, line);
+    double dash[2];
+    output_text(out, " fill=\"none\" stroke=\"");
+    svg_color(out, pen->red, pen->green, pen->blue);
     output_text(out, "\" stroke-width=\"");
     output_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    if (strokes_dash(options, line, dash)) {
-        output_text(out, " stroke-dasharray=\"");
-        output_mm(out, dash[0]);
-        output_text(out, " ");
-        output_mm(out, dash[1]);
-        output_text(out, "\"");
-    }
+    if (!strokes_dash(options, line, dash))
+        return;
+    output_text(out, " stroke-dasharray=\"");
+    output_mm(out, dash[0]);
+    output_text(out, " ");
+    output_mm(out, dash[1]);
+    output_text(out, "\"");
+}
+
+static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
+{
+    const char *name = strokes_class_name(line);
+    output_text(out, "<g");
+    svg_id(out, options, name);
+    svg_layer(out, options, strokes_class_number(line), name);
+    output_text(out, ">\n<path");
+    svg_pen(out, options, line);
     output_text(out, " d=\"");
 }
 
@@ -105,6 +162,54 @@ static void end_part(void *context, bool last)
     output_text(p->out, last ? "\"/>\n</g>\n" : "\n");
 }
 
+/* ---- text of the reader ---- */
+
+static const double capital = 0.716; /* height of capitals of usual fonts, as a part of their size */
+
+static void write_text_line(output *out, const text_line *line)
+{
+    output_text(out, "<text x=\"");
+    output_mm(out, line->at.x);
+    output_text(out, "\" y=\"");
+    output_mm(out, line->at.y);
+    output_text(out, "\" font-size=\"");
+    output_mm(out, line->height_mm / capital);
+    if (line->align > 0.0)
+        output_text(out, line->align < 1.0 ? "\" text-anchor=\"middle" : "\" text-anchor=\"end");
+    if (line->reads_up) {
+        output_text(out, "\" transform=\"rotate(-90 ");
+        output_mm(out, line->at.x);
+        output_text(out, " ");
+        output_mm(out, line->at.y);
+        output_text(out, ")");
+    }
+    output_text(out, "\">");
+    svg_text(out, line->text);
+    output_text(out, "</text>\n");
+}
+
+/* Writes the text of a class as text, if it is no strokes: a layer of its own above that of its lines. */
+static void write_text_layer(const strokes *s, roberts_line class, output *out)
+{
+    const roberts_pen *pen = strokes_pen(s->options, class);
+    size_t written = 0;
+    for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
+        const text_line line = notes_line(&s->notes, i);
+        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+            continue;
+        if (written++ == 0) {
+            output_text(out, "<g");
+            svg_id(out, s->options, class == LINE_TEXT ? "letters" : "hidden-letters");
+            svg_layer(out, s->options, strokes_class_number(class), class == LINE_TEXT ? "letters" : "hidden-letters");
+            output_text(out, " font-family=\"sans-serif\" fill=\"");
+            svg_color(out, pen->red, pen->green, pen->blue);
+            output_text(out, "\">\n");
+        }
+        write_text_line(out, &line);
+    }
+    output_text(out, written ? "</g>\n" : "");
+}
+
 /* ---- the page ---- */
 
 /* Writes nothing where `text` is NULL. */
@@ -115,21 +220,25 @@ static void write_element(output *out, const char *tag, const char *text)
     output_text(out, "<");
     output_text(out, tag);
     output_text(out, ">");
-    write_escaped(out, text);
+    svg_text(out, text);
     output_text(out, "</");
     output_text(out, tag);
     output_text(out, ">\n");
 }
 
 /* Outside of the layers, because a plotter must not draw it. */
-static void write_background(output *out, const roberts_page *page, const roberts_background *color)
+static void write_background(output *out, const roberts_draw_options *options)
 {
-    output_text(out, "<rect id=\"background\" width=\"");
+    const roberts_page *page = &options->page;
+    const roberts_background *color = &options->background;
+    output_text(out, "<rect");
+    svg_id(out, options, "background");
+    output_text(out, " width=\"");
     output_mm(out, page->width_mm);
     output_text(out, "\" height=\"");
     output_mm(out, page->height_mm);
     output_text(out, "\" fill=\"");
-    write_color(out, color->red, color->green, color->blue);
+    svg_color(out, color->red, color->green, color->blue);
     output_text(out, "\"/>\n");
 }
 
@@ -149,11 +258,18 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_element(out, "title", s->options->title);
     write_element(out, "desc", s->options->description);
     if (s->options->background.on)
-        write_background(out, page, &s->options->background);
-    svg_write_fills(s, out);
+        write_background(out, s->options);
     svg_plot p = {s, out, (int32_t)(1000.0 / s->units_per_mm + 0.5)};
     const plotter to = {begin_layer, write_stroke, end_part, &p};
-    roberts_status status = plot_strokes(s, &to, out, error);
+    roberts_status status = ROBERTS_OK;
+    if (!svg_write_fills(s, out))
+        status = error_no_memory(error);
+    else if (strokes_are_grouped(s->options))
+        svg_groups_write(s, out);
+    else
+        status = plot_strokes(s, &to, out, error);
+    write_text_layer(s, LINE_HIDDEN_TEXT, out);
+    write_text_layer(s, LINE_TEXT, out);
     output_text(out, "</svg>\n");
     return status;
 }

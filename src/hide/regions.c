@@ -18,6 +18,7 @@
 #include "hide/map_cells.h"
 #include "hide/region_faces.h"
 #include "hide/segments.h"
+#include "hide/slope.h"
 
 /* Part of a stretch: where a point in it is taken. */
 #define ASIDE 0.4557
@@ -408,8 +409,8 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
-                                                         .normal = region_normal(w->job, ring->face),
                                                          .color = region_color(w->job, ring->face)};
+            slope_find(&w->job->seen, ring->face, w->job->upright, &out->region[out->count - 1]);
         }
         out->region[out->count - 1].ring_count++;
         out->region[out->count - 1].area += ring->area * unit * unit;
@@ -454,7 +455,8 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     own.all_edges = true;
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
-    hide_job job = {.options = &own, .regions = out, .merge_bodies = options && options->unite};
+    hide_job job = {
+        .options = &own, .regions = out, .merge_bodies = options && options->unite, .upright = slope_upright(camera)};
     roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)

@@ -353,6 +353,22 @@ static const struct {
     {"--layers named", "inkscape:label=\"outline\""},
     {"--layers numbered", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"6 outline\">"},
     {"--layers numbered --hidden dashed", "inkscape:label=\"1 hidden\""},
+    {"--group class", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"outline\">\n<path fill"},
+    {"--group body", "<g id=\"body-0\" inkscape:groupmode=\"layer\" inkscape:label=\"body-0\" class=\"body\" "
+                     "data-body=\"0\">\n<g class=\"crease\" fill=\"none\""},
+    {"--group element", "<path class=\"edge\" data-edge=\"4-6\" data-faces=\"1,5\" d=\"M"},
+    {"--group element --hidden dashed", "data-faces=\"2,3\" data-by=\"0\" d=\"M"},
+    {"--group element --fill shade",
+     "<g class=\"body\" data-body=\"0\">\n<path class=\"region\" data-face=\"0\" fill=\"#"},
+    {"--group element --hatch on", "<path class=\"hatch\" data-face=\"4\" d=\"M"},
+    {"--hatch on", "<g id=\"hatch\" inkscape:groupmode=\"layer\" inkscape:label=\"hatch\">"},
+    {"--hatch on --layers numbered", "inkscape:label=\"9 hatch\""},
+    {"--hatch on --style hatch:color=red", "stroke=\"#ff0000\" stroke-width=\"0.25\""},
+    {"--hatch on --style hatch:off", "!id=\"hatch\""},
+    {"--hatch on --hatch off", "!id=\"hatch\""},
+    {"--hatch spacing=2,levels=3,angle=30,direction=steep,cross=0.5 --sheet first", "id=\"hatch\""},
+    {"--group element --id-prefix a.-_9", "<g id=\"a.-_9outline\" class=\"outline\" inkscape"},
+    {"--id-prefix a_ --background red", "<rect id=\"a_background\""},
     {"--hidden solid", "!stroke-dasharray"},
     {"--hidden solid", "id=\"hidden\""},
     {"--hidden dashed --dash pattern", "stroke-dasharray"},
@@ -522,6 +538,20 @@ static void levels_are_counted(void **state)
     assert_int_equal(count(",0\n"), 4);
     assert_int_equal(run("models/platonic/cube.off -f csv --columns level"), 2);
     assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
+}
+
+/* A body and what hides it, by their names. */
+static void bodies_are_named(void **state)
+{
+    (void)state;
+    put("in/two.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 -1\nv 2 1 -1\nv 1 2 -1\no lid\nf 1 2 3\no crumb\nf 4 5 6\n");
+    assert_int_equal(run("--view top in/two.obj -f csv --hidden dashed --columns +by,+name"), 0);
+    assert_int_equal(count(",f1,by_name,name\n"), 1);
+    assert_int_equal(count(",,,lid\n"), 3);
+    assert_int_equal(count(",,lid,crumb\n"), 3);
+    assert_int_equal(run("--view top in/two.obj -f json --hidden dashed --columns +by"), 0);
+    assert_int_equal(count(",\"by_name\":null}"), 3);
+    assert_int_equal(count(",\"by_name\":\"lid\"}"), 3);
 }
 
 /* Lines where faces cross are no edges: rays check the others. */
@@ -1070,6 +1100,7 @@ int main(void)
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(lost_lines_have_a_class),
         IN_FOLDER(levels_are_counted),
+        IN_FOLDER(bodies_are_named),
         IN_FOLDER(crossing_bodies_are_verified),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),

@@ -74,7 +74,7 @@ static void messages_name_the_file(void **state)
                 "convex hull of points)\n");
 }
 
-/* As by cat, also from standard input: what is drawn is the first. */
+/* As by cat, also from standard input: the first one is drawn. */
 static void one_model_after_another(void **state)
 {
     (void)state;
@@ -218,6 +218,17 @@ static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 static const struct {
     const char *arguments, *said;
 } misuse_cases[] = {
+    {"--hatch spacng=1", "did you mean spacing?"},
+    {"--hatch spacing", "--hatch: spacing needs a value\n"},
+    {"--hatch on=1", "--hatch: on takes no value\n"},
+    {"--hatch spacing=0", "--hatch: spacing=0 is not a length from 0.01 to 1000 mm\n"},
+    {"--hatch levels=1.5", "--hatch: levels=1.5 is not a whole number from 0 to 1000\n"},
+    {"--hatch angle=400", "--hatch: angle=400 is not a number of degrees from -360 to 360\n"},
+    {"--hatch cross=2", "--hatch: cross=2 is neither none nor a number from 0 to 1\n"},
+    {"--hatch direction=up", "--hatch: direction: \"up\" is unknown; it can be picture, steep, across\n"},
+    {"--group bodies", "bodies"},
+    {"--id-prefix 9a",
+     "--id-prefix: \"9a\" cannot begin an id: it needs a letter or _, then letters, digits, - . or _\n"},
     {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
                   "tabloid, or WxH in mm, as 210x297, or 8.5x11in\n"},
     {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
@@ -404,6 +415,12 @@ static const struct {
     {"--plotter center,90 -f hpgl", ""},
     {"--plotter corner", "--plotter has no effect: only hpgl has a plotter's origin\n"},
     {"--layers numbered -f pdf", "--layers has no effect: only layers of svg are numbered\n"},
+    {"--style hatch:color=red", "--style hatch has no effect: faces are not hatched without --hatch\n"},
+    {"--hatch on -f csv", "--hatch has no effect: csv has no page\n"},
+    {"--hatch on --dash real", "--dash real has no effect: no lines are dashed, as by --hidden dashed\n"},
+    {"--hatch on --dash real --style hatch:dash=1", ""},
+    {"--group body -f pdf", "--group has no effect: only svg has groups\n"},
+    {"--id-prefix a -f tikz", "--id-prefix has no effect: only svg has ids\n"},
     {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
     {"--background red -f hpgl", "--background has no effect: hpgl has no background\n"},
     {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},
@@ -526,9 +543,11 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
     assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
-    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
-    assert_string_equal(last.err, "roberts: in/a.csv: warning: its ending says csv, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but regions are written as json\n");
     assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
 }
 
@@ -572,7 +591,7 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
-/* A terminal must not obey what is in a name. */
+/* A terminal must not obey control characters in a name. */
 static void names_are_printed_plainly(void **state)
 {
     (void)state;
@@ -590,7 +609,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x07'));
 }
 
-/* No file that is opened later takes the number of a closed stream, and with it what is said. */
+/* No file opened later takes the number of a closed stream, and with it the messages. */
 static void closed_streams_stay_taken(void **state)
 {
     (void)state;

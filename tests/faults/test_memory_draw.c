@@ -16,23 +16,32 @@
 #include "memory.h"
 #include "temporary.h"
 
-static void saving_survives(roberts_format format, bool sheet)
+static void saving_survives(roberts_format format, bool sheet, roberts_grouping grouping)
 {
     /* some that coincide, in all classes: every step from segments to strokes has something to do */
     roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 9, 9), line_at(ROBERTS_CREASE, 3, 3, 6, 6),
                               line_at(ROBERTS_OUTLINE, 9, 9, 0, 9), line_at(ROBERTS_CREASE, 5, 0, 9, 0),
                               line_at(ROBERTS_BACK, 1, 5, 8, 5),    line_at(ROBERTS_BACK, 1, 6, 8, 6)};
-    roberts_drawing drawing = {.count = 6, .segment = some};
+    roberts_region region = {.ring_count = 1, .normal = {0.6, 0.0, 0.8}};
+    size_t start[2] = {0, 4};
+    roberts_vec2 corner[4] = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+    const roberts_region_list regions = {1, 1, 4, &region, start, corner};
+    roberts_drawing drawing = {.count = 6, .segment = some, .regions = &regions};
     roberts_draw_options options = roberts_draw_options_default();
     some[1].z0 = some[1].z1 = 1.0;
     some[4].state = some[5].state = ROBERTS_HIDDEN;
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.real_dashes = true;
     options.frame.off = false;
+    options.lettering.labels = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
+    options.lettering.native = format == ROBERTS_PDF;
+    options.hatching.on = true;
+    options.hatching.spacing_mm = 10.0;
     roberts_sheet both = {.view = {&drawing, &drawing}};
     drawing.window_max = (roberts_vec2){9, 9};
     size_t before = memory_blocks, failures = 0;
     options.format = format;
+    options.grouping = grouping;
     for (size_t n = 1;; n++) {
         roberts_error error = {0};
         memory_fail(n);
@@ -63,9 +72,13 @@ static void saving(void **state)
     assert_non_null(file);
     fclose(file);
     for (int format = ROBERTS_SVG; format < ROBERTS_NULL; format++)
-        saving_survives((roberts_format)format, false);
+        saving_survives((roberts_format)format, false, ROBERTS_GROUP_CLASS);
     for (int format = ROBERTS_SVG; format < ROBERTS_CSV; format++)
-        saving_survives((roberts_format)format, true);
+        saving_survives((roberts_format)format, true, ROBERTS_GROUP_CLASS);
+    for (int grouping = ROBERTS_GROUP_BODY; grouping <= ROBERTS_GROUP_ELEMENT; grouping++) {
+        saving_survives(ROBERTS_SVG, false, (roberts_grouping)grouping);
+        saving_survives(ROBERTS_SVG, true, (roberts_grouping)grouping);
+    }
 }
 
 int main(void)

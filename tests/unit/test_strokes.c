@@ -35,13 +35,13 @@ static strokes strokes_of(roberts_segment *segment, size_t count, const roberts_
 
 static void print_strokes(const strokes *s, char *text, size_t size)
 {
-    static const char *const name[] = {"hidden", "wire", "intersection", "crease", "border", "outline", "frame"};
     size_t used = 0;
     text[0] = '\0';
     for (int i = 0; i < LINE_CLASSES; i++)
         for (size_t k = s->start[i]; k < s->start[i + 1] && used < size; k++) {
             const polyline *line = &s->lines.item[k];
-            used += (size_t)snprintf(text + used, size - used, "%s%s", used ? "; " : "", name[i]);
+            used +=
+                (size_t)snprintf(text + used, size - used, "%s%s", used ? "; " : "", strokes_class_name(line_order[i]));
             for (uint32_t n = 0; n < line->count && used < size; n++) {
                 page_point p = s->lines.point[line->first + n];
                 used += (size_t)snprintf(text + used, size - used, " %g,%g", p.x / 1000.0, SIDE - p.y / 1000.0);

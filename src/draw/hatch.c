@@ -1,0 +1,235 @@
+/* hatch.c - strokes on visible regions, by shade.
+ *
+ * The lines of a hatching are parallel on the paper and equally far apart. They are clipped to a region by even-odd
+ * filling: where a line crosses the rings, sorted along it, strokes go from each first crossing to the second (W. M.
+ * Newman, R. F. Sproull, "Principles of Interactive Computer Graphics", 2nd edition, McGraw-Hill 1979, chapter 16). A
+ * side of a ring holds its lower end but not its upper one. So a line through a corner crosses the rings there as often
+ * as it passes from side to side, and sides along the line do not count.
+ *
+ * Lines are counted from one point, which is the corner of the page, or the foot of the face's plane. A border between
+ * two regions is cut at the same points from both sides. So strokes go on over borders within one tone, and are joined
+ * there as all pieces are. */
+#include "draw/hatch.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/vec.h"
+#include "draw/page_regions.h"
+#include "draw/shade.h"
+
+/* Depth of strokes: lines that lie on them are drawn. Far from overflow, so that differences are finite. */
+static const double behind_all = -1e300;
+
+/* mm: from farther feet, lines could not be counted. Only faces that are seen nearly from their edge have such feet. */
+static const double farthest_foot = 1e6;
+
+/* Where a line crosses a ring. */
+typedef struct hatch_crossing {
+    int64_t line;
+    double t; /* along the line, units of the page */
+} hatch_crossing;
+
+/* Parallel lines: number i is where across . (p - origin) = (i + 1/2) step. Of these a `part` is drawn. */
+typedef struct hatch_lines {
+    roberts_vec2 origin, along, across; /* units of the page; along and across of length 1 */
+    double step, part;
+} hatch_lines;
+
+typedef struct hatch_work {
+    const strokes *s;
+    pieces *p;
+    size_t *room, first; /* first: pieces that are no hatching */
+    hatch_crossing *crossing;
+    size_t crossing_count, crossing_room;
+    const page_view *view; /* of the region before */
+    uint32_t number;       /* of the region */
+    bool too_many;
+} hatch_work;
+
+/* ---- tone ---- */
+
+/* The light that comes from all round (SHADE_AMBIENT) leaves the paper white. */
+double hatch_darkness(const roberts_draw_options *options, const roberts_region *region)
+{
+    const double levels = options->hatching.levels;
+    const double dark = (1.0 - shade(region->normal, options->light)) / (1.0 - SHADE_AMBIENT);
+    return levels > 0.0 ? floor(dark * levels + 0.5) / levels : dark;
+}
+
+/* ---- directions ---- */
+
+/* The direction of strokes on paper, turned by `degrees` more than the options say; of any length. */
+static roberts_vec2 direction(const roberts_hatching *h, const roberts_region *region, double degrees)
+{
+    const roberts_vec2 turn = angle_unit(h->degrees + degrees);
+    roberts_vec2 right = {1.0, 0.0}, up = {0.0, 1.0};
+    if (h->along == ROBERTS_HATCH_ACROSS) {
+        right = region->level;
+        up = region->steep;
+    } else if (h->along == ROBERTS_HATCH_STEEP) {
+        right = region->steep;
+        up = (roberts_vec2){-region->level.x, -region->level.y};
+    }
+    return (roberts_vec2){turn.x * right.x + turn.y * up.x, -(turn.x * right.y + turn.y * up.y)}; /* y down */
+}
+
+/* Lines for a tone. Those of a face that is seen nearly from its edge are level. */
+static hatch_lines lines_for(const strokes *s, const page_region *on, double degrees, double tone)
+{
+    const roberts_hatching *h = &s->options->hatching;
+    const roberts_vec2 d = direction(h, on->region, degrees);
+    const double length = hypot(d.x, d.y);
+    const double step = h->spacing_mm * s->units_per_mm;
+    hatch_lines lines = {.along = {1.0, 0.0}, .step = h->nested ? step : step / tone, .part = h->nested ? tone : 1.0};
+    if (isnormal(length))
+        lines.along = (roberts_vec2){d.x / length, d.y / length};
+    lines.across = (roberts_vec2){-lines.along.y, lines.along.x};
+    if (h->along != ROBERTS_HATCH_PICTURE) {
+        const roberts_vec2 mm = page_place(&on->view->map, on->region->foot);
+        if (fabs(mm.x) < farthest_foot && fabs(mm.y) < farthest_foot)
+            lines.origin = (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
+    }
+    return lines;
+}
+
+/* ---- clipping ---- */
+
+/* A corner of a ring: `across` counts lines. */
+typedef struct hatch_corner {
+    double across, along;
+} hatch_corner;
+
+static hatch_corner corner_at(const hatch_lines *lines, roberts_vec2 p)
+{
+    const roberts_vec2 q = {p.x - lines->origin.x, p.y - lines->origin.y};
+    return (hatch_corner){(lines->across.x * q.x + lines->across.y * q.y) / lines->step - 0.5,
+                          lines->along.x * q.x + lines->along.y * q.y};
+}
+
+/* Whether a line is drawn if only a part of them is. The lines of a part are drawn in each larger one, too, and are
+ * spread as evenly as that allows: the order is that of the radical inverse (J. G. van der Corput,
+ * "Verteilungsfunktionen", Proceedings of the Royal Academy of Amsterdam 38, 1935), which turns the bits of a number
+ * round. So a half has every second line, a quarter every fourth. */
+static bool is_drawn(double line, double part)
+{
+    const unsigned n = (unsigned)((uint64_t)(int64_t)line & 0xffff);
+    unsigned turned = 0;
+    for (int bit = 0; bit < 16; bit++)
+        turned |= (n >> bit & 1) << (15 - bit);
+    return turned < part * 65536.0;
+}
+
+/* Adds the crossings of a side. The result is the same for both directions of the side. False: no memory, or too many.
+ */
+static bool cross_side(hatch_work *w, const hatch_lines *lines, hatch_corner a, hatch_corner b)
+{
+    if (a.across > b.across || (a.across == b.across && a.along > b.along)) {
+        const hatch_corner swap = a;
+        a = b;
+        b = swap;
+    }
+    const double first = ceil(a.across), end = ceil(b.across); /* lines first .. end - 1 */
+    if (!(end - first <= 2.0 * HATCH_MOST)) {
+        w->too_many = true;
+        return false;
+    }
+    const size_t count = (size_t)(end - first);
+    if (!array_reserve(&w->crossing, &w->crossing_room, w->crossing_count + count, sizeof *w->crossing))
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        const double line = first + (double)i, t = (line - a.across) / (b.across - a.across);
+        if (lines->part == 1.0 || is_drawn(line, lines->part))
+            w->crossing[w->crossing_count++] = (hatch_crossing){(int64_t)line, a.along + t * (b.along - a.along)};
+    }
+    return true;
+}
+
+static int by_line(const void *pa, const void *pb)
+{
+    const hatch_crossing *a = pa, *b = pb;
+    if (a->line != b->line)
+        return a->line < b->line ? -1 : 1;
+    return (a->t > b->t) - (a->t < b->t);
+}
+
+static roberts_vec2 point_at(const hatch_lines *lines, const hatch_crossing *c)
+{
+    const double across = ((double)c->line + 0.5) * lines->step;
+    return (roberts_vec2){lines->origin.x + c->t * lines->along.x + across * lines->across.x,
+                          lines->origin.y + c->t * lines->along.y + across * lines->across.y};
+}
+
+static bool is_point(roberts_vec2 a, roberts_vec2 b)
+{
+    return page_round(a.x) == page_round(b.x) && page_round(a.y) == page_round(b.y);
+}
+
+/* Adds the strokes between crossings. Each line crosses the rings an even number of times. */
+static bool add_strokes(hatch_work *w, const hatch_lines *lines)
+{
+    pieces *p = w->p;
+    if (p->count - w->first + w->crossing_count / 2 > HATCH_MOST) {
+        w->too_many = true;
+        return false;
+    }
+    if (!array_reserve(&p->item, w->room, p->count + w->crossing_count / 2, sizeof *p->item))
+        return false;
+    for (size_t i = 0; i + 1 < w->crossing_count; i += 2) {
+        const roberts_vec2 a = point_at(lines, &w->crossing[i]), b = point_at(lines, &w->crossing[i + 1]);
+        if (!is_point(a, b))
+            p->item[p->count++] =
+                (piece){.a = a, .b = b, .za = behind_all, .zb = behind_all, .number = w->number, .line = LINE_HATCH};
+    }
+    return true;
+}
+
+static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *lines)
+{
+    w->crossing_count = 0;
+    for (size_t r = 0; r < on->ring_count; r++) {
+        const size_t first = on->ring_start[r], end = on->ring_start[r + 1];
+        hatch_corner before = corner_at(lines, on->point[end - 1]);
+        for (size_t k = first; k < end; k++) {
+            const hatch_corner own = corner_at(lines, on->point[k]);
+            if (!cross_side(w, lines, before, own))
+                return false;
+            before = own;
+        }
+    }
+    if (w->crossing_count > 1)
+        qsort(w->crossing, w->crossing_count, sizeof *w->crossing, by_line);
+    return add_strokes(w, lines);
+}
+
+/* Hatches one region: what is darker than options->cross gets its further strokes across the others. */
+static bool hatch_region(void *context, const page_region *on)
+{
+    hatch_work *w = context;
+    const roberts_hatching *h = &w->s->options->hatching;
+    const double dark = hatch_darkness(w->s->options, on->region), plain = fmin(dark, h->cross);
+    bool done = true;
+    w->number = on->view == w->view ? w->number + 1 : on->view->first_region;
+    w->view = on->view;
+    for (int k = 0; k < 2 && done; k++) {
+        const double tone = k == 0 ? plain : dark - plain;
+        if (tone > 0.0) {
+            const hatch_lines lines = lines_for(w->s, on, k == 0 ? 0.0 : 90.0, tone);
+            done = draw_lines(w, on, &lines);
+        }
+    }
+    return done;
+}
+
+roberts_status hatch_add(const strokes *s, pieces *p, size_t *room, roberts_error *error)
+{
+    hatch_work w = {.s = s, .p = p, .room = room, .first = p->count};
+    const bool done = page_regions_walk(s, hatch_region, &w);
+    free(w.crossing);
+    if (w.too_many)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "the drawing takes more than %d strokes of hatching; make their spacing wider", HATCH_MOST);
+    return done ? ROBERTS_OK : error_no_memory(error);
+}
