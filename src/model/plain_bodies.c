@@ -22,6 +22,9 @@ enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 /* A factor beyond what rounding can add to a bound. */
 #define GLANCE_MARGIN 1.01
 
+/* Planes are stored unless bodies have this many faces, on average. */
+#define MESH_FACES 8
+
 /* Edges between asking for one and needing it. */
 #define EDGES_AHEAD 8
 
@@ -417,10 +420,13 @@ static void join_many(plain_work *w)
     from->many_face = NULL;
 }
 
-/* Are all faces triangles of bodies that are not convex? */
-static bool all_triangles(const plain_work *w)
+/* Are all faces triangles of bodies that are not convex, and the bodies meshes? In a soup of loose faces nearly every
+ * plane that is asked for is asked for again. */
+static bool is_triangle_mesh(const plain_work *w)
 {
     const roberts_scene *scene = w->scene;
+    if (scene->face_count / MESH_FACES < scene->solid_count)
+        return false;
     for (uint32_t s = 0; s < scene->solid_count; s++)
         if (!w->mark[s])
             return false;
@@ -452,7 +458,7 @@ static bool fill_surface(plain_work *w)
     scene->solid[scene->solid_count].edge = scene->edge_count = (uint32_t)sum;
     if (!to || !(to->kind = alloc_zeroed(scene->solid_count, 1)) ||
         !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)) ||
-        (all_triangles(w) && !(to->bend = alloc_array(scene->edge_count, sizeof *to->bend))))
+        (is_triangle_mesh(w) && !(to->bend = alloc_array(scene->edge_count, sizeof *to->bend))))
         return false;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         to->kind[s] = ROBERTS_CONVEX;
