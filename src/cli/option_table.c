@@ -341,7 +341,7 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
-         "Below the borders between colours lie lines of at most 0.3 mm, so that no gap shines through on a screen. "
+         "Below the borders between colours lie lines of at most 0.4 mm, so that no gap shines through on a screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
          "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
     {.group = GROUP_PAGE,

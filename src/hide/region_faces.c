@@ -63,7 +63,7 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
 roberts_vec3 region_normal(const hide_job *job, uint32_t face)
 {
     const view *v = &job->seen.view;
-    const plane F = job->fronts.scene->face_plane[face];
+    const plane F = scene_plane(job->fronts.scene, face);
     const roberts_vec3 inward = {F.a, F.b, F.c},
                        n = vec3_scale(job->seen.facing[face] == VIEW_BACK ? 1.0 : -1.0, inward);
     const roberts_vec3 own = {vec3_dot(n, v->right), vec3_dot(n, v->up), vec3_dot(n, v->dir)};
@@ -81,7 +81,7 @@ static bool is_in_plane(const hide_job *job, uint32_t face, uint32_t other)
     bool within = true;
     for (uint32_t k = scene->face_start[face]; within && k < scene->face_start[face + 1]; k++)
         within =
-            fabs(plane_at(scene->face_plane[other], vec3_sub(scene->point[scene->corner[k]], scene->centre))) <= far;
+            fabs(plane_at(scene_plane(scene, other), vec3_sub(scene->point[scene->corner[k]], scene->centre))) <= far;
     return within;
 }
 
