@@ -16,7 +16,7 @@
 
 /* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers what smoothing leaves open. Where
  * lines bound the picture, it is no wider than these, so that it does not stick out of what is thin. */
-static const double widest_seam = 0.3, narrowest_seam = 0.15;
+static const double widest_seam = 0.4, narrowest_seam = 0.15;
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
@@ -332,12 +332,13 @@ static page_point moved(page_point p, page_point q, double units)
     return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
 }
 
-/* Draws the seam that begins with side `first`, as far as it goes. It is cut short where the filled area ends, lest a
- * corner of it stick out there. False: no memory. */
+/* Draws the seam that begins with side `first`, as far as it goes. Seams have round ends. Where the filled area ends, a
+ * seam is cut short by its width, so that its end does not stick out unless the angle there is less than 30 degrees.
+ * False: no memory. */
 static bool draw_seam(fill_work *w, size_t first, fills *out)
 {
     polylines *lines = &out->lines;
-    const double trim = out->seam_mm / 2.0 * w->s->units_per_mm;
+    const double trim = out->seam_mm * w->s->units_per_mm;
     bool enough = polylines_start(lines) && add_point(lines, w->seam.item[first].a), ends = false;
     for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &w->seam.item[i];

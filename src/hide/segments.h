@@ -12,6 +12,7 @@ typedef struct hide_job {
     void *context;
     struct roberts_region_list *regions; /* NULL: not wanted */
     roberts_vec3 upright;                /* of regions: what points up in the model */
+    bool merge_bodies;                   /* regions of several bodies may be merged */
     seen seen;
     hide_fronts fronts;
     objet grid;

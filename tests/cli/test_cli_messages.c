@@ -258,6 +258,7 @@ static const struct {
     {"--fov -1 --eye 9,9,9", "--fov: -1 is out of range: from 0.001 to 179\n"},
     {"--fov wide --eye 9,9,9", "--fov: \"wide\" is not a number\n"},
     {"--dpi 0", "--dpi: 0 is out of range: from 10 to 10000\n"},
+    {"--fill mode", "--fill: \"mode\" is unknown; did you mean model? It can be none, model, shade, body, "},
     {"--plotter middle", "--plotter: the origin is corner or center, not \"middle\"\n"},
     {"--plotter corner,45", "--plotter: a page is turned by 0, 90, 180 or 270 degrees, not \"45\"\n"},
     {"--dpi 1e6", "--dpi: 1e6 is out of range: from 10 to 10000\n"},
@@ -541,6 +542,10 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_string_equal(last.err, "");
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
     assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.csv: warning: its ending says csv, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
 }
 

@@ -135,7 +135,7 @@ static bool same_outline(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 
 static bool same_faces(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 {
-    hide_single single[2];
+    hide_single single[2] = {{.front = ROBERTS_NONE}, {.front = ROBERTS_NONE}};
     uint32_t count, other;
     const hide_face *p = hide_faces(a, k, &count, &single[0]), *q = hide_faces(b, k, &other, &single[1]);
     if (count != other)

@@ -107,7 +107,7 @@ static double axis_of(roberts_vec3 p, int axis)
 /* The direction in which a side leaves the line, turned back to the grid. */
 static roberts_vec3 side_direction(const roberts_scene *scene, const union_side *side, roberts_vec3 u, mat3 map)
 {
-    plane F = scene->face_plane[side->face];
+    plane F = scene_plane(scene, side->face);
     roberts_vec3 w = vec3_cross((roberts_vec3){F.a, F.b, F.c}, u);
     w = vec3_scale(side->turned ? 1.0 : -1.0, w);
     return (roberts_vec3){vec3_dot(map.x, w), vec3_dot(map.y, w), vec3_dot(map.z, w)};
