@@ -54,6 +54,7 @@ ifneq ($(word 2,$(BUILD)),)
 $(error BUILD=$(BUILD): make cannot build in a folder with blanks in its name)
 endif
 object    = $(1:%.c=$(BUILD)/obj/%.o)
+HERSHEY  ?= /usr/share/hershey-fonts
 TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
@@ -291,6 +292,14 @@ $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
+# The letters, from the fonts of HERSHEY
+$(BUILD)/obj/src/draw/letters.o: NEEDS = $(CAIRO_CFLAGS) -I$(BUILD)/generated
+$(BUILD)/obj/src/draw/letters.o: $(BUILD)/generated/letters-data.h
+$(BUILD)/generated/letters-data.h: tools/make-letters.sh $(wildcard $(HERSHEY)/futural.jhf $(HERSHEY)/greeks.jhf)
+	@mkdir -p $(@D)
+	$(call show,GEN,$@)
+	$(Q)tools/make-letters.sh '$(HERSHEY)' >$@
+
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CC,$<)
@@ -319,11 +328,11 @@ lint-format:
 	@echo clang-format on $(words $(C_FILES)) files
 	$(Q)clang-format --dry-run -Werror $(C_FILES)
 
-lint-tidy:
+lint-tidy: $(BUILD)/generated/letters-data.h
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc -iquote tests -iquote tests/support \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc -I$(BUILD)/generated -iquote tests -iquote tests/support \
 	    $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 

@@ -808,6 +808,36 @@ typedef struct roberts_placement {
     bool standard;        /**< scale 0: the largest of 1, 2 or 5 times a power of ten that fits (ISO 5455) */
 } roberts_placement;
 
+/** What a label names. */
+typedef enum roberts_label_kind {
+    ROBERTS_LABEL_VERTICES = 1,
+    ROBERTS_LABEL_EDGES = 2,
+    ROBERTS_LABEL_FACES = 4,  /**< it needs `regions` in each drawing */
+    ROBERTS_LABEL_BODIES = 8, /**< it needs `regions`, too */
+} roberts_label_kind;
+
+/** A name that a label shows in place of numbers. */
+typedef struct roberts_name {
+    roberts_label_kind of;
+    uint32_t number;  /**< of the vertex, face or body; of an edge its smaller vertex */
+    uint32_t other;   /**< of an edge its larger vertex; else 0 */
+    const char *text; /**< UTF-8; empty: no label */
+} roberts_name;
+
+/** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct is a page without any. Letters are strokes of
+ * the fonts "simplex" of A. V. Hershey, Latin and Greek, near ISO 3098; accents are composed. A character that they
+ * lack is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the
+ * largest visible part of faces and bodies; where there is room, none lies on a line or on another one. What is hidden
+ * has a label where hidden lines are drawn. */
+typedef struct roberts_lettering {
+    double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5 */
+    bool native;      /**< SVG, PDF and TikZ: text in a font of the reader, which can be searched and copied */
+    unsigned labels;  /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input */
+    size_t name_count;
+    const roberts_name *name;  /**< [name_count] by of, number, other, each once; what they name is labelled */
+    roberts_warnings warnings; /**< characters that the fonts lack */
+} roberts_lettering;
+
 /** In which order the pen draws the lines of a class. */
 typedef enum roberts_order {
     ROBERTS_ORDER_TRAVEL, /**< lines that meet are chained, and chains ordered so that the lifted pen travels little */
@@ -840,6 +870,7 @@ typedef enum roberts_column {
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
     ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMN_BY,    /**< by_name: the same of the solid that hides the piece */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
@@ -869,6 +900,9 @@ typedef struct roberts_draw_options {
                                         cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_pen hatch;             /**< strokes of `hatching`; default: 0.25 mm */
+    roberts_pen text;              /**< text and its lines; default: 0.25 mm */
+    roberts_pen hidden_text;       /**< labels of what is hidden; default: 0.25 mm, grey */
+    roberts_lettering lettering;   /**< default: none */
     roberts_background background; /**< default: off */
     roberts_hatching hatching;     /**< default: off */
     roberts_fill fill;             /**< default: ROBERTS_FILL_NONE */
@@ -883,7 +917,7 @@ typedef struct roberts_draw_options {
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers; /**< SVG: layers are called "1 hidden" to "8 symbol", and "9 hatch"; default: without numbers */
+    bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: named alone */
     roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
     const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
     roberts_plotter plotter;         /**< HP-GL; default: zeroed */

@@ -52,6 +52,7 @@ find_missing() {
             need libcairo2-dev has_library cairo-svg
             need libqhull-dev has_library qhull_r
             need zlib1g-dev has_library zlib
+            need hershey-fonts-data test -e "${HERSHEY:-/usr/share/hershey-fonts}/futural.jhf"
             if has_command "$cc"; then # gcc brings its own
                 need libomp-dev has_header "$cc" c omp.h
             fi

@@ -188,6 +188,10 @@ static const char *missing(const cli_options *options, const options_given *give
         return "it is not drawn without --sheet";
     if (pen == PEN_HATCH && !draw->hatching.on)
         return "faces are not hatched without --hatch";
+    if (pen == PEN_TEXT && !options_is_given(given, "label"))
+        return "there is no text without --label";
+    if (pen == PEN_HIDDEN_TEXT && !(options_is_given(given, "label") && draw->hidden != ROBERTS_HIDDEN_NONE))
+        return "hidden things have no labels without --label and --hidden";
     return NULL;
 }
 
@@ -210,8 +214,8 @@ static bool any_dashed(const roberts_draw_options *draw)
 {
     bool any = draw->hidden == ROBERTS_HIDDEN_DASHED && is_dashed(&draw->back);
     for (size_t pen = 0; pen < PENS; pen++)
-        any = any || (pen != PEN_HIDDEN && pen != PEN_FRAME && pen != PEN_SYMBOL &&
-                      (pen != PEN_HATCH || draw->hatching.on) && is_dashed(values_pen(draw, pen)));
+        any = any || (pen != PEN_HIDDEN && (pen < PEN_FRAME || (pen == PEN_HATCH && draw->hatching.on)) &&
+                      is_dashed(values_pen(draw, pen)));
     return any;
 }
 
@@ -281,12 +285,12 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
-/* Regions are JSON, whatever the name. */
+/* Regions are JSON, unless the name ends in .csv. */
 static void warn_regions(const cli_options *options)
 {
     char text[80];
     roberts_format told;
-    if (!options->regions || !roberts_format_by_path(options->regions, &told) || told == ROBERTS_JSON)
+    if (!options->regions || !roberts_format_by_path(options->regions, &told) || is_table(told))
         return;
     snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
     message_warning(stderr, options->regions, 0, text);

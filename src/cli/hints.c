@@ -74,6 +74,7 @@ const char *hint_option(const char *word)
         const char *word, *option;
     } known[] = {
         {"angle", "fov"},
+        {"axidraw", "layers numbered"},
         {"border", "frame"},
         {"camera", "eye"},
         {"check", "verify"},
@@ -307,9 +308,10 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
 
 bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size)
 {
-    bool there[PENS] = {
-        [PEN_FRAME] = true, [PEN_SYMBOL] = true, [PEN_HATCH] = true}; /* check_warn() looks after these */
+    bool there[PENS] = {0};
     size_t found = 0, used = 0;
+    for (size_t pen = PEN_FRAME; pen < PENS; pen++)
+        there[pen] = true; /* check_warn() looks after these */
     there[PEN_HIDDEN] = options->draw.hidden == ROBERTS_HIDDEN_NONE;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         for (size_t i = 0; i < d->count; i++)

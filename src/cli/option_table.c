@@ -17,6 +17,7 @@ const option_title option_titles[OPTION_GROUPS] = {
                     "Lengths on paper are in mm, or have a unit: mm, cm, in or pt (1/72 inch; TeX's is 1/72.27), as in "
                     "8.5x11in. This holds for pens too: width=0.8pt."},
     [GROUP_LINES] = {"Lines", NULL, NULL},
+    [GROUP_TEXT] = {"Text", "UTF-8", "Text is UTF-8."},
     [GROUP_VIEW] =
         {"View", NULL,
          "A view is given by --view, by --dir, by --eye, or by --azimuth and --elevation. --up and --roll go "
@@ -145,12 +146,10 @@ static const option rows[] = {
      .set = values_set_columns,
      .brief = "further columns of tables",
      .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +level (how "
-             "many layers hide "
-             "it), +name (of "
-             "the group)",
+             "many layers hide it), +name (of the group), +by (the name of what hides it)",
      .manual =
-         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name. OUTPUT "
-         "FORMATS says what they hold."},
+         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name, +by. "
+         "OUTPUT FORMATS says what they hold."},
     {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,
@@ -391,20 +390,22 @@ static const option rows[] = {
      .words = values_pens,
      .set = values_set_style,
      .brief = "a pen",
-     .help = "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol or hatch (default: 0.5, "
-             "0.5, "
-             "0.35, 0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
-             "dash=DASH/GAP in mm "
-             "as seen, or none; off, on",
+     .help =
+         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
+         "(default: 0.5, 0.5, 0.35, "
+         "0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
+         "dash=DASH/GAP in mm "
+         "as seen, or none; off, on",
      .manual =
-         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol or hatch. width=MM "
-         "is its "
+         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, text or "
+         "hidden-text. width=MM is its "
          "width, "
          "color=COLOR its colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as "
          "seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, "
          "on brings it back. May be given several times.\n"
-         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35 and 0.25 mm, black; hidden lines have dashes of "
-         "3 mm "
+         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm, black and, for "
+         "hidden-text, "
+         "grey; hidden lines have dashes of 3 mm "
          "and "
          "gaps of 0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
          "thinner pens."},
@@ -473,7 +474,8 @@ static const option rows[] = {
      .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
-         "from 1 hidden to 6 outline, 7 frame, 8 symbol and 9 hatch, the same in every drawing. The software of "
+         "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch and 10 text, the same in every drawing. The software "
+         "of "
          "AxiDraw finds "
          "layers by their numbers."},
     {.group = GROUP_LINES,
@@ -504,6 +506,45 @@ static const option rows[] = {
      .help = "ids of svg begin with this, so that several drawings can be in one page of the web",
      .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. So several "
                "drawings can be in one page of the web, where an id may be used only once."},
+
+    /* ---- text ---- */
+    {.group = GROUP_TEXT,
+     .name = "label",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WHAT,...",
+     .words = values_labels,
+     .set = values_set_label,
+     .brief = "numbers at vertices or edges or faces or bodies",
+     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas",
+     .manual =
+         "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
+         "several with commas. A label is beside its vertex or the middle of the edge's longest visible part, or in "
+         "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
+         "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
+         "Edges that are not drawn have none."},
+    {.group = GROUP_TEXT,
+     .name = "label-size",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MM",
+     .set = values_set_length,
+     TO(draw.lettering.height_mm),
+     RANGE(0.5, 100),
+     .brief = "height of capitals",
+     .help = "height of the capitals (default: 3.5)",
+     .manual = "How high capitals are. Default: 3.5, which goes with the pen of 0.25 mm (ISO 3098, type A)."},
+    {.group = GROUP_TEXT,
+     .name = "text",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "MODE",
+     .words = values_texts,
+     .set = values_set_text_mode,
+     .brief = "strokes or text of the reader",
+     .help = "strokes: letters that pens draw, everywhere the same; native: text for the reader's fonts, in svg, pdf "
+             "and tikz (default: strokes)",
+     .manual = "strokes (the default): letters are drawn as strokes of a pen, everywhere the same: upright letters "
+               "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
+               "svg, pdf and tikz have the text itself, which can be searched, copied, and set in the document's "
+               "fonts; other formats have strokes all the same."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

@@ -55,6 +55,7 @@ typedef enum option_group {
     GROUP_OUTPUT,
     GROUP_PAGE,
     GROUP_LINES,
+    GROUP_TEXT,
     GROUP_VIEW,
     GROUP_ENGINE,
     GROUP_MESSAGES,

@@ -232,7 +232,9 @@ static bool needs_regions(const cli_options *options)
     const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
                        page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
     const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
-    return (fills && page->fill != ROBERTS_FILL_NONE) || (strokes && page->hatching.on && !page->hatch.off);
+    const bool labels = page->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) ||
+           (strokes && page->hatching.on && !page->hatch.off);
 }
 
 /* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
@@ -337,6 +339,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.description = options->description.text;
     page.ink = &run->ink;
     page.scene = scene;
+    page.lettering.warnings = options->scene.warnings;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];

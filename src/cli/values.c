@@ -148,7 +148,7 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
 
 const char *const values_columns[] = {
     [ROBERTS_COLUMN_ENDS] = "+ends", [ROBERTS_COLUMN_DEPTH] = "+depth", [ROBERTS_COLUMN_LEVEL] = "+level",
-    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMNS] = NULL,
+    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMN_BY] = "+by",       [ROBERTS_COLUMNS] = NULL,
 };
 
 /* One further column. */
@@ -475,9 +475,18 @@ static int set_key(roberts_pen *pen, const char *item)
 }
 
 const char *const values_pens[] = {
-    [PEN_OUTLINE] = "outline", [PEN_BORDER] = "border", [PEN_CREASE] = "crease", [PEN_INTERSECTION] = "intersection",
-    [PEN_WIRE] = "wire",       [PEN_HIDDEN] = "hidden", [PEN_FRAME] = "frame",   [PEN_SYMBOL] = "symbol",
-    [PEN_HATCH] = "hatch",     [PENS] = NULL,
+    [PEN_OUTLINE] = "outline",
+    [PEN_BORDER] = "border",
+    [PEN_CREASE] = "crease",
+    [PEN_INTERSECTION] = "intersection",
+    [PEN_WIRE] = "wire",
+    [PEN_HIDDEN] = "hidden",
+    [PEN_FRAME] = "frame",
+    [PEN_SYMBOL] = "symbol",
+    [PEN_HATCH] = "hatch",
+    [PEN_TEXT] = "text",
+    [PEN_HIDDEN_TEXT] = "hidden-text",
+    [PENS] = NULL,
 };
 
 static const size_t pen_fields[PENS] = {
@@ -490,6 +499,8 @@ static const size_t pen_fields[PENS] = {
     [PEN_FRAME] = offsetof(roberts_draw_options, frame),
     [PEN_SYMBOL] = offsetof(roberts_draw_options, symbol),
     [PEN_HATCH] = offsetof(roberts_draw_options, hatch),
+    [PEN_TEXT] = offsetof(roberts_draw_options, text),
+    [PEN_HIDDEN_TEXT] = offsetof(roberts_draw_options, hidden_text),
 };
 
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)
@@ -580,6 +591,35 @@ int values_set_id_prefix(const option *o, const char *value, cli_options *option
                               o->name, value);
     options->draw.id_prefix = value;
     return EXIT_DONE;
+}
+
+/* ---- text ---- */
+
+const char *const values_labels[] = {"vertices", "edges", "faces", "bodies", NULL};
+
+int values_set_label(const option *o, const char *value, cli_options *options)
+{
+    char word[64];
+    bool fits;
+    options->draw.lettering.labels = 0;
+    while (value) {
+        value = parse_word(value, ',', word, sizeof word, &fits);
+        const size_t i = parse_find(word, o->words);
+        if (!fits || !o->words[i])
+            return hint_unknown("--label", word, o->words, "with commas between several");
+        options->draw.lettering.labels |= 1u << i;
+    }
+    return EXIT_DONE;
+}
+
+const char *const values_texts[] = {"strokes", "native", NULL};
+
+int values_set_text_mode(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.lettering.native = i == 1;
+    return status;
 }
 
 /* ---- view ---- */

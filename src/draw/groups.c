@@ -155,7 +155,8 @@ roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
 {
     const uint32_t none = (uint32_t)s->views;
     page_point pen = {0, 0}; /* the upper left corner */
-    size_t groups = 2;       /* frame and symbol */
+    static const roberts_line plain[] = {LINE_FRAME, LINE_SYMBOL, LINE_TEXT, LINE_HIDDEN_TEXT}; /* of no body */
+    size_t groups = sizeof plain / sizeof plain[0];
     roberts_status status = ROBERTS_OK;
     group_key *key = sort_pieces(s, p);
     for (size_t i = 0; key && i < p->count; i++)
@@ -171,9 +172,12 @@ roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
         const stroke_group group = {.view = source.view, .body = source.body, .line = (roberts_line)first->line};
         status = make_group(s, &(pieces){.item = p->item + i, .count = end - i}, group, &pen, error);
     }
-    for (int i = 0; status == ROBERTS_OK && i < 2; i++) {
-        const stroke_group group = {.view = none, .body = ROBERTS_NONE, .line = i == 0 ? LINE_FRAME : LINE_SYMBOL};
-        status = make_group(s, &(pieces){0}, group, &pen, error);
+    for (size_t i = 0; status == ROBERTS_OK && i < sizeof plain / sizeof plain[0]; i++) {
+        const stroke_group group = {.view = none, .body = ROBERTS_NONE, .line = plain[i]};
+        if (plain[i] == LINE_TEXT)
+            status = strokes_label(s, error);
+        if (status == ROBERTS_OK)
+            status = make_group(s, &(pieces){0}, group, &pen, error);
     }
     free(key);
     return status;

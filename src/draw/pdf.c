@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "draw/deflater.h"
 #include "draw/formats.h"
+#include "draw/pdf_text.h"
 #include "draw/plot.h"
 
 enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
@@ -154,6 +155,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     write_page(p);
     write_fills(p);
     roberts_status status = plot_strokes(s, &to, out, error);
+    pdf_text_write(s, &p->text);
     output_finish(&p->text, NULL); /* `out` knows of failures, and pdf_write() looks at the length */
     deflater_finish(&p->deflater);
     deflater_end(&p->deflater);
@@ -170,15 +172,18 @@ static void begin_object(output *out, uint64_t object[OBJECTS], int number)
     output_text(out, " 0 obj\n");
 }
 
-/* A state of graphics for each translucency that fills use: they are called A0 to A255. */
-static void write_resources(output *out, const fills *f)
+/* The fonts of text, and a state of graphics for each translucency that fills use: they are called A0 to A255. */
+static void write_resources(output *out, const strokes *s)
 {
+    const fills *f = &s->fills;
     bool used[256] = {false}, any = false;
     for (size_t i = 0; i < f->count; i++)
         used[f->paint[i].color.alpha] = true;
     for (int alpha = 0; alpha < 255; alpha++)
         any = any || used[alpha];
-    output_text(out, any ? "<< /ExtGState << " : "<< ");
+    output_text(out, "<< ");
+    output_text(out, pdf_text_fonts(s));
+    output_text(out, any ? "/ExtGState << " : "");
     for (uint32_t alpha = 0; any && alpha < 256; alpha++)
         if (used[alpha] || alpha == 255) {
             output_text(out, "/A");
@@ -200,7 +205,7 @@ static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
     output_text(out, "<< /Type /Pages /Kids [3 0 R] /Count 1 >>\nendobj\n");
     begin_object(out, object, PAGE);
     output_text(out, "<< /Type /Page /Parent 2 0 R /Resources ");
-    write_resources(out, &s->fills);
+    write_resources(out, s);
     output_text(out, " /Contents 4 0 R /MediaBox [0 0 ");
     write_numbers(out, (const double[]){page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 2,
                   "] >>\nendobj\n");

@@ -99,6 +99,8 @@ roberts_draw_options roberts_draw_options_default(void)
         .symbol = {.width_mm = 0.35},
         .hatch = {.width_mm = 0.25},
         .hatching = {.spacing_mm = 0.8, .levels = 10, .degrees = 45.0, .cross = 1.0},
+        .text = {.width_mm = 0.25},
+        .hidden_text = {.width_mm = 0.25, .red = 128, .green = 128, .blue = 128},
         .fill = ROBERTS_FILL_NONE,
         .fill_color = {255, 255, 255},
         .light = {-1.0, 2.0, 3.0},
@@ -115,9 +117,9 @@ static bool pen_is_valid(const roberts_pen *pen)
 
 static bool pens_are_valid(const roberts_draw_options *options)
 {
-    const roberts_pen *const pen[] = {&options->outline,      &options->border, &options->crease,
-                                      &options->intersection, &options->wire,   &options->back,
-                                      &options->frame,        &options->symbol, &options->hatch};
+    const roberts_pen *const pen[] = {&options->outline, &options->border, &options->crease,     &options->intersection,
+                                      &options->wire,    &options->back,   &options->frame,      &options->symbol,
+                                      &options->hatch,   &options->text,   &options->hidden_text};
     for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++)
         if (!pen_is_valid(pen[i]))
             return false;
@@ -153,6 +155,9 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(
             error, ROBERTS_BAD_ARGUMENT, 0,
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
+    const double height = options->lettering.height_mm;
+    if (!(height == 0.0 || (height >= 0.5 && height <= 100.0)))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "letters must be 0.5 to 100 mm high");
     if (options->order < ROBERTS_ORDER_TRAVEL || options->order > ROBERTS_ORDER_NONE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown order of strokes");
     if (options->grouping < ROBERTS_GROUP_CLASS || options->grouping > ROBERTS_GROUP_ELEMENT)

@@ -2,6 +2,7 @@
 #include "draw/strokes.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -11,6 +12,8 @@
 #include "draw/dashes.h"
 #include "draw/groups.h"
 #include "draw/hatch.h"
+#include "draw/labels.h"
+#include "draw/pdf_text.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
 #include "draw/travel.h"
@@ -40,6 +43,10 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
         return &options->symbol;
     case LINE_HATCH:
         return &options->hatch;
+    case LINE_TEXT:
+        return &options->text;
+    case LINE_HIDDEN_TEXT:
+        return &options->hidden_text;
     default:
         return &options->back;
     }
@@ -48,17 +55,19 @@ const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line
 const char *strokes_class_name(roberts_line line)
 {
     static const char *const name[] = {
-        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease", [ROBERTS_BACK] = "hidden",
-        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",     [ROBERTS_INTERSECTION] = "intersection",
-        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",    [LINE_HATCH] = "hatch"};
+        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease",       [ROBERTS_BACK] = "hidden",
+        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",           [ROBERTS_INTERSECTION] = "intersection",
+        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",          [LINE_HATCH] = "hatch",
+        [LINE_TEXT] = "text",          [LINE_HIDDEN_TEXT] = "hidden-text"};
     return name[line];
 }
 
 uint32_t strokes_class_number(roberts_line line)
 {
-    static const uint8_t number[] = {[ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,   [ROBERTS_INTERSECTION] = 3,
-                                     [ROBERTS_CREASE] = 4, [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6,
-                                     [LINE_FRAME] = 7,     [LINE_SYMBOL] = 8,    [LINE_HATCH] = 9};
+    static const uint8_t number[] = {
+        [ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,    [ROBERTS_INTERSECTION] = 3, [ROBERTS_CREASE] = 4,
+        [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6, [LINE_FRAME] = 7,           [LINE_SYMBOL] = 8,
+        [LINE_HATCH] = 9,     [LINE_TEXT] = 10,      [LINE_HIDDEN_TEXT] = 11};
     return number[line];
 }
 
@@ -207,6 +216,57 @@ static bool add_symbol(const strokes *s, polylines *out)
     return s->symbol_size == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, out);
 }
 
+double strokes_text_height(const roberts_draw_options *options)
+{
+    return options->lettering.height_mm > 0.0 ? options->lettering.height_mm : 3.5;
+}
+
+bool strokes_text_is_native(const roberts_draw_options *options)
+{
+    const roberts_format format = options->format;
+    return options->lettering.native && (format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_TIKZ);
+}
+
+static bool add_text(const strokes *s, roberts_line line, polylines *out)
+{
+    return strokes_pen(s->options, line)->off ||
+           notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
+}
+
+/* Says once how many characters the fonts lack. Fonts of the reader are not known here, but for those of PDF. */
+static void tell_missing(const strokes *s)
+{
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    const bool native = strokes_text_is_native(s->options), is_pdf = s->options->format == ROBERTS_PDF;
+    size_t missing = 0;
+    uint32_t first = 0;
+    char text[160];
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const char *line = notes_line(&s->notes, i).text;
+        missing += native && is_pdf ? pdf_text_missing(line) : letters_missing(line, missing ? NULL : &first);
+    }
+    if (missing == 0 || !to->warn || (native && !is_pdf))
+        return;
+    if (native)
+        snprintf(text, sizeof text, "%zu character%s that the fonts of PDF lack written as question marks", missing,
+                 missing == 1 ? "" : "s");
+    else if (first)
+        snprintf(text, sizeof text, "%zu character%s that the letters lack drawn as a box, the first of them U+%04X",
+                 missing, missing == 1 ? "" : "s", (unsigned)first);
+    else
+        snprintf(text, sizeof text, "%zu character%s drawn as a box, the first of them a byte that is not UTF-8",
+                 missing, missing == 1 ? "" : "s");
+    to->warn(to->context, "", 0, text);
+}
+
+roberts_status strokes_label(strokes *s, roberts_error *error)
+{
+    if (!labels_add(s))
+        return error_no_memory(error);
+    tell_missing(s);
+    return ROBERTS_OK;
+}
+
 roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
                              roberts_error *error)
 {
@@ -218,6 +278,8 @@ roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line lin
         done = add_frame(s, out);
     else if (line == LINE_SYMBOL)
         done = add_symbol(s, out);
+    else if (line == LINE_TEXT || line == LINE_HIDDEN_TEXT)
+        done = add_text(s, line, out) && (!ordered || travel_order(out, first, pen));
     else if (apart)
         done = chain_apart(p, line, out) && (!ordered || travel_order(out, first, pen));
     else if (!ordered)
@@ -241,7 +303,10 @@ static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *e
     roberts_status status = ROBERTS_OK;
     for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
         s->start[i] = s->lines.count;
-        status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
+        if (line_order[i] == LINE_TEXT)
+            status = strokes_label(s, error);
+        if (status == ROBERTS_OK)
+            status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
         s->start[i + 1] = s->lines.count;
     }
     return status;
@@ -299,14 +364,16 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page with margins that keep the drawing away from a frame: by 5 mm, on small pages by a tenth of the shorter side
- * within the margins. A drawing with a field of view ends at its frame. */
+/* The page with margins that keep the drawing away from a frame, by 5 mm, and leave room for labels; on small pages by
+ * a tenth of the shorter side within the margins each. A drawing with a field of view ends at its frame. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
     double room_mm = fmin(page.width_mm, page.height_mm) - 2.0 * page.margin_mm;
     if (!options->frame.off && !drawing->framed)
         page.margin_mm += fmin(from_frame_mm, room_mm / 10.0);
+    if (!drawing->framed && options->placement.scale == 0.0)
+        page.margin_mm += fmin(labels_reach(options), room_mm / 10.0);
     return page;
 }
 
@@ -393,6 +460,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
 void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
+    notes_free(&s->notes);
     free(s->group);
     fills_free(&s->fills);
 }

@@ -4,19 +4,25 @@
 
 #include "draw/chain.h"
 #include "draw/fills.h"
+#include "draw/notes.h"
 #include "draw/page.h"
+#include "draw/room.h"
 
 /* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the symbol
- * of a sheet, and hatching. */
+ * of a sheet, hatching, text and its lines, and labels of what is hidden. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
 #define LINE_HATCH ((roberts_line)(ROBERTS_BACK_OUTLINE + 3)) /* strokes on faces */
+#define LINE_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 4))
+#define LINE_HIDDEN_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 5))
 
 /* From the undermost class to the uppermost. */
-enum { LINE_CLASSES = 9 };
-static const roberts_line line_order[LINE_CLASSES] = {LINE_HATCH,           ROBERTS_BACK,   ROBERTS_WIRE,
-                                                      ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER,
-                                                      ROBERTS_OUTLINE,      LINE_FRAME,     LINE_SYMBOL};
+enum { LINE_CLASSES = 11 };
+static const roberts_line line_order[LINE_CLASSES] = {
+    LINE_HATCH, ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
+    LINE_FRAME, LINE_SYMBOL,  LINE_TEXT,    LINE_HIDDEN_TEXT};
+
+enum { TAKEN_MOST = 4 };
 
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
@@ -49,7 +55,10 @@ typedef struct strokes {
     double symbol_size;             /* of its symbol, as a part of full size; 0: there is none */
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
-    fills fills;                    /* below all lines */
+    notes notes;
+    room_box taken[TAKEN_MOST]; /* [taken_count] what labels keep away from */
+    size_t taken_count;
+    fills fills; /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
     /* SVG with groups: the polylines are in groups, and `start` is not used. */
@@ -78,6 +87,15 @@ static inline bool strokes_are_grouped(const roberts_draw_options *options)
  * becomes the end of the last polyline. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (too many dashes). */
 roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
                              roberts_error *error);
+
+/* Finds the places of labels. It comes after all classes but those of text. */
+roberts_status strokes_label(strokes *s, roberts_error *error);
+
+/* Height of capitals, mm. */
+double strokes_text_height(const roberts_draw_options *options);
+
+/* Whether letters are text of the file's reader, and no strokes. */
+bool strokes_text_is_native(const roberts_draw_options *options);
 
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);

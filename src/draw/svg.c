@@ -162,6 +162,54 @@ static void end_part(void *context, bool last)
     output_text(p->out, last ? "\"/>\n</g>\n" : "\n");
 }
 
+/* ---- text of the reader ---- */
+
+static const double capital = 0.716; /* height of capitals of usual fonts, as a part of their size */
+
+static void write_text_line(output *out, const text_line *line)
+{
+    output_text(out, "<text x=\"");
+    output_mm(out, line->at.x);
+    output_text(out, "\" y=\"");
+    output_mm(out, line->at.y);
+    output_text(out, "\" font-size=\"");
+    output_mm(out, line->height_mm / capital);
+    if (line->align > 0.0)
+        output_text(out, line->align < 1.0 ? "\" text-anchor=\"middle" : "\" text-anchor=\"end");
+    if (line->reads_up) {
+        output_text(out, "\" transform=\"rotate(-90 ");
+        output_mm(out, line->at.x);
+        output_text(out, " ");
+        output_mm(out, line->at.y);
+        output_text(out, ")");
+    }
+    output_text(out, "\">");
+    svg_text(out, line->text);
+    output_text(out, "</text>\n");
+}
+
+/* Writes the text of a class as text, if it is no strokes: a layer of its own above that of its lines. */
+static void write_text_layer(const strokes *s, roberts_line class, output *out)
+{
+    const roberts_pen *pen = strokes_pen(s->options, class);
+    size_t written = 0;
+    for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
+        const text_line line = notes_line(&s->notes, i);
+        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+            continue;
+        if (written++ == 0) {
+            output_text(out, "<g");
+            svg_id(out, s->options, class == LINE_TEXT ? "letters" : "hidden-letters");
+            svg_layer(out, s->options, strokes_class_number(class), class == LINE_TEXT ? "letters" : "hidden-letters");
+            output_text(out, " font-family=\"sans-serif\" fill=\"");
+            svg_color(out, pen->red, pen->green, pen->blue);
+            output_text(out, "\">\n");
+        }
+        write_text_line(out, &line);
+    }
+    output_text(out, written ? "</g>\n" : "");
+}
+
 /* ---- the page ---- */
 
 /* Writes nothing where `text` is NULL. */
@@ -220,6 +268,8 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
         svg_groups_write(s, out);
     else
         status = plot_strokes(s, &to, out, error);
+    write_text_layer(s, LINE_HIDDEN_TEXT, out);
+    write_text_layer(s, LINE_TEXT, out);
     output_text(out, "</svg>\n");
     return status;
 }

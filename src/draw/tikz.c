@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "draw/formats.h"
 #include "draw/plot.h"
+#include "draw/tikz_text.h"
 
 static const double longest_mm = 5700.0; /* TeX's longest length is 5758 mm */
 
@@ -245,6 +246,39 @@ static void write_fills(const tikz *p)
     }
 }
 
+/* ---- text of the document ---- */
+
+/* Writes the text of a class as nodes, if it is no strokes: in the font and the size of the document. */
+static void write_nodes(const tikz *p, roberts_line class)
+{
+    const strokes *s = p->s;
+    const roberts_pen *pen = strokes_pen(s->options, class);
+    const char *style = class == LINE_TEXT ? "letters" : "hidden-letters";
+    size_t written = 0;
+    for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
+        const text_line line = notes_line(&s->notes, i);
+        const page_point at = {page_round(line.at.x * s->units_per_mm), page_round(line.at.y * s->units_per_mm)};
+        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+            continue;
+        if (written++ == 0) {
+            begin_style(p->out, style);
+            output_text(p->out, "inner sep=0pt,outer sep=0pt,text=");
+            write_color(p->out, pen->red, pen->green, pen->blue);
+            output_text(p->out, "}}}\n");
+        }
+        output_text(p->out, "\\node[roberts ");
+        output_text(p->out, style);
+        output_text(p->out, line.align <= 0.0  ? ",anchor=base west"
+                            : line.align < 1.0 ? ",anchor=base"
+                                               : ",anchor=base east");
+        output_text(p->out, line.reads_up ? ",rotate=90] at " : "] at ");
+        write_point(p, at);
+        output_text(p->out, " {");
+        tikz_text_write(p->out, line.text);
+        output_text(p->out, "};\n");
+    }
+}
+
 /* Within a picture of the document, the file is a part of it. */
 static const char begin_picture[] =
     "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
@@ -269,6 +303,8 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
     roberts_status status = write_vertices(&p, error);
     if (status == ROBERTS_OK)
         status = plot_strokes(s, &to, out, error);
+    write_nodes(&p, LINE_HIDDEN_TEXT);
+    write_nodes(&p, LINE_TEXT);
     output_text(out, "\\end{\\robertspicture}\n");
     return status;
 }

@@ -1,4 +1,4 @@
-/* region_faces.c - what regions take from their faces: colours and normals; which neighbours lie in one plane. */
+/* region_faces.c - what regions take from their faces: colours; which neighbours lie in one plane. */
 #include "hide/region_faces.h"
 
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "base/vec.h"
 #include "hide/tolerance.h"
 
-/* ---- colours and normals ---- */
+/* ---- colours ---- */
 
 /* The first piece of a face of the input, in the scene before the near plane cuts it; ROBERTS_NONE: there is none. */
 static uint32_t source_face(const roberts_scene *source, uint32_t solid, uint32_t number)
@@ -58,16 +58,6 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
     if (source->face_color && source->face_color[face].count > 0)
         return source->face_color[face];
     return source->vertex_color ? corners_color(source, solid, face) : none;
-}
-
-roberts_vec3 region_normal(const hide_job *job, uint32_t face)
-{
-    const view *v = &job->seen.view;
-    const plane F = scene_plane(job->fronts.scene, face);
-    const roberts_vec3 inward = {F.a, F.b, F.c},
-                       n = vec3_scale(job->seen.facing[face] == VIEW_BACK ? 1.0 : -1.0, inward);
-    const roberts_vec3 own = {vec3_dot(n, v->right), vec3_dot(n, v->up), vec3_dot(n, v->dir)};
-    return vec3_scale(1.0 / vec3_length(own), own);
 }
 
 /* ---- neighbours in one plane ---- */

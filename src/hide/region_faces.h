@@ -8,9 +8,6 @@
 /* The colour that the input gives a face; if none, the mean of those of its corners; none if one of them has none. */
 roberts_color region_color(const hide_job *job, uint32_t face);
 
-/* The normal of a face on the side that is seen, unit, along the axes of the viewer. */
-roberts_vec3 region_normal(const hide_job *job, uint32_t face);
-
 /* Whether the regions of two neighbours may be one: they lie in one plane, as far as both are planar, have one colour,
  * and are of one body or of bodies that are taken as one. */
 bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);

@@ -409,11 +409,9 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
-                                                         .normal = region_normal(w->job, ring->face),
                                                          .color = region_color(w->job, ring->face)};
-        }
-        if (k == 0 || ring->face != place[k - 1].face)
             slope_find(&w->job->seen, ring->face, w->job->upright, &out->region[out->count - 1]);
+        }
         out->region[out->count - 1].ring_count++;
         out->region[out->count - 1].area += ring->area * unit * unit;
         out->ring_start[out->ring_count++] = out->corner_count;
@@ -458,7 +456,7 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
     hide_job job = {
-        .options = &own, .regions = out, .upright = slope_upright(camera), .merge_bodies = options && options->unite};
+        .options = &own, .regions = out, .merge_bodies = options && options->unite, .upright = slope_upright(camera)};
     roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)

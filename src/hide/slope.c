@@ -71,6 +71,7 @@ void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_regi
     if (weight(v, foot) < nearest_foot)
         foot = s->scene->point[s->scene->corner[s->scene->face_start[face]]];
     const roberts_vec3 steep = steepest(n, upright), p = view_point(v, foot);
+    region->normal = to_viewer(v, n);
     region->steep = moves(v, foot, steep);
     region->level = moves(v, foot, vec3_cross(steep, n));
     region->foot = (roberts_vec2){p.x * v->unit, p.y * v->unit};

@@ -8,7 +8,7 @@
  * such `up`, so there it is +z. */
 roberts_vec3 slope_upright(const roberts_camera *camera);
 
-/* Fills steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
+/* Fills the normal, steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
  * that are seen from the same side get the same, to within rounding. */
 void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region);
 

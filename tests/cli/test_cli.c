@@ -540,6 +540,20 @@ static void levels_are_counted(void **state)
     assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
 }
 
+/* A body and what hides it, by their names. */
+static void bodies_are_named(void **state)
+{
+    (void)state;
+    put("in/two.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 -1\nv 2 1 -1\nv 1 2 -1\no lid\nf 1 2 3\no crumb\nf 4 5 6\n");
+    assert_int_equal(run("--view top in/two.obj -f csv --hidden dashed --columns +by,+name"), 0);
+    assert_int_equal(count(",f1,by_name,name\n"), 1);
+    assert_int_equal(count(",,,lid\n"), 3);
+    assert_int_equal(count(",,lid,crumb\n"), 3);
+    assert_int_equal(run("--view top in/two.obj -f json --hidden dashed --columns +by"), 0);
+    assert_int_equal(count(",\"by_name\":null}"), 3);
+    assert_int_equal(count(",\"by_name\":\"lid\"}"), 3);
+}
+
 /* Lines where faces cross are no edges: rays check the others. */
 static void crossing_bodies_are_verified(void **state)
 {
@@ -1086,6 +1100,7 @@ int main(void)
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(lost_lines_have_a_class),
         IN_FOLDER(levels_are_counted),
+        IN_FOLDER(bodies_are_named),
         IN_FOLDER(crossing_bodies_are_verified),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),

@@ -74,7 +74,7 @@ static void messages_name_the_file(void **state)
                 "convex hull of points)\n");
 }
 
-/* As by cat, also from standard input: what is drawn is the first. */
+/* As by cat, also from standard input: the first one is drawn. */
 static void one_model_after_another(void **state)
 {
     (void)state;
@@ -543,9 +543,11 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
     assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
-    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
-    assert_string_equal(last.err, "roberts: in/a.csv: warning: its ending says csv, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but regions are written as json\n");
     assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
 }
 
@@ -589,7 +591,7 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
-/* A terminal must not obey what is in a name. */
+/* A terminal must not obey control characters in a name. */
 static void names_are_printed_plainly(void **state)
 {
     (void)state;
@@ -607,7 +609,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x07'));
 }
 
-/* No file that is opened later takes the number of a closed stream, and with it what is said. */
+/* No file opened later takes the number of a closed stream, and with it the messages. */
 static void closed_streams_stay_taken(void **state)
 {
     (void)state;

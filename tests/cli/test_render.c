@@ -283,7 +283,7 @@ static void a_missing_line_is_seen(void **state)
     roberts_drawing drawing = model_drawing(cases[two_cubes].model, "iso");
     roberts_draw_options options = options_for_browser(two_cubes);
     options.hidden = ROBERTS_HIDDEN_NONE;
-    drawing.framed = true; /* what is left stays in its place */
+    drawing.framed = true; /* the rest stays in its place */
     save(&drawing, options, ROBERTS_PNG, "own.png");
     size_t left_out = 0;
     for (size_t i = 0; i < drawing.count; i++) {

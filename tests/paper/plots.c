@@ -9,8 +9,8 @@
 
 #include "base/array.h"
 
-static const char *const class_names[PAPER_CLASSES] = {"outline", "crease",       "hidden", "border",
-                                                       "wire",    "intersection", "frame",  "symbol"};
+static const char *const class_names[PAPER_CLASSES] = {"outline",      "crease", "hidden", "border", "wire",
+                                                       "intersection", "frame",  "symbol", "text",   "hidden-text"};
 
 /* The class whose name begins `text`, in small or capital letters, and ends before `end`; -1: none. */
 static int class_at(const char *text, char end)

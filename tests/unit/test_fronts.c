@@ -235,7 +235,7 @@ static void heap(model *m, rng *r)
     }
 }
 
-/* Eight thousand solids, of which each thousand is made by itself. */
+/* Eight thousand solids, made in groups of a thousand. */
 static roberts_scene *make(int kind)
 {
     rng r = {92};

@@ -353,7 +353,7 @@ static void refusals(void **state)
     }
 }
 
-/* Keeps what is warned of, as "file: message\n" one after the other. */
+/* Keeps the warnings as "file: message\n" one after the other. */
 static void note(void *context, const char *file, size_t line, const char *message)
 {
     char *text = context;
@@ -491,7 +491,7 @@ static void make_fans(roberts_mesh *mesh, uint32_t every)
     }
 }
 
-/* The same hulls in the same order, the same warning or the first refusal, whatever the threads. */
+/* With any number of threads: the same hulls in the same order, the same warning or first refusal. */
 static void threads_change_nothing(void **state)
 {
     static const struct {

@@ -69,7 +69,7 @@ static void describe(const roberts_mesh *mesh, log_text *log)
     }
 }
 
-/* What must hold of every mesh, whatever was read. */
+/* What holds for every mesh, whatever was read. */
 static void check_mesh(const roberts_mesh *mesh)
 {
     assert_true(mesh->vertex_count <= mesh->vertex_room && mesh->corner_count <= mesh->corner_room);

@@ -263,7 +263,7 @@ static void a_concave_face_is_cut(void **state)
     roberts_scene_free(scene);
 }
 
-/* Only what is far from convex is told at a glance. */
+/* Only a shape far from convex is recognised at a glance. */
 static void a_glance_tells_only_what_is_certain(void **state)
 {
     static const struct {

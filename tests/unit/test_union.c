@@ -92,7 +92,7 @@ static void cells_about(const blocks *b, const int at[3], int axis, uint32_t bod
     }
 }
 
-/* Is a line to be drawn there: is neither nothing, nor all, nor one half filled? */
+/* Is a line drawn there? It is, unless nothing, all or exactly one half is filled. */
 static bool is_line(const bool f[4])
 {
     int n = f[0] + f[1] + f[2] + f[3];

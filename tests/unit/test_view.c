@@ -5,7 +5,7 @@
 #include "scenes.h"
 #include "view/view.h"
 
-/* What rounding may do to a coordinate of view space, in view units (of which a scene is about one across). */
+/* The largest rounding error of a coordinate of view space, in view units; a scene is about one across. */
 #define ROUNDING 1e-14
 
 static double distance3(roberts_vec3 a, roberts_vec3 b)
@@ -239,7 +239,7 @@ static void turning_goes_about_the_centre(void **state)
     (void)state;
     for (int i = 0; i < 300; i++) {
         roberts_camera camera = random_camera(&r, i % PROJECTIONS), turned;
-        if (i % 5 == 0) /* from above, where nothing says what is up */
+        if (i % 5 == 0) /* from above, where no direction is up */
             camera = (roberts_camera){.dir = {0, 0, 1}};
         double degrees = i % 3 == 0 ? 90.0 * rng_int(&r, -4, 4) : rng_between(&r, -360, 360);
         camera.eye = vec3_add(camera.eye, centre);

@@ -1,0 +1,464 @@
+/* labels.c - where labels go.
+ *
+ * A label has a number of places that it may take: round a vertex, on both sides of an edge, about the middle of the
+ * largest visible region of a face or body. Each place has a cost: what lies there already, as a length, and how far it
+ * is from the best place. Labels choose one by one, those with the fewest places first; then each may choose again a
+ * few times, knowing the others. So the work is bounded, and the same page comes out every time. */
+#include "draw/labels.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/vec.h"
+#include "draw/pole.h"
+#include "draw/room.h"
+
+enum {
+    NAME_SIZE = 32,
+    VERTEX_SIDES = 16, /* directions from a vertex */
+    VERTEX_RINGS = 4,  /* distances from it */
+    EDGE_PLACES = 9,   /* along an edge, on each side */
+    FACE_RINGS = 4,    /* of eight places each, round the middle of a region */
+    PASSES = 4
+};
+
+/* Costs, in mm of lines that a label lies on. */
+static const double beside_best = 0.2; /* a place that is not the best one, at its worst */
+static const double farther = 0.3;     /* each ring */
+
+/* What a label names. Vertices that hang together in the picture are one. */
+typedef struct target {
+    roberts_label_kind kind;
+    uint32_t view, number, other; /* as in roberts_name */
+    bool is_back;                 /* hidden */
+    roberts_vec2 at;              /* mm: the vertex, the middle of the edge's part, the middle of the region */
+    roberts_vec2 along;           /* vertex: sum of the directions of its lines; edge: its direction */
+    double reach;                 /* edge: half of the part's length; region: how far its border is; mm */
+    double size;                  /* edge: length of the part; region: its area */
+} target;
+
+typedef struct targets {
+    target *item;
+    size_t count, room;
+} targets;
+
+typedef struct label {
+    const char *text;
+    char number[NAME_SIZE]; /* `text` of what has no name */
+    const target *of;
+    roberts_vec2 half; /* mm, of the box that is kept free */
+    uint32_t box;      /* in the room */
+    roberts_vec2 middle;
+    bool is_dropped; /* there is no room for it */
+} label;
+
+/* ---- what has a label ---- */
+
+static unsigned labelled_kinds(const roberts_lettering *lettering)
+{
+    unsigned kinds = lettering->labels;
+    for (size_t i = 0; i < lettering->name_count; i++)
+        kinds |= (unsigned)lettering->name[i].of;
+    return kinds;
+}
+
+static bool add_target(targets *t, const target *one)
+{
+    if (!array_reserve(&t->item, &t->room, t->count + 1, sizeof *t->item))
+        return false;
+    t->item[t->count++] = *one;
+    return true;
+}
+
+static bool is_on_page(const strokes *s, const page_view *view, roberts_vec2 mm)
+{
+    return !view->drawing->framed || (mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
+                                      mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
+}
+
+static bool add_segment(const strokes *s, const page_view *view, uint32_t v, const roberts_segment *segment, targets *t)
+{
+    const unsigned kinds = labelled_kinds(&s->options->lettering);
+    const bool is_back = segment->state == ROBERTS_HIDDEN;
+    const roberts_vec2 a = page_place(&view->map, segment->p0), b = page_place(&view->map, segment->p1);
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    if (segment->v0 == ROBERTS_NONE || !(length > 0.0))
+        return true;
+    const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};
+    const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
+    target one = {ROBERTS_LABEL_VERTICES, v, segment->v0, 0, is_back, a, along, 0.0, 0.0};
+    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && is_on_page(s, view, a) && !add_target(t, &one))
+        return false;
+    one = (target){ROBERTS_LABEL_VERTICES, v, segment->v1, 0, is_back, b, {-along.x, -along.y}, 0.0, 0.0};
+    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && is_on_page(s, view, b) && !add_target(t, &one))
+        return false;
+    one = (target){ROBERTS_LABEL_EDGES, v, segment->v0, segment->v1, is_back, middle, along, length / 2.0, length};
+    return !(kinds & ROBERTS_LABEL_EDGES) || !is_on_page(s, view, middle) || add_target(t, &one);
+}
+
+static bool add_region(const page_view *view, uint32_t v, const roberts_region *region, unsigned kinds, targets *t)
+{
+    const roberts_region_list *list = view->drawing->regions;
+    const double mm = page_scale(&view->map);
+    const pole middle = pole_find(list, region);
+    target one = {.view = v,
+                  .kind = ROBERTS_LABEL_FACES,
+                  .number = region->face,
+                  .at = page_place(&view->map, middle.at),
+                  .reach = middle.distance * mm,
+                  .size = region->area};
+    if ((kinds & ROBERTS_LABEL_FACES) && region->face != ROBERTS_NONE && !add_target(t, &one))
+        return false;
+    one.kind = ROBERTS_LABEL_BODIES;
+    one.number = region->solid;
+    return !(kinds & ROBERTS_LABEL_BODIES) || add_target(t, &one);
+}
+
+/* By view, kind and number; of one thing, what is seen comes first, and the largest part of it. */
+static int by_thing(const void *a, const void *b)
+{
+    const target *p = a, *q = b;
+    const uint32_t key[][2] = {{p->view, q->view},
+                               {(uint32_t)p->kind, (uint32_t)q->kind},
+                               {p->number, q->number},
+                               {p->other, q->other},
+                               {p->is_back, q->is_back}};
+    for (size_t i = 0; i < sizeof key / sizeof key[0]; i++)
+        if (key[i][0] != key[i][1])
+            return key[i][0] < key[i][1] ? -1 : 1;
+    const double value[][2] = {
+        {q->size, p->size}, {p->at.x, q->at.x}, {p->at.y, q->at.y}, {p->along.x, q->along.x}, {p->along.y, q->along.y}};
+    for (size_t i = 0; i < sizeof value / sizeof value[0]; i++)
+        if (value[i][0] != value[i][1])
+            return value[i][0] < value[i][1] ? -1 : 1;
+    return 0;
+}
+
+static bool is_same_thing(const target *p, const target *q)
+{
+    return p->view == q->view && p->kind == q->kind && p->number == q->number && p->other == q->other;
+}
+
+/* Leaves one target of each thing. A vertex keeps the sum of the directions of all its lines that have its state. */
+static void unite(targets *t)
+{
+    size_t kept = 0;
+    if (t->count)
+        qsort(t->item, t->count, sizeof *t->item, by_thing);
+    for (size_t i = 0; i < t->count; i++) {
+        target *last = kept ? &t->item[kept - 1] : NULL;
+        if (!last || !is_same_thing(last, &t->item[i])) {
+            t->item[kept++] = t->item[i];
+        } else if (last->kind == ROBERTS_LABEL_VERTICES && last->is_back == t->item[i].is_back) {
+            last->along.x += t->item[i].along.x;
+            last->along.y += t->item[i].along.y;
+        }
+    }
+    t->count = kept;
+}
+
+static bool find_targets(const strokes *s, targets *t)
+{
+    const unsigned kinds = labelled_kinds(&s->options->lettering);
+    for (uint32_t v = 0; v < s->views; v++) {
+        const page_view *view = s->view;
+        const roberts_drawing *drawing = view[v].drawing;
+        roberts_line line;
+        for (size_t i = 0; i < drawing->count && (kinds & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES)); i++)
+            if (strokes_is_drawn(s->options, &drawing->segment[i], &line) &&
+                !add_segment(s, &view[v], v, &drawing->segment[i], t))
+                return false;
+        for (size_t i = 0;
+             drawing->regions && i < drawing->regions->count && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
+             i++)
+            if (!add_region(&view[v], v, &drawing->regions->region[i], kinds, t))
+                return false;
+    }
+    unite(t);
+    return true;
+}
+
+/* ---- what it says ---- */
+
+static int compare_names(const roberts_name *p, roberts_label_kind kind, uint32_t number, uint32_t other)
+{
+    if (p->of != kind)
+        return p->of < kind ? -1 : 1;
+    if (p->number != number)
+        return p->number < number ? -1 : 1;
+    return (p->other > other) - (p->other < other);
+}
+
+/* Names are in order. NULL: it has none. */
+static const char *find_name(const roberts_lettering *lettering, const target *of)
+{
+    size_t low = 0, high = lettering->name_count;
+    while (low < high) {
+        const size_t mid = low + (high - low) / 2;
+        const int order = compare_names(&lettering->name[mid], of->kind, of->number, of->other);
+        if (order == 0)
+            return lettering->name[mid].text;
+        if (order < 0)
+            low = mid + 1;
+        else
+            high = mid;
+    }
+    return NULL;
+}
+
+static void set_text(label *l, const roberts_lettering *lettering)
+{
+    l->text = find_name(lettering, l->of);
+    if (l->text || !(lettering->labels & (unsigned)l->of->kind))
+        return;
+    if (l->of->kind == ROBERTS_LABEL_EDGES)
+        snprintf(l->number, sizeof l->number, "%u-%u", (unsigned)l->of->number, (unsigned)l->of->other);
+    else
+        snprintf(l->number, sizeof l->number, "%u", (unsigned)l->of->number);
+    l->text = l->number;
+}
+
+/* ---- where it goes ---- */
+
+static double text_height(const strokes *s)
+{
+    return strokes_text_height(s->options);
+}
+
+/* Space kept free round a label, and between a vertex and its label. */
+static double text_gap(const strokes *s)
+{
+    return 0.25 * text_height(s) + strokes_pen(s->options, LINE_TEXT)->width_mm / 2.0;
+}
+
+static size_t count_places(const target *of)
+{
+    return of->kind == ROBERTS_LABEL_VERTICES ? VERTEX_SIDES * VERTEX_RINGS
+           : of->kind == ROBERTS_LABEL_EDGES  ? 2 * EDGE_PLACES
+                                              : 1 + 8 * FACE_RINGS;
+}
+
+/* How far a box reaches from its middle toward direction `d`. */
+static double reach(roberts_vec2 half, roberts_vec2 d)
+{
+    return fmin(fabs(d.x) > 0.0 ? half.x / fabs(d.x) : INFINITY, fabs(d.y) > 0.0 ? half.y / fabs(d.y) : INFINITY);
+}
+
+/* Place `i` round a vertex. The best direction is away from the vertex's lines. */
+static roberts_vec2 vertex_place(const label *l, size_t i, double gap, double *cost)
+{
+    const roberts_vec2 d = angle_unit(360.0 / VERTEX_SIDES * (double)(i % VERTEX_SIDES)), away = l->of->along;
+    const double ring = (double)(i / VERTEX_SIDES), length = hypot(away.x, away.y);
+    const double off = reach(l->half, d) + gap * (0.5 + 2.0 * ring);
+    *cost = farther * ring;
+    if (length > 1e-6)
+        *cost += beside_best * (1.0 + (away.x * d.x + away.y * d.y) / length);
+    return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
+}
+
+/* Place `i` beside an edge: above it first, from the middle outward. */
+static roberts_vec2 edge_place(const label *l, size_t i, double gap, double *cost)
+{
+    const roberts_vec2 along = l->of->along;
+    const double side = (i % 2 == 0) == (along.x > 0.0 || (along.x == 0.0 && along.y < 0.0)) ? 1.0 : -1.0;
+    const roberts_vec2 normal = {side * along.y, side * -along.x};
+    const size_t step = i / 2;
+    const double part = (step % 2 ? 1.0 : -1.0) * (double)((step + 1) / 2) / (EDGE_PLACES / 2 + 1);
+    const double off = fabs(normal.x) * l->half.x + fabs(normal.y) * l->half.y + gap * 0.5;
+    *cost = beside_best * fabs(part) + (i % 2 ? beside_best : 0.0);
+    return (roberts_vec2){l->of->at.x + part * l->of->reach * along.x + off * normal.x,
+                          l->of->at.y + part * l->of->reach * along.y + off * normal.y};
+}
+
+/* Place `i` about the middle of a region. */
+static roberts_vec2 face_place(const label *l, size_t i, double *cost)
+{
+    if (i == 0) {
+        *cost = 0.0;
+        return l->of->at;
+    }
+    const size_t ring = (i - 1) / 8 + 1;
+    const roberts_vec2 d = angle_unit(45.0 * (double)((i - 1) % 8));
+    const double off = l->of->reach * (double)ring / FACE_RINGS;
+    *cost = farther * (double)ring;
+    return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
+}
+
+static room_box box_of(const label *l, roberts_vec2 middle)
+{
+    return (room_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
+}
+
+/* Finds the cheapest place, the first of several. */
+static void choose_place(label *l, const page_room *r, double gap)
+{
+    double least = INFINITY;
+    for (size_t i = 0, places = count_places(l->of); i < places; i++) {
+        double cost;
+        const roberts_vec2 middle = l->of->kind == ROBERTS_LABEL_VERTICES ? vertex_place(l, i, gap, &cost)
+                                    : l->of->kind == ROBERTS_LABEL_EDGES  ? edge_place(l, i, gap, &cost)
+                                                                          : face_place(l, i, &cost);
+        const room_box box = box_of(l, middle);
+        if (cost < least)
+            cost += room_taken(r, &box, l->box);
+        if (cost < least) {
+            least = cost;
+            l->middle = middle;
+        }
+    }
+}
+
+/* What is seen first, and those with the fewest places. */
+static int by_freedom(const void *a, const void *b)
+{
+    const target *p = ((const label *)a)->of, *q = ((const label *)b)->of;
+    if (p->is_back != q->is_back)
+        return p->is_back ? 1 : -1;
+    return p->kind != q->kind ? (p->kind > q->kind ? -1 : 1) : (p > q) - (p < q);
+}
+
+static bool place_all(label *l, size_t count, page_room *r, double gap)
+{
+    for (size_t i = 0; i < count; i++) {
+        l[i].box = UINT32_MAX;
+        choose_place(&l[i], r, gap);
+        const room_box box = box_of(&l[i], l[i].middle);
+        if (!room_add_box(r, &box, &l[i].box))
+            return false;
+    }
+    for (int pass = 0; pass < PASSES; pass++)
+        for (size_t i = 0; i < count; i++) {
+            choose_place(&l[i], r, gap);
+            const room_box box = box_of(&l[i], l[i].middle);
+            if (!room_move_box(r, l[i].box, &box))
+                return false;
+        }
+    return true;
+}
+
+/* Leaves out labels that lie on others, or on no place of the page, those that were placed last first. Returns how
+ * many. */
+static size_t drop_some(label *l, size_t count, page_room *r)
+{
+    size_t dropped = 0;
+    for (size_t i = count; i-- > 0;) {
+        const room_box box = box_of(&l[i], l[i].middle);
+        l[i].is_dropped = isinf(room_taken(r, &box, l[i].box)) || room_is_on_box(r, &box, l[i].box);
+        if (l[i].is_dropped)
+            room_drop_box(r, l[i].box);
+        dropped += l[i].is_dropped;
+    }
+    return dropped;
+}
+
+static void tell_dropped(const roberts_lettering *lettering, size_t dropped, size_t count)
+{
+    char text[160];
+    if (dropped == 0 || !lettering->warnings.warn)
+        return;
+    snprintf(text, sizeof text,
+             "no room for %zu of %zu labels, which are left out: choose smaller letters or a larger page", dropped,
+             count);
+    lettering->warnings.warn(lettering->warnings.context, "", 0, text);
+}
+
+static bool has_descender(const char *text)
+{
+    return strpbrk(text, "gjpqy,;Q_()[]{}|/$@") != NULL;
+}
+
+static bool add_note(strokes *s, const label *l)
+{
+    const double height = text_height(s), depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
+    const text_line line = {
+        .text = l->text, .at = {l->middle.x, l->middle.y + (height - depth) / 2.0}, .height_mm = height, .align = 0.5};
+    return notes_add_text(&s->notes, &line, l->of->is_back);
+}
+
+/* Fills `list` with the labels of targets that have a text. */
+static size_t make_labels(const strokes *s, const targets *t, label *list)
+{
+    const double height = text_height(s), gap = text_gap(s);
+    size_t count = 0;
+    for (size_t i = 0; i < t->count; i++) {
+        label *l = &list[count];
+        *l = (label){.of = &t->item[i]};
+        set_text(l, &s->options->lettering);
+        if (!l->text || !*l->text)
+            continue;
+        const double depth = has_descender(l->text) ? LETTERS_DEPTH : 0.0;
+        l->half =
+            (roberts_vec2){letters_width(l->text, height) / 2.0 + gap * 0.5, height * (1.0 + depth) / 2.0 + gap * 0.5};
+        count++;
+    }
+    qsort(list, count, sizeof *list, by_freedom);
+    for (size_t i = 0; i < count; i++) /* sorting has moved them */
+        if (!find_name(&s->options->lettering, list[i].of))
+            list[i].text = list[i].number;
+    return count;
+}
+
+static bool add_strokes(const strokes *s, page_room *r, size_t first, size_t end)
+{
+    for (size_t i = first; i < end; i++)
+        if (!room_add_polyline(r, &s->lines, i, s->units_per_mm))
+            return false;
+    return true;
+}
+
+/* Hatching would leave no room anywhere, so labels may lie on it. It is the undermost class. */
+static bool add_all_strokes(const strokes *s, page_room *r)
+{
+    if (!strokes_are_grouped(s->options))
+        return add_strokes(s, r, s->start[1], s->lines.count);
+    for (size_t g = 0; g < s->group_count; g++)
+        if (s->group[g].line != LINE_HATCH && !add_strokes(s, r, s->group[g].first, s->group[g].end))
+            return false;
+    return true;
+}
+
+static bool fill_room(const strokes *s, page_room *r)
+{
+    uint32_t number;
+    if (!add_all_strokes(s, r))
+        return false;
+    for (size_t i = 0; i < s->notes.lines.count; i++)
+        if (!room_add_polyline(r, &s->notes.lines, i, s->units_per_mm))
+            return false;
+    for (size_t i = 0; i < s->taken_count; i++)
+        if (!room_add_box(r, &s->taken[i], &number))
+            return false;
+    return true;
+}
+
+double labels_reach(const roberts_draw_options *options)
+{
+    const bool beside = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
+    return beside ? 2.0 * strokes_text_height(options) : 0.0;
+}
+
+bool labels_add(strokes *s)
+{
+    targets t = {0};
+    label *list = NULL;
+    const roberts_page *page = &s->options->page;
+    if (labelled_kinds(&s->options->lettering) == 0)
+        return true;
+    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
+    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL && fill_room(s, r);
+    if (done) {
+        const size_t count = make_labels(s, &t, list);
+        done = place_all(list, count, r, text_gap(s));
+        if (done)
+            tell_dropped(&s->options->lettering, drop_some(list, count, r), count);
+        for (size_t i = 0; i < count && done; i++)
+            done = list[i].is_dropped || add_note(s, &list[i]);
+    }
+    room_free(r);
+    free(list);
+    free(t.item);
+    return done;
+}

@@ -1,0 +1,16 @@
+/* labels.h - numbers and names beside vertices and edges, and in faces and bodies. */
+#ifndef ROBERTS_DRAW_LABELS_H
+#define ROBERTS_DRAW_LABELS_H
+
+#include "draw/notes.h"
+#include "draw/strokes.h"
+
+/* Adds the labels that s->options ask for to s->notes, for all views. All lines of the page are in s->lines already.
+ * No label lies on another one, on a line, or on one of the boxes `taken`, where there is room beside what it names.
+ * The same input gives the same places. False: no memory. */
+bool labels_add(strokes *s);
+
+/* How far labels may reach beyond the drawing, mm; 0: there are none beside it. */
+double labels_reach(const roberts_draw_options *options);
+
+#endif

@@ -1,0 +1,82 @@
+/* notes.c - what stands on a page beside the drawing. */
+#include "draw/notes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+
+bool notes_add_text(notes *n, const text_line *line, bool is_back)
+{
+    const size_t size = strlen(line->text) + 1;
+    if (!array_reserve(&n->item, &n->room, n->count + 1, sizeof *n->item) ||
+        !array_reserve(&n->chars, &n->char_room, n->char_count + size, 1))
+        return false;
+    memcpy(n->chars + n->char_count, line->text, size);
+    n->item[n->count++] = (note){n->char_count, line->at, line->height_mm, line->align, line->reads_up, is_back};
+    n->char_count += size;
+    return true;
+}
+
+static page_point on_page(roberts_vec2 mm, double units_per_mm)
+{
+    return (page_point){page_round(mm.x * units_per_mm), page_round(mm.y * units_per_mm)};
+}
+
+bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)
+{
+    const page_point p = on_page(a, units_per_mm), q = on_page(b, units_per_mm);
+    if (p.x == q.x && p.y == q.y)
+        return true;
+    return polylines_start(&n->lines) && polylines_append(&n->lines, p) && polylines_append(&n->lines, q);
+}
+
+bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)
+{
+    const roberts_vec2 corner[4] = {a, {b.x, a.y}, b, {a.x, b.y}};
+    bool done = polylines_start(&n->lines);
+    for (int i = 0; i < 4 && done; i++)
+        done = polylines_append(&n->lines, on_page(corner[i], units_per_mm));
+    if (done)
+        n->lines.item[n->lines.count - 1].closed = true;
+    return done;
+}
+
+text_line notes_line(const notes *n, size_t i)
+{
+    const note *from = &n->item[i];
+    return (text_line){n->chars + from->text, from->at, from->height_mm, from->align, from->reads_up};
+}
+
+static bool append_lines(const polylines *from, polylines *out)
+{
+    for (size_t i = 0; i < from->count; i++) {
+        if (!polylines_start(out))
+            return false;
+        out->item[out->count - 1].closed = from->item[i].closed;
+        for (uint32_t k = 0; k < from->item[i].count; k++)
+            if (!polylines_append(out, from->point[from->item[i].first + k]))
+                return false;
+    }
+    return true;
+}
+
+bool notes_draw(const notes *n, bool is_back, bool native, double units_per_mm, polylines *out)
+{
+    if (!is_back && !append_lines(&n->lines, out))
+        return false;
+    for (size_t i = 0; i < n->count && !native; i++) {
+        const text_line line = notes_line(n, i);
+        if (n->item[i].is_back == is_back && !letters_draw(&line, units_per_mm, out))
+            return false;
+    }
+    return true;
+}
+
+void notes_free(notes *n)
+{
+    free(n->chars);
+    free(n->item);
+    polylines_free(&n->lines);
+    *n = (notes){0};
+}

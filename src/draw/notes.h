@@ -1,0 +1,35 @@
+/* notes.h - what stands on a page beside the drawing: lines of text, and lines that go with them (of a title block, of
+ * dimensions). Together they are the class "text", and "hidden-text" where a label names something hidden. */
+#ifndef ROBERTS_DRAW_NOTES_H
+#define ROBERTS_DRAW_NOTES_H
+
+#include "draw/letters.h"
+
+typedef struct note {
+    size_t text; /* place in notes.chars */
+    roberts_vec2 at;
+    double height_mm, align;
+    bool reads_up, is_back; /* as in text_line; of something hidden */
+} note;
+
+typedef struct notes {
+    char *chars;
+    note *item;
+    size_t char_count, char_room, count, room;
+    polylines lines; /* points in units of the page */
+} notes;
+
+/* Each returns false where there is no memory. */
+bool notes_add_text(notes *n, const text_line *line, bool is_back);
+bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm);
+bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm);
+
+/* A note as a line of text, valid until the next one is added. */
+text_line notes_line(const notes *n, size_t i);
+
+/* Appends the strokes of one of the two classes, without letters where `native`. */
+bool notes_draw(const notes *n, bool is_back, bool native, double units_per_mm, polylines *out);
+
+void notes_free(notes *n);
+
+#endif

@@ -1,0 +1,230 @@
+/* Labels: of what is seen, off the lines and off one another, on pages from A4 to A0; the same every time. */
+#include <errno.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "draw/strokes.h"
+#include "drawing.h"
+
+static const double pages[][2] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
+
+typedef struct told {
+    size_t count;
+    char text[200];
+} told;
+
+static void tell(void *context, const char *file, size_t line, const char *message)
+{
+    told *t = context;
+    (void)file;
+    (void)line;
+    t->count++;
+    snprintf(t->text, sizeof t->text, "%s", message);
+}
+
+static roberts_draw_options options_of(unsigned labels, size_t page, told *warnings)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    options.page.width_mm = pages[page][0];
+    options.page.height_mm = pages[page][1];
+    options.lettering.labels = labels;
+    options.lettering.warnings = (roberts_warnings){tell, warnings};
+    return options;
+}
+
+/* The box of the letters of a note, without the space round it, mm. */
+static room_box letters_box(const notes *n, size_t i)
+{
+    const text_line line = notes_line(n, i);
+    polylines out = {0};
+    room_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    assert_true(letters_draw(&line, 1000.0, &out));
+    for (size_t k = 0; k < out.point_count; k++) {
+        box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
+        box.max = (roberts_vec2){fmax(box.max.x, out.point[k].x / 1000.0), fmax(box.max.y, out.point[k].y / 1000.0)};
+    }
+    polylines_free(&out);
+    return box;
+}
+
+static bool is_apart(room_box a, room_box b)
+{
+    return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
+}
+
+/* Whether a..b goes through the box: by the sides of it, apart from the code that is tested. */
+static bool goes_through(roberts_vec2 a, roberts_vec2 b, room_box box)
+{
+    const roberts_vec2 corner[4] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+    int left = 0;
+    if (is_apart((room_box){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}}, box))
+        return false;
+    for (int i = 0; i < 4; i++)
+        left += (b.x - a.x) * (corner[i].y - a.y) - (b.y - a.y) * (corner[i].x - a.x) > 0.0;
+    return left != 0 && left != 4;
+}
+
+/* Letters that lie on a line, of all classes below text. */
+static size_t count_crossed(const strokes *s)
+{
+    size_t crossed = 0;
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const room_box box = letters_box(&s->notes, i);
+        bool found = false;
+        for (size_t k = 0; k < s->lines.count; k++) {
+            const polyline *line = &s->lines.item[k];
+            const page_point *p = s->lines.point + line->first;
+            bool own = false;
+            for (int c = 0; c < LINE_CLASSES; c++)
+                own = own || ((line_order[c] == LINE_TEXT || line_order[c] == LINE_HIDDEN_TEXT) && k >= s->start[c] &&
+                              k < s->start[c + 1]);
+            for (uint32_t j = 0; !own && j + 1 < line->count + line->closed; j++) {
+                const page_point q = p[(j + 1) % line->count];
+                found = found || goes_through((roberts_vec2){p[j].x / 1000.0, p[j].y / 1000.0},
+                                              (roberts_vec2){q.x / 1000.0, q.y / 1000.0}, box);
+            }
+        }
+        crossed += found;
+    }
+    return crossed;
+}
+
+static void check_apart(const strokes *s, const char *what)
+{
+    const roberts_page *page = &s->options->page;
+    const room_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const room_box box = letters_box(&s->notes, i);
+        assert_true(box.min.x >= whole.min.x && box.min.y >= whole.min.y && box.max.x <= whole.max.x &&
+                    box.max.y <= whole.max.y);
+        for (size_t k = 0; k < i; k++)
+            if (!is_apart(box, letters_box(&s->notes, k)))
+                fail_msg("%s: %s lies on %s", what, notes_line(&s->notes, i).text, notes_line(&s->notes, k).text);
+    }
+}
+
+/* A dodecahedron has room for all: 17 vertices and 24 edges are seen in isometric view, or so many as segments say. */
+static void all_of_a_dodecahedron(void **state)
+{
+    (void)state;
+    roberts_drawing drawing = model_drawing("platonic/dodecahedron", "iso");
+    for (size_t page = 0; page < 5; page++) {
+        told warnings = {0};
+        roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES, page, &warnings);
+        bool vertex[20] = {false};
+        size_t vertices = 0, edges = 0;
+        strokes s;
+        for (size_t i = 0; i < drawing.count; i++) {
+            const roberts_segment *one = &drawing.segment[i];
+            if (one->state != ROBERTS_VISIBLE)
+                continue;
+            edges++;
+            vertices += !vertex[one->v0];
+            vertex[one->v0] = true;
+            vertices += !vertex[one->v1];
+            vertex[one->v1] = true;
+        }
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.count, vertices + edges);
+        assert_int_equal(warnings.count, 0);
+        check_apart(&s, "dodecahedron");
+        assert_int_equal(count_crossed(&s), 0);
+        strokes_free(&s);
+    }
+    roberts_drawing_free(&drawing);
+}
+
+/* Where there is little room, labels are left out and counted; those that are there lie apart. */
+static void models_from_a4_to_a0(void **state)
+{
+    (void)state;
+    static const char *const models[] = {"table", "chair", "temple", "platonic-solids"};
+    for (size_t m = 0; m < sizeof models / sizeof models[0]; m++) {
+        roberts_drawing drawing = model_drawing(models[m], "iso");
+        size_t before = 0;
+        for (size_t page = 0; page < 5; page++) {
+            told warnings = {0};
+            roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, page, &warnings);
+            strokes s;
+            options.hidden = ROBERTS_HIDDEN_DASHED;
+            assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+            check_apart(&s, models[m]);
+            assert_true(s.notes.count > before / 2); /* about as many as on a smaller page, or more */
+            if (warnings.count)
+                assert_non_null(strstr(warnings.text, "labels, which are left out"));
+            before = s.notes.count;
+            strokes_free(&s);
+        }
+        roberts_drawing_free(&drawing);
+    }
+}
+
+/* A line from left to right, as seen from 0,0 to 10,0, half hidden. */
+static void hidden_and_named(void **state)
+{
+    (void)state;
+    told warnings = {0};
+    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 10, 0), line_at(ROBERTS_OUTLINE, 0, 0, 0, 10),
+                              line_at(ROBERTS_OUTLINE, 10, 0, 0, 10)};
+    some[0].v0 = 3, some[0].v1 = 5;
+    some[1].v0 = 3, some[1].v1 = 8;
+    some[2].v0 = 5, some[2].v1 = 8;
+    some[1].state = some[2].state = ROBERTS_HIDDEN;
+    roberts_drawing drawing = {.count = 3, .segment = some, .epsilon = 1e-9};
+    roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, 0, &warnings);
+    const roberts_name name[] = {{ROBERTS_LABEL_VERTICES, 5, 0, "Ω"}, {ROBERTS_LABEL_EDGES, 3, 8, "h\xff"}};
+    strokes s;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(s.notes.count, 2);
+    strokes_free(&s);
+    options.hidden = ROBERTS_HIDDEN_DASHED;
+    options.lettering.name = name;
+    options.lettering.name_count = 2;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(s.notes.count, 4);
+    assert_string_equal(notes_line(&s.notes, 0).text, "3");
+    assert_string_equal(notes_line(&s.notes, 1).text, "Ω");
+    assert_string_equal(notes_line(&s.notes, 2).text, "h\xff");
+    assert_string_equal(notes_line(&s.notes, 3).text, "8");
+    for (size_t i = 0; i < 4; i++)
+        assert_int_equal(s.notes.item[i].is_back, i >= 2);
+    assert_int_equal(warnings.count, 1);
+    assert_string_equal(warnings.text, "1 character drawn as a box, the first of them a byte that is not UTF-8");
+    strokes_free(&s);
+}
+
+/* The same strokes again; with text of the reader none of letters, but the same notes. */
+static void same_again(void **state)
+{
+    (void)state;
+    told warnings = {0};
+    roberts_drawing drawing = model_drawing("table", "iso");
+    roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, 2, &warnings);
+    strokes a, b;
+    assert_int_equal(strokes_make(&a, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(strokes_make(&b, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(a.lines.point_count, b.lines.point_count);
+    assert_memory_equal(a.lines.point, b.lines.point, a.lines.point_count * sizeof *a.lines.point);
+    strokes_free(&b);
+    options.lettering.native = true;
+    assert_int_equal(strokes_make(&b, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(a.notes.count, b.notes.count);
+    assert_true(b.lines.count < a.lines.count);
+    strokes_free(&a);
+    strokes_free(&b);
+    roberts_drawing_free(&drawing);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(models_from_a4_to_a0),
+                                       cmocka_unit_test(hidden_and_named), cmocka_unit_test(same_again)};
+    return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
+}
