@@ -30,7 +30,7 @@ CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
 TEST_SRC := $(sort $(wildcard tests/test_*.c tests/*/test_*.c))
-ORACLE_P := tests/oracle/compare.c tests/oracle/mesh_compare.c tests/oracle/regolden.c
+ORACLE_P := tests/oracle/compare.c tests/oracle/mesh_compare.c tests/oracle/region_compare.c tests/oracle/regolden.c
 ORACLE   := $(filter-out $(ORACLE_P) $(TEST_SRC),$(sort $(wildcard tests/oracle/*.c)))
 ORACLE_X := $(sort $(wildcard tests/oracle/*.cpp))
 PAPER_P  := tests/paper/compare.c
@@ -61,12 +61,13 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # Tests that take longer than a second or two: `make test-quick` omits them.
 SLOW     := cross_oracle fault_files faults hull_memory install memory_order mesh_oracle metamorphic off oracle paper \
-            render same_bytes union union_drawing union_oracle verify_spoiled
+            region_oracle render same_bytes union union_drawing union_oracle verify_spoiled
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
 DEMO     := table temple tower staircase city lattice
 EDGES    ?= 5000000
+REGIONS  ?= 1000000
 DRAWINGS ?= 1000
 SANITIZE := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
 FUZZER   := $(FUZZ_SRC:tests/fuzz/%.c=$(BUILD)/fuzz/%)
@@ -107,10 +108,12 @@ test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at
 test-quick: $(TESTED) $(QUICK_BIN) ## runs the tests that take a second or two at most
 	@$(RUN_TESTS) $(QUICK_BIN)
 
-# 5,000,000 edges against the exact oracle (EDGES=n), 1,000 drawings against their tables (DRAWINGS=n)
-check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
+# 5,000,000 edges and 1,000,000 regions against the exact oracles (EDGES=n, REGIONS=n), 1,000 drawings against their
+# tables (DRAWINGS=n)
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/oracle/region_compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 	$(BUILD)/tests/oracle/mesh_compare --folder $(BUILD) --edges $(EDGES)
+	$(BUILD)/tests/oracle/region_compare --folder $(BUILD) --regions $(REGIONS)
 	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
 
@@ -260,6 +263,7 @@ $(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
 ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle $(BUILD)/tests/test_union_oracle \
+               $(BUILD)/tests/test_region_oracle \
                $(BUILD)/tests/test_golden
 $(ORACLE_TEST): $(ORACLE_OBJ)
 $(ORACLE_TEST): TEST_LIBS = $(ORACLE_LIBS)

@@ -429,6 +429,8 @@ typedef struct roberts_hide_options {
      * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
      * drawn. */
     bool unite;
+    bool merge_regions; /**< of roberts_regions() alone: neighbours in one plane with one colour are one region, which
+                             has the number of the first face; those of several bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -514,7 +516,7 @@ typedef struct roberts_region_list {
 /**
  * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
  * several that touch there, to that of the smallest solid, and then to the smallest face.
- * options  NULL for the defaults; epsilon, grid and threads count, and which edges are drawn does not
+ * options  NULL for the defaults; epsilon, grid, threads and merge_regions count, and which edges are drawn does not
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
  * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
  * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
@@ -880,6 +882,7 @@ typedef enum roberts_column {
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
     ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
     ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMN_BY,    /**< by_name: the same of the solid that hides the piece */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
@@ -968,8 +971,10 @@ roberts_status roberts_drawing_save(const roberts_drawing *drawing, const robert
 /**
  * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
  * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
- * rings (arrays of [x, y]). Of `options`, which may be NULL, only `temporary` counts. Returns ROBERTS_OK, _NO_MEMORY or
- * _IO.
+ * rings (arrays of [x, y]). If options->format is ROBERTS_CSV, it is a table with one row for each region: body, face,
+ * area, z0, z1, color (numbers with blanks between) and polygon (a MULTIPOLYGON as well-known text, in which the
+ * corners of rings are x y). Of `options`, which may be NULL, else only `temporary` counts. Returns ROBERTS_OK,
+ * _NO_MEMORY or _IO.
  */
 roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);

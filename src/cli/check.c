@@ -286,6 +286,17 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
+/* Regions are JSON, unless the name ends in .csv. */
+static void warn_regions(const cli_options *options)
+{
+    char text[80];
+    roberts_format told;
+    if (!options->regions || !roberts_format_by_path(options->regions, &told) || is_table(told))
+        return;
+    snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
+    message_warning(stderr, options->regions, 0, text);
+}
+
 /* A name with a place for a number, but no turntable: a file may have such a name, but that is hardly meant. */
 static void warn_number(const cli_options *options)
 {
@@ -360,6 +371,7 @@ void check_warn(const cli_options *options, const options_given *given)
         warn("--output", "the format null writes nothing");
     if (options_is_given(given, "format"))
         warn_ending(options);
+    warn_regions(options);
     warn_number(options);
     warn_twice(options);
     if (has_page(options->draw.format)) {

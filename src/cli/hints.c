@@ -74,6 +74,7 @@ const char *hint_option(const char *word)
         const char *word, *option;
     } known[] = {
         {"angle", "fov"},
+        {"axidraw", "layers numbered"},
         {"border", "frame"},
         {"camera", "eye"},
         {"check", "verify"},

@@ -54,21 +54,34 @@ static const option rows[] = {
     {.group = GROUP_OUTPUT,
      .name = "regions",
      .flags = OPTION_FILE,
-     .value = "FILE.json",
+     .value = "FILE",
      .set = values_set_text,
      TO(regions),
      .excludes = "sheet turntable batch",
      .brief = "what is seen of each face",
-     .help = "write what is seen of each face as polygons with holes to FILE.json, beside the drawing",
+     .help = "write what is seen of each face as polygons with holes to FILE, beside the drawing: json, or csv by its "
+             "ending",
      .manual =
-         "Writes what is seen of each face to FILE.json (- is standard output), beside the drawing: an array with an "
+         "Writes what is seen of each face to FILE (- is standard output), beside the drawing: json, an array with an "
          "object for each face that is seen. body and face are numbered as in tables; face is null for a hull's face "
          "and where the near plane cuts. area is that of the picture, in model units squared. z0 and z1 say how near "
          "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
          "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
          "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
          "regions of all faces tile the picture without gaps and overlaps. Which lines are drawn, and --union, change "
-         "nothing. It fails if the near plane cuts a body that is not convex."},
+         "nothing.\n"
+         "If FILE ends in .csv, it is a table with a row for each face: body, face, area, z0, z1, color (numbers with "
+         "blanks between them) and polygon, a MULTIPOLYGON as well-known text, as geographers' programs read it."},
+    {.group = GROUP_OUTPUT,
+     .name = "merge-regions",
+     .set = values_set_flag,
+     TO(hide.merge_regions),
+     .needs = "regions",
+     .brief = "one region for coplanar neighbours",
+     .help = "neighbours in one plane with one colour are one region; with --union of several bodies, too",
+     .manual = "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
+               "the number of the first of them. With --union faces of several bodies do so, too. This is for "
+               "--regions; fills are joined by colour anyway."},
     {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
@@ -133,12 +146,10 @@ static const option rows[] = {
      .set = values_set_columns,
      .brief = "further columns of tables",
      .help = "further columns of tables, in this order: +ends (in the model), +depth (toward the viewer), +level (how "
-             "many layers hide "
-             "it), +name (of "
-             "the group)",
+             "many layers hide it), +name (of the group), +by (the name of what hides it)",
      .manual =
-         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name. OUTPUT "
-         "FORMATS says what they hold."},
+         "Further columns of tables, after the usual ones and in the order given: +ends, +depth, +level, +name, +by. "
+         "OUTPUT FORMATS says what they hold."},
     {.group = GROUP_OUTPUT,
      .name = "crease",
      .flags = OPTION_DRAWS,
@@ -329,7 +340,7 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
-         "Below the borders between colours lie lines of at most 0.3 mm, so that no gap shines through on a screen. "
+         "Below the borders between colours lie lines of at most 0.4 mm, so that no gap shines through on a screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
          "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
     {.group = GROUP_PAGE,

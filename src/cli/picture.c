@@ -388,8 +388,12 @@ static void tell(const cli_options *options, const run_stats *run, const views *
 /* Writes the visible regions, if they are wanted. */
 static roberts_status save_regions(const cli_options *options, const views *v, roberts_error *error)
 {
-    return options->regions ? roberts_regions_save(&v->regions[0], &options->draw, options->regions, error)
-                            : ROBERTS_OK;
+    roberts_draw_options table = options->draw;
+    if (!options->regions)
+        return ROBERTS_OK;
+    table.format = ROBERTS_JSON;
+    roberts_format_by_path(options->regions, &table.format);
+    return roberts_regions_save(&v->regions[0], &table, options->regions, error);
 }
 
 /* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit

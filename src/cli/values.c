@@ -148,7 +148,7 @@ int values_set_hidden(const option *o, const char *value, cli_options *options)
 
 const char *const values_columns[] = {
     [ROBERTS_COLUMN_ENDS] = "+ends", [ROBERTS_COLUMN_DEPTH] = "+depth", [ROBERTS_COLUMN_LEVEL] = "+level",
-    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMNS] = NULL,
+    [ROBERTS_COLUMN_NAME] = "+name", [ROBERTS_COLUMN_BY] = "+by",       [ROBERTS_COLUMNS] = NULL,
 };
 
 /* One further column. */
@@ -331,18 +331,23 @@ static bool parse_hex(const char *value, unsigned char part[3])
     return true;
 }
 
-/* If the value is no colour, the message says that `what` can be a colour's name or `also`. */
-static int parse_color(const char *what, const char *also, const char *value, unsigned char part[3])
+/* A colour's name, or #rrggbb. False: it is neither. */
+static bool find_color(const char *value, unsigned char part[3])
 {
     static const unsigned char parts[][3] = {{0, 0, 0},     {255, 255, 255}, {128, 128, 128}, {255, 0, 0},
                                              {0, 128, 0},   {0, 0, 255},     {0, 255, 255},   {165, 42, 42},
                                              {255, 0, 255}, {255, 255, 0},   {255, 165, 0},   {128, 0, 128}};
     const size_t i = parse_find(strcmp(value, "grey") == 0 ? "gray" : value, color_names);
-    if (color_names[i])
-        memcpy(part, parts[i], 3);
-    else if (!parse_hex(value, part))
-        return hint_unknown(what, value, color_names, also);
-    return EXIT_DONE;
+    if (!color_names[i])
+        return parse_hex(value, part);
+    memcpy(part, parts[i], 3);
+    return true;
+}
+
+/* If the value is no colour, the message says that `what` can be a colour's name or `also`. */
+static int parse_color(const char *what, const char *also, const char *value, unsigned char part[3])
+{
+    return find_color(value, part) ? EXIT_DONE : hint_unknown(what, value, color_names, also);
 }
 
 int values_set_background(const option *o, const char *value, cli_options *options)
@@ -378,10 +383,9 @@ int values_set_fill(const option *o, const char *value, cli_options *options)
         draw->fill = ROBERTS_FILL_NONE;
     else
         draw->fill = ROBERTS_FILL_COLOR;
-    if (draw->fill != ROBERTS_FILL_COLOR)
+    if (draw->fill != ROBERTS_FILL_COLOR || find_color(with, draw->fill_color))
         return EXIT_DONE;
-    return parse_color("--fill", "none, model, body, shade, shade:body, shade:COLOR, #rrggbb or #rgb", with,
-                       draw->fill_color);
+    return hint_unknown("--fill", value, values_fills, "shade:COLOR, #rrggbb or #rgb");
 }
 
 static int set_color(roberts_pen *pen, const char *value)

@@ -49,12 +49,11 @@ void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end)
     }
 }
 
-/* A seam of two colours is a line that ends where the seam does, so that it does not stick out of what is filled. */
 void surface_paint_fills(cairo_t *cairo, const strokes *s)
 {
     const fills *f = &s->fills;
     cairo_set_dash(cairo, NULL, 0, 0.0);
-    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo, f->seam_mm);
     for (size_t i = 0; i < f->count; i++) {

@@ -16,7 +16,7 @@
 
 /* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers what smoothing leaves open. Where
  * lines bound the picture, it is no wider than these, so that it does not stick out of what is thin. */
-static const double widest_seam = 0.3, narrowest_seam = 0.15;
+static const double widest_seam = 0.4, narrowest_seam = 0.15;
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
@@ -283,16 +283,21 @@ static size_t next_side(const side_list *sides, const fill_side *from)
     return found;
 }
 
+/* Whether q lies straight between p and r. */
+static bool is_between(page_point p, page_point q, page_point r)
+{
+    int64_t ux = q.x - (int64_t)p.x, uy = q.y - (int64_t)p.y, vx = r.x - (int64_t)q.x, vy = r.y - (int64_t)q.y;
+    return ux * vy == uy * vx && ux * vx + uy * vy > 0;
+}
+
 /* Appends a point; drops the one before it if that lies straight between its neighbours. */
 static bool add_point(polylines *out, page_point p)
 {
     const polyline *line = &out->item[out->count - 1];
     if (line->count > 1) {
-        page_point *last = out->point + out->point_count;
-        int64_t ux = last[-1].x - (int64_t)last[-2].x, uy = last[-1].y - (int64_t)last[-2].y;
-        int64_t vx = p.x - (int64_t)last[-1].x, vy = p.y - (int64_t)last[-1].y;
-        if (ux * vy == uy * vx && ux * vx + uy * vy > 0) {
-            last[-1] = p;
+        page_point *end = out->point + out->point_count;
+        if (is_between(end[-2], end[-1], p)) {
+            end[-1] = p;
             return true;
         }
     }
@@ -309,6 +314,22 @@ static size_t reverse_of(const side_list *sides, const fill_side *side)
     return i;
 }
 
+/* Closes the last line. Drops its end and its start if they lie straight between their neighbours. */
+static void close_ring(polylines *out)
+{
+    polyline *line = &out->item[out->count - 1];
+    page_point *p = out->point + line->first;
+    line->closed = true;
+    if (line->count > 3 && is_between(p[line->count - 2], p[line->count - 1], p[0])) {
+        line->count--;
+        out->point_count--;
+    }
+    if (line->count > 3 && is_between(p[line->count - 1], p[0], p[1])) {
+        p[0] = p[--line->count];
+        out->point_count--;
+    }
+}
+
 /* Draws the ring that begins with side `first`. False: no memory. */
 static bool draw_ring(side_list *sides, size_t first, polylines *out)
 {
@@ -321,7 +342,8 @@ static bool draw_ring(side_list *sides, size_t first, polylines *out)
         enough = back || add_point(out, side->b);
         i = back ? SIZE_MAX : next_side(sides, side);
     }
-    out->item[out->count - 1].closed = true;
+    if (enough)
+        close_ring(out);
     return enough;
 }
 
@@ -332,12 +354,13 @@ static page_point moved(page_point p, page_point q, double units)
     return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
 }
 
-/* Draws the seam that begins with side `first`, as far as it goes. It is cut short where the filled area ends, lest a
- * corner of it stick out there. False: no memory. */
+/* Draws the seam that begins with side `first`, as far as it goes. Seams have round ends. Where the filled area ends, a
+ * seam is cut short by its width, so that its end does not stick out unless the angle there is less than 30 degrees.
+ * False: no memory. */
 static bool draw_seam(fill_work *w, size_t first, fills *out)
 {
     polylines *lines = &out->lines;
-    const double trim = out->seam_mm / 2.0 * w->s->units_per_mm;
+    const double trim = out->seam_mm * w->s->units_per_mm;
     bool enough = polylines_start(lines) && add_point(lines, w->seam.item[first].a), ends = false;
     for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &w->seam.item[i];

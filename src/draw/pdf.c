@@ -116,14 +116,13 @@ static void write_paint(pdf_plot *p, const fill_paint *paint, const char *operat
     output_text(&p->text, operator);
 }
 
-/* Seams end where they end, so that they do not stick out of what is filled. */
 static void write_fills(pdf_plot *p)
 {
     const fills *f = &p->s->fills;
     int alpha = 255;
     if (f->count == 0)
         return;
-    write_numbers(&p->text, (const double[]){f->seam_mm * p->s->units_per_mm}, 1, "w 0 J\n");
+    write_numbers(&p->text, (const double[]){f->seam_mm * p->s->units_per_mm}, 1, "w\n");
     for (size_t i = 0; i < f->count; i++) {
         const fill_color *color = &f->paint[i].color;
         if (color->alpha != alpha)
@@ -134,7 +133,6 @@ static void write_fills(pdf_plot *p)
     }
     if (alpha != 255)
         write_alpha(&p->text, 255);
-    output_text(&p->text, "1 J\n");
 }
 
 static bool put_compressed(void *out, const void *bytes, size_t size)

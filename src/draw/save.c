@@ -245,7 +245,10 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
                                    roberts_error *error)
 {
     if (what->regions) {
-        region_table_write(what->regions, out);
+        if (options->format == ROBERTS_CSV)
+            region_table_write_csv(what->regions, out);
+        else
+            region_table_write_json(what->regions, out);
         return ROBERTS_OK;
     }
     switch (options->format) {
@@ -586,7 +589,7 @@ roberts_status roberts_regions_save(const roberts_region_list *regions, const ro
                                     const char *path, roberts_error *error)
 {
     roberts_draw_options own = roberts_draw_options_default();
-    own.format = ROBERTS_JSON;
+    own.format = options && options->format == ROBERTS_CSV ? ROBERTS_CSV : ROBERTS_JSON;
     if (options) {
         own.temporary = options->temporary;
         own.temporary_context = options->temporary_context;

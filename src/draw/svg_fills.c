@@ -130,7 +130,7 @@ bool svg_write_fills(const strokes *s, output *out)
         output_text(out,
                     grouped ? "<g class=\"seam\" fill=\"none\" stroke-width=\"" : "<g fill=\"none\" stroke-width=\"");
         output_mm(out, f->seam_mm);
-        output_text(out, "\" stroke-linejoin=\"round\">\n");
+        output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
     }
     for (size_t i = 0; i < f->count; i++) {
         if (i > 0 && f->paint[i - 1].seam && !f->paint[i].seam)

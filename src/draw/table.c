@@ -33,34 +33,36 @@ enum {
     DEPTH1,
     LEVEL,
     NAME,
+    BY_NAME,
     COLUMNS
 };
 
 static const char *const names[COLUMNS] = {
-    [BODY] = "body", [V0] = "v0",     [V1] = "v1",     [T0] = "t0",     [T1] = "t1",       [STATE] = "state",
-    [X0] = "x0",     [Y0] = "y0",     [X1] = "x1",     [Y1] = "y1",     [BY] = "by",       [CLASS] = "class",
-    [F0] = "f0",     [F1] = "f1",     [END_X0] = "X0", [END_Y0] = "Y0", [END_Z0] = "Z0",   [END_X1] = "X1",
-    [END_Y1] = "Y1", [END_Z1] = "Z1", [DEPTH0] = "z0", [DEPTH1] = "z1", [LEVEL] = "level", [NAME] = "name",
+    [BODY] = "body",   [V0] = "v0",       [V1] = "v1",       [T0] = "t0",     [T1] = "t1",
+    [STATE] = "state", [X0] = "x0",       [Y0] = "y0",       [X1] = "x1",     [Y1] = "y1",
+    [BY] = "by",       [CLASS] = "class", [F0] = "f0",       [F1] = "f1",     [END_X0] = "X0",
+    [END_Y0] = "Y0",   [END_Z0] = "Z0",   [END_X1] = "X1",   [END_Y1] = "Y1", [END_Z1] = "Z1",
+    [DEPTH0] = "z0",   [DEPTH1] = "z1",   [LEVEL] = "level", [NAME] = "name", [BY_NAME] = "by_name",
 };
 
 /* What a field may hold. */
 typedef enum field_kind { WHOLE, NUMBER, WORD, TEXT } field_kind;
 
 static const field_kind kinds[COLUMNS] = {
-    [BODY] = WHOLE,    [V0] = WHOLE,      [V1] = WHOLE,      [T0] = NUMBER,     [T1] = NUMBER,     [STATE] = WORD,
-    [X0] = NUMBER,     [Y0] = NUMBER,     [X1] = NUMBER,     [Y1] = NUMBER,     [BY] = WHOLE,      [CLASS] = WORD,
-    [F0] = WHOLE,      [F1] = WHOLE,      [END_X0] = NUMBER, [END_Y0] = NUMBER, [END_Z0] = NUMBER, [END_X1] = NUMBER,
-    [END_Y1] = NUMBER, [END_Z1] = NUMBER, [DEPTH0] = NUMBER, [DEPTH1] = NUMBER, [LEVEL] = WHOLE,   [NAME] = TEXT,
+    [BODY] = WHOLE,    [V0] = WHOLE,      [V1] = WHOLE,      [T0] = NUMBER,     [T1] = NUMBER,
+    [STATE] = WORD,    [X0] = NUMBER,     [Y0] = NUMBER,     [X1] = NUMBER,     [Y1] = NUMBER,
+    [BY] = WHOLE,      [CLASS] = WORD,    [F0] = WHOLE,      [F1] = WHOLE,      [END_X0] = NUMBER,
+    [END_Y0] = NUMBER, [END_Z0] = NUMBER, [END_X1] = NUMBER, [END_Y1] = NUMBER, [END_Z1] = NUMBER,
+    [DEPTH0] = NUMBER, [DEPTH1] = NUMBER, [LEVEL] = WHOLE,   [NAME] = TEXT,     [BY_NAME] = TEXT,
 };
 
 /* The columns of each roberts_column. */
 static const struct {
     uint8_t first, end;
 } further[ROBERTS_COLUMNS] = {
-    [ROBERTS_COLUMN_ENDS] = {END_X0, END_Z1 + 1},
-    [ROBERTS_COLUMN_DEPTH] = {DEPTH0, DEPTH1 + 1},
-    [ROBERTS_COLUMN_LEVEL] = {LEVEL, LEVEL + 1},
-    [ROBERTS_COLUMN_NAME] = {NAME, NAME + 1},
+    [ROBERTS_COLUMN_ENDS] = {END_X0, END_Z1 + 1}, [ROBERTS_COLUMN_DEPTH] = {DEPTH0, DEPTH1 + 1},
+    [ROBERTS_COLUMN_LEVEL] = {LEVEL, LEVEL + 1},  [ROBERTS_COLUMN_NAME] = {NAME, NAME + 1},
+    [ROBERTS_COLUMN_BY] = {BY_NAME, BY_NAME + 1},
 };
 
 /* A table: its columns, from left to right, behind that of the view. */
@@ -172,9 +174,10 @@ static const char *word(const row *r, int column)
 }
 
 /* "": there is none. */
-static const char *name(const row *r)
+static const char *name(const row *r, int column)
 {
-    return r->of->scene ? roberts_scene_name(r->of->scene, r->s->solid) : "";
+    const uint32_t body = column == NAME ? r->s->solid : r->s->by;
+    return r->of->scene && body != ROBERTS_NONE ? roberts_scene_name(r->of->scene, body) : "";
 }
 
 /* Writes a field that is no text; `empty` where it holds nothing. */
@@ -226,7 +229,7 @@ static void write_csv_row(const row *r, output *out)
         if (i)
             output_bytes(out, ",", 1);
         if (kinds[column] == TEXT)
-            write_csv_text(name(r), out);
+            write_csv_text(name(r, column), out);
         else
             write_field(r, column, "", out);
     }
@@ -295,7 +298,7 @@ static void write_json_member(const row *r, int i, output *out)
     output_text(out, names[column]);
     output_text(out, is_word ? "\":\"" : "\":");
     if (kinds[column] == TEXT)
-        write_json_text(name(r), out);
+        write_json_text(name(r, column), out);
     else
         write_field(r, column, "null", out);
     if (is_word)

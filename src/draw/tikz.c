@@ -230,7 +230,7 @@ static void write_fills(const tikz *p)
                 output_text(p->out, paint->seam ? "\\path[line width=" : "\\path[fill=");
                 if (paint->seam) {
                     output_mm(p->out, f->seam_mm);
-                    output_text(p->out, "mm,line cap=butt,line join=round,draw=");
+                    output_text(p->out, "mm,line cap=round,line join=round,draw=");
                 }
                 write_color(p->out, color->red, color->green, color->blue);
                 if (color->alpha < 255) {

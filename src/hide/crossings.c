@@ -21,6 +21,9 @@
 #define FEW_CORNERS 8
 /* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
 #define LOOSE 4.0
+/* A corner this many touching distances off a plane does not touch it; roundings that a height may be off by. */
+#define TOUCHING 4.0
+#define HEIGHT_ROUNDINGS 64.0
 
 /* The corners of a triangle about which all faces are one sheet (see stars.h). Each other corner has a number that no
  * vertex has, and that no other entry has. */
@@ -49,6 +52,11 @@ typedef struct finder {
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
+static double sum_of_parts(roberts_vec3 d)
+{
+    return fabs(d.x) + fabs(d.y) + fabs(d.z);
+}
+
 /* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
 static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
 {
@@ -75,6 +83,37 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
         A = B;
     }
     return false;
+}
+
+/* Do all corners of triangle g lie plainly on one side of the plane of triangle f, except for one that both share?
+ * Heights are in lengths of the normal. Rounding in each is below the margin. */
+static bool is_beside_plane(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    const roberts_vec3 *P = fronts->P;
+    roberts_vec3 A = P[f->corner[0]], AB = vec3_sub(P[f->corner[1]], A), AC = vec3_sub(P[f->corner[2]], A);
+    roberts_vec3 n = vec3_cross(AB, AC);
+    double size = sum_of_parts(AB) + sum_of_parts(AC), rounding = fronts->space.depth_rounding;
+    double touching = TOUCHING * sum_of_parts(n) * (fronts->space.epsilon + rounding);
+    int side = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        uint32_t v = g->corner[k];
+        if (v == f->corner[0] || v == f->corner[1] || v == f->corner[2])
+            continue;
+        roberts_vec3 d = vec3_sub(P[v], A);
+        double h = vec3_dot(n, d), margin = touching + HEIGHT_ROUNDINGS * rounding * size * (size + sum_of_parts(d));
+        if (!(fabs(h) > margin) || (h > 0.0 ? side < 0 : side > 0))
+            return false;
+        side = h > 0.0 ? 1 : -1;
+    }
+    return true;
+}
+
+/* Are two faces plainly apart in space? Asked only where all faces are triangles, with planes of their own, and where
+ * the view does not bend. */
+static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    return !fronts->scene->face_plane && !fronts->seen->view.perspective &&
+           (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
 }
 
 /* Do two triangles share a side? */
@@ -177,7 +216,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[list[i].front], *g = &fronts->front[list[k].front];
     crossing_face other[2];
-    if (f->own == g->own)
+    if (hide_key(fronts, f) == hide_key(fronts, g))
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
@@ -185,6 +224,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
     const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
     if (share_side(&F, &G))
+        return true;
+    if (is_apart(fronts, &F, &G))
         return true;
     if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))

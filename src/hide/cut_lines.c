@@ -5,7 +5,6 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/error.h"
 
 static bool is_mapped(const hide_fronts *fronts, uint32_t body)
 {
@@ -47,12 +46,11 @@ static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, d
     return true;
 }
 
-roberts_status cut_lines_find(const hide_fronts *fronts, seen_further *lines, roberts_error *error)
+bool cut_lines_find(const hide_fronts *fronts, seen_further *lines)
 {
     const roberts_scene *scene = fronts->scene;
     double least = greatest_depth(fronts) - CUT_TOUCHING * (fronts->space.epsilon + fronts->space.depth_rounding);
     line_list found = {0};
-    uint32_t cut = ROBERTS_NONE; /* a body that is not convex */
     uint32_t *first = alloc_array((size_t)scene->solid_count + 1, sizeof *first);
     bool enough = first != NULL;
     for (uint32_t s = 0; enough && s < scene->solid_count; s++) {
@@ -61,16 +59,12 @@ roberts_status cut_lines_find(const hide_fronts *fronts, seen_further *lines, ro
         for (uint32_t f = scene->solid[s].face; enough && is_mapped(fronts, s) && f < scene->solid[s + 1].face; f++)
             if (fronts->seen->facing[f] == VIEW_FRONT || (!convex && fronts->seen->facing[f] == VIEW_BACK))
                 enough = add_sides(fronts, s, f, least, &found);
-        if (!convex && found.count > first[s])
-            cut = s;
     }
     if (enough)
         first[scene->solid_count] = (uint32_t)found.count;
     lines->line = found.line;
     lines->first = first;
-    if (enough && cut != ROBERTS_NONE)
-        return error_set(error, ROBERTS_BAD_VIEW, 0, "regions: the near plane cuts body %u, which is not convex", cut);
-    return enough ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    return enough;
 }
 
 void cut_lines_free(seen_further *lines)

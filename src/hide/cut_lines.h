@@ -6,9 +6,8 @@
 
 #include "hide/fronts.h"
 
-/* Sets the further lines of what is seen; cut_lines_free() is due in any case. Returns ROBERTS_OK, _NO_MEMORY or
- * _BAD_VIEW: the near plane cuts a body that is not convex. Of such bodies the lines are not known well enough. */
-roberts_status cut_lines_find(const hide_fronts *fronts, seen_further *lines, roberts_error *error);
+/* Sets the further lines of what is seen; cut_lines_free() is due in any case. False: no memory. */
+bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);
 void cut_lines_free(seen_further *lines);
 
 #endif

@@ -19,6 +19,8 @@
 #define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
+/* Single faces that a worker keeps, a power of two. The next lines mostly meet the same ones. */
+#define KEPT_SINGLES 512u
 
 bool hide_worker_reserve(hide_worker *w, size_t lines)
 {
@@ -37,9 +39,14 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
+    w->single_mask = fronts->front_count > fronts->whole_count ? KEPT_SINGLES - 1 : 0;
+    w->single = alloc_array(w->single_mask + 1, sizeof *w->single);
+    for (uint32_t i = 0; w->single && i <= w->single_mask; i++)
+        w->single[i].front = ROBERTS_NONE;
     /* Extra room keeps the array away from what other threads write. One line is reserved so that there is an array to
      * point into. */
-    return w->seen && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) && hide_worker_reserve(w, 1);
+    return w->seen && w->single && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) &&
+           hide_worker_reserve(w, 1);
 }
 
 static roberts_vec3 end_point(const hide_fronts *fronts, const seen_line *line, int k)
@@ -78,6 +85,7 @@ void hide_worker_free(hide_worker *w)
     free(w->sides.H);
     free(w->walk.item);
     free(w->seen);
+    free(w->single);
     free(w->level.item);
     *w = (hide_worker){0};
 }
@@ -158,10 +166,11 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
 {
     const hide_front *front = &w->fronts->front[index];
     uint64_t left = bits;
+    uint32_t key = hide_key(w->fronts, front);
     bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (seen_owns(w->fronts->scene, &line->is.own, front->own) ||
+        if (seen_owns(w->fronts->scene, &line->is.own, key) ||
             (surface && leaves_at_corner(w->fronts, &line->e, index)))
             left &= ~(bits & -bits);
     }
@@ -175,8 +184,7 @@ static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box
     const hide_fronts *fronts = w->fronts;
     const hide_front *front = &fronts->front[index];
     const hide_box *own = &fronts->front_box[index];
-    hide_single single;
-    hide_meeting meeting = hide_meet(fronts, index, box, &single);
+    hide_meeting meeting = hide_meet(fronts, index, box, &w->single[index & w->single_mask]);
     bool ask = w->shrinks && ++w->met > MANY_FRONTS;
     if (!meeting.whole)
         w->sides.outline.corner = NULL; /* its corners may be where those of another face were */
@@ -226,6 +234,12 @@ static inline bool is_apart(const hide_box *box, four least, four most)
     return four_signs(four_either(four_below(four_load(side), least), four_below(most, four_load(side)))) != 0;
 }
 
+/* Is the front one of the body to which all lines belong? That body is convex. */
+static inline bool is_of_body(const hide_worker *w, uint32_t front)
+{
+    return seen_body_key(w->fronts->front[front].solid) == w->own;
+}
+
 /* Lines that go through the cells together: a single one, or all of a group. */
 typedef struct line_set {
     hide_line *first;    /* the line, or the group's first line */
@@ -246,7 +260,7 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
     if (w->own == ROBERTS_NONE)
         bits = not_left_out(w, p->first, bits, front);
-    return !bits || w->fronts->front[front].own == w->own || meet(w, p->first, bits, p->box, front);
+    return !bits || is_of_body(w, front) || meet(w, p->first, bits, p->box, front);
 }
 
 /* As meet_once(), but only if the front's box reaches the lines' box. */
@@ -289,7 +303,7 @@ static bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
     for (uint32_t next; k < end; k = next) {
-        if (grid->next && fronts->front[grid->entry[k].front].own == w->own) {
+        if (grid->next && is_of_body(w, grid->entry[k].front)) {
             next = grid->next[k];
             continue;
         }
@@ -510,7 +524,7 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
 {
     const hide_front *front = &fronts->front[index];
     uint32_t count;
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)

@@ -59,6 +59,8 @@ typedef struct hide_worker {
     /* [front_count] Stamp of the last group of edges that met the front. It is short so that more stamps fit into the
      * cache. */
     uint16_t *seen;
+    hide_single *single; /* [single_mask + 1] faces of fronts, each at its number & single_mask */
+    uint32_t single_mask;
     uint16_t stamp;          /* of the current group */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
     level_hits level;        /* scratch memory of hide_level_at() */

@@ -91,7 +91,7 @@ bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
     if ((size_t)(s[1].face - s->face) * (b[1].vertex - b->vertex) > WORTH_A_PLANE)
         return false;
     for (uint32_t f = s->face; f < s[1].face; f++) {
-        plane F = scene->face_plane[f];
+        plane F = scene_plane(scene, f);
         uint32_t v = b->vertex;
         while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
             v++;

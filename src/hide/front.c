@@ -33,12 +33,12 @@ static double box_size(const hide_box *box)
  * The reach does not count the departure of a face that is not narrow. Far from the face, the plane is only asked
  * whether what lies behind the solid lies behind the plane. Since a sight line only gets deeper behind both, the plane
  * must be right only where the solid is. There its error is about the departure. */
-static double set_trust(const hide_fronts *fronts, uint32_t solid, uint32_t face, double stretch, hide_face *f)
+static double set_trust(const hide_fronts *fronts, uint32_t solid, const scene_shape *shape, double stretch,
+                        hide_face *f)
 {
     const view *v = &fronts->seen->view;
     f->departure = 0.0f;
-    double departure = scene_deviation(fronts->scene, face) * v->per_unit;
-    double width = scene_width(fronts->scene, face) * v->per_unit, rounded = 0.0;
+    double departure = shape->deviation * v->per_unit, width = shape->width * v->per_unit, rounded = 0.0;
     if (v->perspective) {
         double grown = 1.0 + (double)fronts->box[solid].z1 * v->inverse_distance; /* D / w at the nearest corner */
         double shrunk = lesser(1.0, 1.0 + (double)fronts->box[solid].z0 * v->inverse_distance);
@@ -79,7 +79,8 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
         f->F = look.F;
         f->corner = look.corner;
         f->count = look.count;
-        found.reach = lesser(found.reach, set_trust(fronts, solid, face, look.stretch, f));
+        scene_shape shape = scene_shape_of(scene, face);
+        found.reach = lesser(found.reach, set_trust(fronts, solid, &shape, look.stretch, f));
         found.touch = greater(found.touch, f->touch);
         found.steepest = lesser(found.steepest, -f->F.c);
         tile->most_corners = f->count > tile->most_corners ? f->count : tile->most_corners;
@@ -132,8 +133,8 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
             piece++;
         hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
         tile->single_box[tile->single_count] = hide_box_around(&own);
-        tile->single[tile->single_count++] = (hide_front){
-            .solid = solid, .own = seen_body_key(solid), .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};
+        tile->single[tile->single_count++] =
+            (hide_front){.solid = solid, .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};
     }
     return true;
 }
@@ -147,14 +148,14 @@ static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32
 }
 
 /* Enters a face into the covers, unless its box is too small to hold a cell. Its depth is taken cell by cell. */
-static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *front, const seen_face *look,
-                            const hide_box *box)
+static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *front, const hide_box *box)
 {
     const scan_frame *frame = &fronts->cover.frame;
     if (!fronts->cover.depth || (double)(box->x1 - box->x0) < frame->dx || (double)(box->y1 - box->y0) < frame->dy)
         return;
-    hide_face face = {.F = look->F, .corner = look->corner, .count = look->count}, *f = &face;
-    set_trust(fronts, front->solid, front->piece, look->stretch, f);
+    hide_single single;
+    hide_make_face(fronts, front->solid, front->piece, &single);
+    const hide_face *f = &single.face;
     cover_add(&fronts->cover, s, fronts->P,
               &(cover_front){.corner = f->corner,
                              .count = f->count,
@@ -171,23 +172,19 @@ static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
     for (uint32_t face = first; face < end; face++) {
-        seen_face look;
-        uint32_t turned[SEEN_TURNED];
-        int facing = seen_either_face(fronts->seen, face, &look, turned);
+        uint32_t turned[SEEN_TURNED], count;
+        int facing = seen_either_face(fronts->seen, face);
         tile->faces += facing == VIEW_FRONT;
         tile->back += facing == VIEW_BACK;
         tile->edge_on += facing == VIEW_EDGE_ON;
         if (facing == VIEW_EDGE_ON)
             continue;
-        tile->most_corners = look.count > tile->most_corners ? look.count : tile->most_corners;
-        hide_bounds own = bounds_of(fronts, look.corner, look.count);
+        const uint32_t *corner = seen_corners(fronts->seen, face, &count, turned);
+        tile->most_corners = count > tile->most_corners ? count : tile->most_corners;
+        hide_bounds own = bounds_of(fronts, corner, count);
         fronts->front_box[to] = hide_box_around(&own);
-        fronts->front[to] = (hide_front){.solid = body,
-                                         .own = seen_face_key(scene, body, face),
-                                         .piece = face,
-                                         .listed = true,
-                                         .kind = HIDE_SURFACE_FACE};
-        cover_with_face(fronts, s, &fronts->front[to], &look, &fronts->front_box[to]);
+        fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+        cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
         to++;
     }
     tile->surface = to;
@@ -196,11 +193,11 @@ static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile
 void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to)
 {
     seen_face look;
-    seen_face_again(fronts->seen, piece, &look, to->turned);
+    scene_shape shape = seen_face_again(fronts->seen, piece, &look, to->turned);
     to->face.F = look.F;
     to->face.corner = look.corner;
     to->face.count = look.count;
-    set_trust(fronts, solid, piece, look.stretch, &to->face);
+    set_trust(fronts, solid, &shape, look.stretch, &to->face);
 }
 
 /* Makes runs for those of the faces and the outline that have many corners. False: no memory. */
@@ -303,7 +300,6 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     tile->most_corners = cycle > tile->most_corners ? cycle : tile->most_corners;
     fronts->front_box[tile->whole] = *box;
     fronts->whole[tile->whole] = front;
-    fronts->front[tile->whole++] =
-        (hide_front){.solid = solid, .own = seen_body_key(solid), .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
+    fronts->front[tile->whole++] = (hide_front){.solid = solid, .kind = whole ? HIDE_CONVEX_SOLID : HIDE_BUNDLE};
     return true;
 }

@@ -124,8 +124,10 @@ static uint32_t let_wait(hide_fronts *fronts, uint32_t s)
     const scene_solid *solid = &scene->solid[s];
     FETCH_ARRAY(scene->point + solid->vertex, (size_t)(solid[1].vertex - solid->vertex) * sizeof *scene->point);
     FETCH_AHEAD(scene->face_start + solid->face);
-    FETCH_AHEAD(scene->face_deviation + solid->face);
-    FETCH_AHEAD(scene->face_width + solid->face);
+    if (scene->face_plane) {
+        FETCH_AHEAD(scene->face_deviation + solid->face);
+        FETCH_AHEAD(scene->face_width + solid->face);
+    }
     hide_fronts_fetch(fronts, s);
     return s;
 }

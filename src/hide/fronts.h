@@ -25,7 +25,6 @@ typedef enum hide_kind {
 
 typedef struct hide_front {
     uint32_t solid;
-    uint32_t own;   /* its seen_face_key(): it does not hide lines that list this key */
     uint32_t piece; /* a single face: its number in the scene */
     uint8_t kind;   /* hide_kind */
     bool listed;    /* false: a copy of another front */
@@ -44,6 +43,7 @@ typedef struct hide_whole_front {
 
 /* A single face, which is computed whenever it is asked for: most faces of a mesh never are. */
 typedef struct hide_single {
+    uint32_t front; /* whose face it is; ROBERTS_NONE: nothing is computed yet */
     hide_face face;
     uint32_t turned[SEEN_TURNED]; /* room for its corners: see seen_corners() */
 } hide_single;
@@ -95,7 +95,8 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
     const scene_solid *s = &scene->solid[solid];
     size_t vertices = s[1].vertex - s->vertex, faces = s[1].face - s->face;
     FETCH_ARRAY(fronts->P + s->vertex, vertices * sizeof *fronts->P);
-    FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
+    if (scene->face_plane)
+        FETCH_ARRAY(scene->face_plane + s->face, faces * sizeof *scene->face_plane);
     FETCH_AHEAD(fronts->seen->facing + s->face);
     FETCH_AHEAD(scene->edge + s->stored);
 }
@@ -104,6 +105,13 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 static inline bool hide_is_face(const hide_front *front)
 {
     return front->kind >= HIDE_SOLID_FACE;
+}
+
+/* Returns the key of a front: it does not hide lines that list this key. */
+static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *front)
+{
+    return front->kind == HIDE_SURFACE_FACE ? scene_plane_number(fronts->scene, front->piece)
+                                            : seen_body_key(front->solid);
 }
 
 /* Returns the outline of a front as a polygon for tests 2 to 4; only its corners are set. turned: as in
@@ -123,14 +131,17 @@ static inline hide_face hide_outline(const hide_fronts *fronts, uint32_t front, 
 /* Computes a single face of a body. (In front.c.) */
 void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to);
 
-/* Returns the faces of a front. `single` is the room for a single face. */
+/* Returns the faces of a front. `single` is the room for a single face, which may be there already. */
 static inline const hide_face *hide_faces(const hide_fronts *fronts, uint32_t front, uint32_t *count,
                                           hide_single *single)
 {
     const hide_front *f = &fronts->front[front];
     *count = 1;
     if (hide_is_face(f)) {
-        hide_make_face(fronts, f->solid, f->piece, single);
+        if (single->front != front) {
+            hide_make_face(fronts, f->solid, f->piece, single);
+            single->front = front;
+        }
         return &single->face;
     }
     *count = fronts->whole[front].face_count;

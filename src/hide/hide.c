@@ -69,7 +69,7 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
         (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
     if (job->regions && job->seen.clip.clipped)
-        status = cut_lines_find(&job->fronts, &job->seen.further, error);
+        status = cut_lines_find(&job->fronts, &job->seen.further) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
     if (status != ROBERTS_OK)
         return status;
     const view *v = &job->seen.view;

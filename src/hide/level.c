@@ -52,7 +52,7 @@ static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X
 {
     const hide_front *front = &fronts->front[index];
     uint32_t count;
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)
@@ -104,8 +104,8 @@ bool hide_level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32
     for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
         const uint32_t index = w->grid->entry[k].front;
         const hide_front *front = &fronts->front[index];
-        if (may_hide(fronts, &fronts->front_box[index], X) && !seen_owns(fronts->scene, &line->own, front->own) &&
-            !take_front(fronts, index, X, hits))
+        if (may_hide(fronts, &fronts->front_box[index], X) &&
+            !seen_owns(fronts->scene, &line->own, hide_key(fronts, front)) && !take_front(fronts, index, X, hits))
             return false;
     }
     if (hits->count > 1)

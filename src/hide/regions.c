@@ -13,8 +13,10 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/sets.h"
 #include "base/threads.h"
 #include "hide/map_cells.h"
+#include "hide/region_faces.h"
 #include "hide/segments.h"
 #include "hide/slope.h"
 
@@ -154,11 +156,13 @@ static bool point_inside(const region_work *w, uint32_t cell, region_scratch *sc
     return true;
 }
 
-/* The first piece of a face of the input. */
+/* The first piece of a face of the input, or of a body's cap. */
 static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
 {
     uint32_t number = scene_face_number(scene, face);
-    while (number != ROBERTS_NONE && face > 0 && scene_face_number(scene, face - 1) == number)
+    if (number == ROBERTS_NONE)
+        return scene_first_piece(scene, scene_body_of_face(scene, face), face);
+    while (face > 0 && scene_face_number(scene, face - 1) == number)
         face--;
     return face;
 }
@@ -224,6 +228,31 @@ static uint32_t root_of(region_work *w, uint32_t cell)
         cell = w->root[cell];
     }
     return cell;
+}
+
+/* Gives coplanar neighbours of one colour the number of the first of them. False: no memory. */
+static bool merge_faces(region_work *w)
+{
+    const uint32_t faces = w->job->fronts.scene->face_count;
+    if (!w->job->options->merge_regions)
+        return true;
+    uint32_t *set = alloc_array(faces, sizeof *set);
+    if (!set)
+        return false;
+    for (uint32_t f = 0; f < faces; f++)
+        set[f] = f;
+    for (uint32_t i = 0; i < w->map.line_count; i++) {
+        uint32_t f = w->sight[map_cell_of(&w->cells, 2 * i)].face, g = w->sight[map_cell_of(&w->cells, 2 * i + 1)].face;
+        if (f == ROBERTS_NONE || g == ROBERTS_NONE || sets_root(set, f) == sets_root(set, g))
+            continue;
+        if (region_can_join(w->job, f, g))
+            sets_join(set, f, g);
+    }
+    for (size_t c = 0; c < w->cells.cell_count; c++)
+        if (w->sight[c].face != ROBERTS_NONE)
+            w->sight[c].face = sets_root(set, w->sight[c].face);
+    free(set);
+    return true;
 }
 
 /* Takes away lines with the same face on both sides. */
@@ -328,56 +357,6 @@ static ring_place *sort_rings(const region_work *w)
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
 
-/* The first piece of a face of the input, in the scene before the near plane cuts it; ROBERTS_NONE: there is none. */
-static uint32_t source_face(const roberts_scene *source, uint32_t solid, uint32_t number)
-{
-    uint32_t low = source->solid[solid].face, end = source->solid[solid + 1].face, high = end;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene_face_number(source, middle) < number)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low < end && scene_face_number(source, low) == number ? low : ROBERTS_NONE;
-}
-
-/* The mean of the colours of the corners of a face's pieces; none if a corner has none, or only an index. */
-static roberts_color corners_color(const roberts_scene *source, uint32_t solid, uint32_t face)
-{
-    const uint32_t number = scene_face_number(source, face), end = source->solid[solid + 1].face;
-    double sum[4] = {0.0}, count = 0.0;
-    unsigned char parts = 3;
-    for (; face < end && scene_face_number(source, face) == number; face++)
-        for (uint32_t k = source->face_start[face]; k < source->face_start[face + 1]; k++) {
-            const roberts_color *own = &source->vertex_color[source->corner[k]];
-            if (own->count < 3)
-                return (roberts_color){0};
-            parts = own->count > parts ? own->count : parts;
-            for (int i = 0; i < 4; i++)
-                sum[i] += i < own->count ? (double)own->value[i] : 1.0; /* without alpha it is opaque */
-            count += 1.0;
-        }
-    roberts_color mean = {.count = parts};
-    for (int i = 0; i < parts; i++)
-        mean.value[i] = (float)(sum[i] / count);
-    return mean;
-}
-
-/* The colour that the input gives a face, or its corners. */
-static roberts_color color_of(const roberts_scene *source, uint32_t solid, uint32_t number)
-{
-    const roberts_color none = {0};
-    if (number == ROBERTS_NONE || (!source->face_color && !source->vertex_color))
-        return none;
-    uint32_t face = source_face(source, solid, number);
-    if (face == ROBERTS_NONE)
-        return none;
-    if (source->face_color && source->face_color[face].count > 0)
-        return source->face_color[face];
-    return source->vertex_color ? corners_color(source, solid, face) : none;
-}
-
 static void put_corners(const region_work *w, const region_ring *ring, roberts_region_list *out)
 {
     double unit = w->job->seen.view.unit;
@@ -430,10 +409,9 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
-                                                         .color = color_of(w->job->seen.source, solid, face)};
-        }
-        if (k == 0 || ring->face != place[k - 1].face)
+                                                         .color = region_color(w->job, ring->face)};
             slope_find(&w->job->seen, ring->face, w->job->upright, &out->region[out->count - 1]);
+        }
         out->region[out->count - 1].ring_count++;
         out->region[out->count - 1].area += ring->area * unit * unit;
         out->ring_start[out->ring_count++] = out->corner_count;
@@ -456,8 +434,8 @@ bool regions_find(const hide_job *job, const roberts_drawing *drawing, roberts_r
     region_work w = {.job = job};
     bool enough = take_lines(&w, drawing) &&
                   planar_map_divide(&w.map, REGION_TOUCHING * (v->epsilon + v->across_rounding)) &&
-                  map_cells_find(&w.cells, &w.map) && list_halves(&w) && look_into_all(&w) && join_cells(&w) &&
-                  trace_rings(&w) && write_regions(&w, out);
+                  map_cells_find(&w.cells, &w.map) && list_halves(&w) && look_into_all(&w) && merge_faces(&w) &&
+                  join_cells(&w) && trace_rings(&w) && write_regions(&w, out);
     planar_map_free(&w.map);
     map_cells_free(&w.cells);
     free(w.start);
@@ -477,7 +455,8 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     own.all_edges = true;
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
-    hide_job job = {.options = &own, .regions = out, .upright = slope_upright(camera)};
+    hide_job job = {
+        .options = &own, .regions = out, .merge_bodies = options && options->unite, .upright = slope_upright(camera)};
     roberts_status status = hide_scene(&job, scene, camera, &drawing, error);
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)

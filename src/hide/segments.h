@@ -11,6 +11,7 @@ typedef struct hide_job {
     roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
     void *context;
     struct roberts_region_list *regions; /* NULL: not wanted */
+    bool merge_bodies;                   /* regions of several bodies may be merged */
     roberts_vec3 upright;                /* of regions: what points up in the model */
     seen seen;
     hide_fronts fronts;

@@ -196,35 +196,40 @@ void body_edges_free(body_edges *list)
 /* ---- curved surfaces ------------------------------------------------------------------------------------------- */
 
 /* Returns the bend between the two faces of an edge: the squared distance of their unit normals. */
-static double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
+static inline double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
 {
     const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
     uint8_t is = scene->surface->edge_is[edge];
-    plane F = scene->face_plane[own->face + e->f[0]], G = scene->face_plane[own->face + e->f[1]];
+    plane F = scene_plane(scene, own->face + e->f[0]), G = scene_plane(scene, own->face + e->f[1]);
     double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
     double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
     return a * a + b * b + c * c;
 }
 
 /* Counts edges until the rest cannot change the result. */
-bool body_smooth(const roberts_scene *scene, uint32_t b)
+bool body_smooth(const roberts_scene *scene, uint32_t b, uint8_t *code)
 {
     const scene_solid *own = &scene->solid[b];
     uint32_t much = 0, little = 0;
-    if (own[1].face - own->face <= SMOOTH_FACES)
+    bool large = own[1].face - own->face > SMOOTH_FACES;
+    if (!large && !code)
         return false;
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
         uint32_t left = own[1].edge - e;
-        if (little >= much + (uint64_t)left || much > little + (uint64_t)left)
+        if (code)
+            code[e] = 0;
+        else if (little >= much + (uint64_t)left || much > little + (uint64_t)left)
             break;
         if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) ||
             scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
             continue;
         double bend = bend_of(scene, own, e);
+        if (code)
+            code[e] = scene_bend_code(bend);
         much += bend > FLAT_BEND && !(bend < LITTLE_BEND);
         little += bend > FLAT_BEND && bend < LITTLE_BEND;
     }
-    return little > 0 && little >= much;
+    return large && little > 0 && little >= much;
 }
 
 /* ---- wires beside convex solids -------------------------------------------------------------------------------- */
@@ -295,6 +300,7 @@ void scene_surface_free(scene_surface *s)
     free(s->kind);
     free(s->smooth);
     free(s->edge_is);
+    free(s->bend);
     free(s->plane_of);
     free(s->many);
     free(s->many_face);

@@ -31,8 +31,9 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b);
 void body_edges_free(body_edges *list);
 
 /* Is body b a curved surface? It is if it has more than 500 faces and at least half of its bent edges are bent only
- * slightly. Requires the body's planes and edges. */
-bool body_smooth(const roberts_scene *scene, uint32_t b);
+ * slightly. Requires the body's planes and edges. code: NULL; or [edge_count], to be filled with the
+ * scene_bend_code() of all edges of the body that have two faces. */
+bool body_smooth(const roberts_scene *scene, uint32_t b, uint8_t *code);
 
 /* Does the mesh have wires, that is, elements of two corners that are not edges of the scene? `scene` holds the convex
  * solids of the mesh; all remaining elements have one or two corners. False: no memory. */

@@ -39,11 +39,10 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     const roberts_scene *scene = rules->scene;
     crossing_face f = {.body = body, .first = scene_first_piece(scene, body, piece), .end = piece + 1};
     roberts_vec3 sum = {0.0, 0.0, 0.0};
-    if (!scene_is_convex(scene, body)) {
-        const uint32_t *plane_of = scene->surface->plane_of;
-        while (f.end < scene->solid[body + 1].face && plane_of[f.end] == plane_of[piece])
+    if (!scene_is_convex(scene, body))
+        while (f.end < scene->solid[body + 1].face &&
+               scene_plane_number(scene, f.end) == scene_plane_number(scene, piece))
             f.end++;
-    }
     uint32_t origin = scene->corner[scene->face_start[f.first]], count = corners_of(rules, &f);
     f.origin = scene->point[origin];
     if (scene->low)

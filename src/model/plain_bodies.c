@@ -7,7 +7,6 @@
 #include "base/array.h"
 #include "base/bits.h"
 #include "base/box.h"
-#include "base/sort.h"
 #include "model/body_edges.h"
 #include "model/face_pieces.h"
 #include "model/point_grid.h"
@@ -143,26 +142,53 @@ static inline two_vec3 scaled(two by, two_vec3 a)
     return (two_vec3){two_mul(by, a.x), two_mul(by, a.y), two_mul(by, a.z)};
 }
 
-/* Stores the planes of triangles f and g, which may be the same. False: one is too narrow to be a face. */
-static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
+/* The shapes of two triangles. */
+typedef struct two_shapes {
+    plane F, G;
+    float deviation[2], width[2]; /* in the scene's unit */
+} two_shapes;
+
+/* Measures triangles f and g, which may be the same. False: one is too narrow to be a face. */
+BITS_INLINE bool measure_triangles(const roberts_scene *scene, uint32_t f, uint32_t g, double touching, two_shapes *to)
 {
-    roberts_scene *scene = w->scene;
     two per_unit = two_all(1.0 / scene->unit), unit = two_all(scene->unit), minus = two_all(-1.0);
     two_vec3 origin = corners_at(scene, f, g, 0);
     two_planes fit = two_planes_of_triangles(scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 1), origin)),
                                              scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 2), origin)));
-    if (fit.empty || two_at_most(two_mul(fit.width, unit), two_all(w->rules.touching)))
+    if (fit.empty || two_at_most(two_mul(fit.width, unit), two_all(touching)))
         return false;
-    plane *F = &scene->face_plane[f], *G = &scene->face_plane[g];
     two_vec3 P = two_vec3_sub(origin, two_vec3_all(scene->centre));
-    two_part(&F->a, &G->a, two_mul(minus, fit.n.x));
-    two_part(&F->b, &G->b, two_mul(minus, fit.n.y));
-    two_part(&F->c, &G->c, two_mul(minus, fit.n.z));
-    two_part(&F->d, &G->d, two_add(two_vec3_dot(fit.n, P), two_mul(fit.mean, unit)));
-    two_part_floats(&scene->face_deviation[f], &scene->face_deviation[g],
-                    two_mul(fit.deviation, two_all(SCENE_UPWARD)));
-    two_part_floats(&scene->face_width[f], &scene->face_width[g], two_mul(fit.width, two_all(SCENE_DOWNWARD)));
+    two_part(&to->F.a, &to->G.a, two_mul(minus, fit.n.x));
+    two_part(&to->F.b, &to->G.b, two_mul(minus, fit.n.y));
+    two_part(&to->F.c, &to->G.c, two_mul(minus, fit.n.z));
+    two_part(&to->F.d, &to->G.d, two_add(two_vec3_dot(fit.n, P), two_mul(fit.mean, unit)));
+    two_part_floats(&to->deviation[0], &to->deviation[1], two_mul(fit.deviation, two_all(SCENE_UPWARD)));
+    two_part_floats(&to->width[0], &to->width[1], two_mul(fit.width, two_all(SCENE_DOWNWARD)));
     return true;
+}
+
+/* Stores the planes of triangles f and g, which may be the same. False: one is too narrow to be a face. */
+static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
+{
+    roberts_scene *scene = w->scene;
+    two_shapes found;
+    if (!measure_triangles(scene, f, g, w->rules.touching, &found))
+        return false;
+    scene->face_plane[f] = found.F;
+    scene->face_plane[g] = found.G;
+    for (int i = 0; i < 2; i++) {
+        scene->face_deviation[i == 0 ? f : g] = found.deviation[i];
+        scene->face_width[i == 0 ? f : g] = found.width[i];
+    }
+    return true;
+}
+
+/* A face that was wide enough once is so again. */
+scene_shape scene_measure(const roberts_scene *scene, uint32_t face)
+{
+    two_shapes found = {0};
+    measure_triangles(scene, face, face, 0.0, &found);
+    return (scene_shape){found.F, scene->unit * (double)found.deviation[0], scene->unit * (double)found.width[0]};
 }
 
 /* Stores the planes of a solid's faces. */
@@ -232,8 +258,6 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     found->count = 0;
     if (!point_grid_near(grid, point[a], point[b], w->rules.touching, found))
         return PLAIN_NO_MEMORY;
-    for (size_t i = 0; i < found->count; i++)
-        FETCH_AHEAD(&point[found->item[i]]);
     for (size_t i = 0; i < found->count; i++) {
         uint32_t v = found->item[i];
         double t;
@@ -262,27 +286,41 @@ static uint32_t *list_vertices(const plain_work *w, const uint32_t *end, size_t 
     return vertex;
 }
 
+/* Returns where the edges that begin at each vertex begin. end: the ends of the edges, which ascend. NULL: no
+ * memory. */
+static uint32_t *list_starts(const plain_work *w, const uint32_t *end, size_t edges)
+{
+    uint32_t count = w->scene->vertex_count, *first = alloc_array((size_t)count + 1, sizeof *first);
+    size_t i = 0;
+    for (uint32_t v = 0; first && v <= count; v++) {
+        while (i < edges && end[2 * i] < v)
+            i++;
+        first[v] = (uint32_t)i;
+    }
+    return first;
+}
+
 /* Does no vertex touch one of the edges? Edges are taken cell after cell, so that what one of them has asked for is
  * still at hand for the next. */
-static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges)
+static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges,
+                              size_t vertices)
 {
-    plain_answer answer = PLAIN_NO_MEMORY;
     point_list found = {0};
-    uint32_t *key = alloc_array(edges, sizeof *key), *order = alloc_array(edges, sizeof *order);
-    for (size_t i = 0; key && i < edges; i++)
-        key[i] = point_grid_cell(grid, w->scene->point[end[2 * i]]);
-    if (key && order && edges < ROBERTS_NONE && radix_order(key, (uint32_t)edges, order))
-        answer = PLAIN_YES;
-    for (size_t i = 0; answer == PLAIN_YES && i < edges; i++) {
-        if (i + 2 * EDGES_AHEAD < edges) {
-            FETCH_AHEAD(&end[2 * (size_t)order[i + 2 * EDGES_AHEAD]]);
-            FETCH_AHEAD(&w->scene->point[end[2 * (size_t)order[i + EDGES_AHEAD]]]);
+    uint32_t *first = edges < ROBERTS_NONE ? list_starts(w, end, edges) : NULL;
+    plain_answer answer = first ? PLAIN_YES : PLAIN_NO_MEMORY;
+    for (size_t k = 0; answer == PLAIN_YES && k < vertices; k++) {
+        uint32_t v = grid->item[k].number;
+        if (k + 2 * EDGES_AHEAD < vertices)
+            FETCH_AHEAD(&first[grid->item[k + 2 * EDGES_AHEAD].number]);
+        if (k + EDGES_AHEAD < vertices) {
+            FETCH_AHEAD(&end[2 * (size_t)first[grid->item[k + EDGES_AHEAD].number]]);
+            FETCH_AHEAD(&w->scene->point[grid->item[k + EDGES_AHEAD].number]);
         }
-        answer = is_clear(w, grid, end[2 * (size_t)order[i]], end[2 * (size_t)order[i] + 1], &found);
+        for (uint32_t e = first[v]; e < first[v + 1] && answer == PLAIN_YES; e++)
+            answer = is_clear(w, grid, v, end[2 * (size_t)e + 1], &found);
     }
     free(found.item);
-    free(key);
-    free(order);
+    free(first);
     return answer;
 }
 
@@ -296,7 +334,7 @@ static plain_answer are_clear(const plain_work *w)
     if (answer == PLAIN_YES && count > 0) {
         vertex = list_vertices(w, end, count, &vertices);
         answer = vertex && point_grid_build(&grid, w->scene->point, vertex, vertices)
-                     ? ask_edges(w, &grid, end, count / 2)
+                     ? ask_edges(w, &grid, end, count / 2, vertices)
                      : PLAIN_NO_MEMORY;
     }
     point_grid_free(&grid);
@@ -379,6 +417,26 @@ static void join_many(plain_work *w)
     from->many_face = NULL;
 }
 
+/* Are all faces triangles of bodies that are not convex? */
+static bool all_triangles(const plain_work *w)
+{
+    const roberts_scene *scene = w->scene;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        if (!w->mark[s])
+            return false;
+    return scene->corner_count == 3 * (size_t)scene->face_count;
+}
+
+/* Frees the planes, which can be found again. What remains of them are the bends of the edges. */
+static void drop_planes(roberts_scene *scene)
+{
+    free(scene->face_plane);
+    free(scene->face_deviation);
+    free(scene->face_width);
+    scene->face_plane = NULL;
+    scene->face_deviation = scene->face_width = NULL;
+}
+
 /* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
 static bool fill_surface(plain_work *w)
 {
@@ -394,10 +452,8 @@ static bool fill_surface(plain_work *w)
     scene->solid[scene->solid_count].edge = scene->edge_count = (uint32_t)sum;
     if (!to || !(to->kind = alloc_zeroed(scene->solid_count, 1)) ||
         !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)) ||
-        !(to->plane_of = alloc_array(scene->face_count, sizeof *to->plane_of)))
+        (all_triangles(w) && !(to->bend = alloc_array(scene->edge_count, sizeof *to->bend))))
         return false;
-    for (uint32_t f = 0; f < scene->face_count; f++)
-        to->plane_of[f] = f;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         to->kind[s] = ROBERTS_CONVEX;
         if (!w->mark[s])
@@ -408,9 +464,11 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        to->smooth[s] = body_smooth(scene, s);
+        to->smooth[s] = body_smooth(scene, s, to->bend);
     }
     join_many(w);
+    if (to->bend)
+        drop_planes(scene);
     return true;
 }
 

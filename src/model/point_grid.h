@@ -4,21 +4,23 @@
 
 #include "base/vec.h"
 
+/* A point where the grid looks for it: most points of a cell are dismissed by that alone. */
+typedef struct grid_point {
+    float at[3]; /* rounded, in cells from the grid's lowest corner */
+    uint32_t number;
+} grid_point;
+
 typedef struct point_grid {
-    const roberts_vec3 *point;
     roberts_vec3 low;
-    double size;       /* edge length of a cell */
+    double per;        /* cells in a unit of length */
+    double rounding;   /* bound of the error of grid_point.at, and of what is computed from it */
     uint32_t count[3]; /* number of cells along each axis */
     uint32_t *start;   /* [cells + 1] into item */
-    uint32_t *item;    /* point numbers */
+    grid_point *item;  /* cell by cell */
 } point_grid;
 
-/* Builds the grid of the listed points. `point` belongs to the caller. False: no memory; point_grid_free() is still
- * needed. */
+/* Builds the grid of the listed points. False: no memory; point_grid_free() is still needed. */
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
-
-/* The number of the cell that holds P. */
-uint32_t point_grid_cell(const point_grid *grid, roberts_vec3 P);
 
 /* The points found by a query. */
 typedef struct point_list {

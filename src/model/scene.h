@@ -17,6 +17,8 @@
 #ifndef ROBERTS_MODEL_SCENE_H
 #define ROBERTS_MODEL_SCENE_H
 
+#include <string.h>
+
 #include "base/vec.h"
 
 /* Default tolerance: how far from planar and convex a solid may be. Published polyhedra are given to six digits. */
@@ -60,7 +62,8 @@ typedef struct scene_surface {
     uint8_t *kind;      /* [solid_count] roberts_body_kind */
     uint8_t *smooth;    /* [solid_count] 1: a curved surface, many faces that mostly meet at small angles */
     uint8_t *edge_is;   /* [edge_count] EDGE_... flags, for bodies that are not convex */
-    uint32_t *plane_of; /* [face_count] faces with equal entries are pieces of one planar face */
+    uint8_t *bend;      /* [edge_count] see scene_bend_code(), of edges with two faces; NULL: planes are stored */
+    uint32_t *plane_of; /* [face_count] see scene_plane_number(); NULL: each face has its own number */
     scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;
     scene_part *part; /* [part_count] sorted by edge */
@@ -78,17 +81,19 @@ struct roberts_scene {
     unsigned lent;   /* LENT_...; none once the scene is built */
     uint8_t *turned; /* [face_count] 1: corners run the other way round than in the mesh; NULL once built */
     size_t corner_count;
-    scene_solid *solid;    /* [solid_count + 1] */
-    roberts_vec3 *point;   /* [vertex_count] as read, so that exact arithmetic can use the original values */
-    roberts_vec3 *low;     /* [vertex_count] rounding error of `point`; NULL: none */
-    uint32_t *number;      /* [vertex_count] see scene_vertex_number(); NULL: numbers as in the input */
-    uint32_t *face_start;  /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
-    uint32_t *corner;      /* [corner_count] compact vertex numbers */
-    plane *face_plane;     /* [face_count] for points relative to `centre` */
-    float *face_deviation; /* [face_count] see scene_deviation() */
-    float *face_width;     /* [face_count] see scene_width() */
-    uint32_t *face_number; /* [face_count] see scene_face_number(); NULL: numbers as in the input */
-    scene_edge *edge;      /* see scene_edge_at() */
+    scene_solid *solid;   /* [solid_count + 1] */
+    roberts_vec3 *point;  /* [vertex_count] as read, so that exact arithmetic can use the original values */
+    roberts_vec3 *low;    /* [vertex_count] rounding error of `point`; NULL: none */
+    uint32_t *number;     /* [vertex_count] see scene_vertex_number(); NULL: numbers as in the input */
+    uint32_t *face_start; /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
+    uint32_t *corner;     /* [corner_count] compact vertex numbers */
+    /* NULL, all three: every face is a triangle of a body that is not convex, and is measured whenever it is asked for.
+     * Otherwise the planes of a large mesh would need more memory than anything else. See scene_plane(). */
+    plane *face_plane;                        /* [face_count] for points relative to `centre` */
+    float *face_deviation;                    /* [face_count] see scene_deviation() */
+    float *face_width;                        /* [face_count] see scene_width() */
+    uint32_t *face_number;                    /* [face_count] see scene_face_number(); NULL: numbers as in the input */
+    scene_edge *edge;                         /* see scene_edge_at() */
     roberts_color *vertex_color, *face_color; /* as in the input, in compact numbering; NULL: none */
     roberts_vec3 box_min, box_max;            /* box of all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
@@ -134,12 +139,19 @@ static inline uint32_t scene_face_number(const roberts_scene *scene, uint32_t f)
 uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face);
 uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge);
 
+/* Returns the number of a face's plane. Faces with equal numbers are pieces of one planar face. The scene has bodies
+ * that are not convex. */
+static inline uint32_t scene_plane_number(const roberts_scene *scene, uint32_t face)
+{
+    return scene->surface->plane_of ? scene->surface->plane_of[face] : face;
+}
+
 /* Returns the first piece of the planar face that a piece belongs to. */
 static inline uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
 {
     if (!scene_is_convex(scene, body))
         while (piece > scene->solid[body].face &&
-               scene->surface->plane_of[piece - 1] == scene->surface->plane_of[piece])
+               scene_plane_number(scene, piece - 1) == scene_plane_number(scene, piece))
             piece--;
     return piece;
 }
@@ -159,17 +171,50 @@ static inline scene_edge scene_edge_at(const roberts_scene *scene, uint32_t s, u
                         {edge->f[0] + solid->face, edge->f[1] + solid->face}};
 }
 
-/* The greatest distance of a corner from the fitted plane, and the width of the face: its area divided by its greatest
- * chord, which is between half of its least width and all of it. Both are in model units, and both are bounds: the
- * deviation is rounded up to a float and the width down (to 1e-45 of the scene's size). */
+/* The plane of a face, the greatest distance of a corner from it, and the width of the face: its area divided by its
+ * greatest chord, which is between half of its least width and all of it. Both are in model units, and both are bounds:
+ * the deviation is rounded up to a float and the width down (to 1e-45 of the scene's size). */
+typedef struct scene_shape {
+    plane F; /* for points relative to scene->centre */
+    double deviation, width;
+} scene_shape;
+
+/* Measures a triangle of a body that is not convex, as it was measured when the scene was built, bit for bit. (In
+ * plain_bodies.c.) */
+scene_shape scene_measure(const roberts_scene *scene, uint32_t face);
+
+static inline scene_shape scene_shape_of(const roberts_scene *scene, uint32_t face)
+{
+    if (!scene->face_plane)
+        return scene_measure(scene, face);
+    return (scene_shape){scene->face_plane[face], scene->unit * (double)scene->face_deviation[face],
+                         scene->unit * (double)scene->face_width[face]};
+}
+
+static inline plane scene_plane(const roberts_scene *scene, uint32_t face)
+{
+    return scene->face_plane ? scene->face_plane[face] : scene_measure(scene, face).F;
+}
+
 static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
 {
-    return scene->unit * (double)scene->face_deviation[face];
+    return scene_shape_of(scene, face).deviation;
 }
 
 static inline double scene_width(const roberts_scene *scene, uint32_t face)
 {
-    return scene->unit * (double)scene->face_width[face];
+    return scene_shape_of(scene, face).width;
+}
+
+/* The bend at an edge, the squared distance of two unit normals, as a byte that ascends with it: its binary exponent
+ * and two digits more. Most bends differ from a crease angle by so much that the byte tells which is greater. */
+static inline uint8_t scene_bend_code(double bend)
+{
+    float rounded = (float)bend;
+    uint32_t bits, least = 66u << 2, most = least + UINT8_MAX; /* 2^-61 and below: 0 */
+    memcpy(&bits, &rounded, sizeof bits);
+    bits >>= 21;
+    return (uint8_t)((bits < least ? least : bits > most ? most : bits) - least);
 }
 
 /* Factors that outweigh the rounding to float. */

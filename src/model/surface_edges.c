@@ -3,7 +3,11 @@
  * Sides with the same ends are one edge. Nearly all edges have two pieces and need nothing more. The other sides
  * (borders, edges of more pieces, wires) are compared in space: a vertex within the touching distance of such a side
  * divides it, and vertices that near to one another are merged. So T-junctions and loose faces cause no false
- * borders. */
+ * borders.
+ *
+ * Each part of an edge has the faces of all sides between its two vertices: if a divided side leaves a part between
+ * the ends of an edge of two pieces, both are one edge. An edge of two pieces is itself complete: nothing divides it,
+ * so bodies that only touch keep their own edges. */
 #include <stdlib.h>
 #include <string.h>
 

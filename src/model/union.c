@@ -41,7 +41,7 @@ static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
     const roberts_scene *scene = all->scene;
     uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
     for (uint32_t i = 0; i < count; i++)
-        all->departure[s] = greater(all->departure[s], (double)scene->face_deviation[first + i]);
+        all->departure[s] = greater(all->departure[s], scene_deviation(scene, first + i) / scene->unit);
     for (uint32_t i = 0; i < count; i++) {
         box[i] = box_of_face(scene, first + i, all->touch + all->departure[s]);
         if (i == 0)

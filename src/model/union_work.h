@@ -46,14 +46,14 @@ static inline roberts_vec3 union_place(const roberts_scene *scene, roberts_vec3 
 
 static inline plane union_plane(const roberts_scene *scene, uint32_t face)
 {
-    plane F = scene->face_plane[face];
+    plane F = scene_plane(scene, face);
     F.d /= scene->unit;
     return F;
 }
 
 static inline uint32_t union_plane_number(const roberts_scene *scene, uint32_t face)
 {
-    return scene->surface ? scene->surface->plane_of[face] : face;
+    return scene->surface ? scene_plane_number(scene, face) : face;
 }
 
 /* Do two rays leave the line in the same direction (way 1) or in opposite ones (way -1)? Each face may be off by the

@@ -102,7 +102,7 @@ static uint32_t first_piece(const crossed *c, uint32_t number)
 
 static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
 {
-    double off = plane_at(c->scene->face_plane[face], vec3_sub(X, c->scene->centre));
+    double off = plane_at(scene_plane(c->scene, face), vec3_sub(X, c->scene->centre));
     return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
 }
 
@@ -111,7 +111,7 @@ static bool holds(const crossed *c, uint32_t face, roberts_vec3 X, double loose)
 {
     const roberts_scene *scene = c->scene;
     loose += DEPARTURES * scene_deviation(scene, face);
-    plane F = scene->face_plane[face];
+    plane F = scene_plane(scene, face);
     const roberts_vec3 n = {-F.a, -F.b, -F.c};
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
     for (uint32_t k = first; k < end; k++) {
@@ -169,7 +169,7 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
 /* On how many sides of X is the face met, so far from it? */
 static int sides_met(const crossed *c, const crossed_piece *of, roberts_vec3 X, roberts_vec3 d, double far)
 {
-    plane F = c->scene->face_plane[of->face];
+    plane F = scene_plane(c->scene, of->face);
     roberts_vec3 aside = vec3_cross((roberts_vec3){F.a, F.b, F.c}, d);
     double length = vec3_length(aside);
     if (!(length > 0.0))

@@ -241,14 +241,13 @@ static bool is_copy(const occluders *o, uint32_t a, uint32_t b)
     const uint32_t *start = scene->face_start;
     if (z[1].vertex - z->vertex != vertices || z[1].face - z->face != faces || scene_corners(scene, b) != corners ||
         memcmp(o->s.P + s->vertex, o->s.P + z->vertex, vertices * sizeof *o->s.P) != 0 ||
-        memcmp(o->s.facing + s->face, o->s.facing + z->face, faces) != 0 ||
-        memcmp(scene->face_plane + s->face, scene->face_plane + z->face, faces * sizeof(plane)) != 0 ||
-        memcmp(scene->face_deviation + s->face, scene->face_deviation + z->face,
-               faces * sizeof *scene->face_deviation) != 0)
+        memcmp(o->s.facing + s->face, o->s.facing + z->face, faces) != 0)
         return false;
-    for (uint32_t i = 0; i < faces; i++)
-        if (start[s->face + i] - start[s->face] != start[z->face + i] - start[z->face])
+    for (uint32_t i = 0; i < faces; i++) {
+        scene_shape f = scene_shape_of(scene, s->face + i), g = scene_shape_of(scene, z->face + i);
+        if (start[s->face + i] - start[s->face] != start[z->face + i] - start[z->face] || memcmp(&f, &g, sizeof f) != 0)
             return false;
+    }
     for (uint32_t i = 0; i < corners; i++)
         if (scene->corner[start[s->face] + i] - s->vertex != scene->corner[start[z->face] + i] - z->vertex)
             return false;

@@ -48,7 +48,7 @@ static void set_margins(sight *s, const view *v)
 static int facing_of(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
-    plane F = scene->face_plane[face];
+    plane F = scene_plane(scene, face);
     roberts_vec3 n = {F.a, F.b, F.c}, A = s->P[scene->corner[scene->face_start[face]]];
     roberts_vec3 v = sight_from(s, A);
     double ahead = s->perspective ? sight_behind(s, face, s->viewpoint) : vec3_dot(n, v);
@@ -115,7 +115,7 @@ static bool sides_spare_samples(const sight *s, uint32_t face)
 static double dent_of(const sight *s, uint32_t face)
 {
     uint32_t count = corner_count(s, face);
-    plane F = s->scene->face_plane[face];
+    plane F = scene_plane(s->scene, face);
     roberts_vec3 n = {F.a, F.b, F.c}, A = corner_of(s, face, count - 2), B = corner_of(s, face, count - 1);
     double turned = 0.0, length = vec3_length(vec3_sub(B, A)), around = 0.0;
     for (uint32_t k = 0; k < count; k++) {
@@ -152,10 +152,17 @@ static bool turn_faces(sight *s, const roberts_scene *scene)
         return false;
     *to = *scene;
     to->face_plane = alloc_array(scene->face_count, sizeof *to->face_plane);
+    to->face_deviation = alloc_array(scene->face_count, sizeof *to->face_deviation);
+    to->face_width = alloc_array(scene->face_count, sizeof *to->face_width);
     to->corner = alloc_array(scene->corner_count, sizeof *to->corner);
-    if (!to->face_plane || !to->corner)
+    if (!to->face_plane || !to->face_deviation || !to->face_width || !to->corner)
         return false;
-    memcpy(to->face_plane, scene->face_plane, scene->face_count * sizeof *to->face_plane);
+    for (uint32_t face = 0; face < scene->face_count; face++) {
+        const scene_shape shape = scene_shape_of(scene, face);
+        to->face_plane[face] = shape.F;
+        to->face_deviation[face] = (float)(shape.deviation / scene->unit); /* exact: they were floats */
+        to->face_width[face] = (float)(shape.width / scene->unit);
+    }
     memcpy(to->corner, scene->corner, scene->corner_count * sizeof *to->corner);
     s->scene = to;
     for (uint32_t solid = 0; solid < scene->solid_count; solid++)
@@ -209,6 +216,8 @@ void sight_free(sight *s)
         return;
     if (s->turned) {
         free(s->turned->face_plane);
+        free(s->turned->face_deviation);
+        free(s->turned->face_width);
         free(s->turned->corner);
         free(s->turned);
     }
@@ -339,7 +348,7 @@ bool sight_well_through(const sight *s, uint32_t face, roberts_vec3 X, roberts_v
 
 roberts_vec3 sight_meet(const sight *s, uint32_t face, roberts_vec3 X, roberts_vec3 v)
 {
-    plane F = s->scene->face_plane[face];
+    plane F = scene_plane(s->scene, face);
     double t = -sight_behind(s, face, X) / vec3_dot(v, (roberts_vec3){F.a, F.b, F.c});
     return vec3_add(X, vec3_scale(t, v));
 }

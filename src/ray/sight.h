@@ -71,7 +71,7 @@ static inline roberts_vec3 sight_from(const sight *s, roberts_vec3 X)
 /* Returns F(X): how far X lies behind (> 0) or in front of a front face. */
 static inline double sight_behind(const sight *s, uint32_t face, roberts_vec3 X)
 {
-    plane F = s->scene->face_plane[face];
+    plane F = scene_plane(s->scene, face);
     return F.a * X.x + F.b * X.y + F.c * X.z + F.d / s->unit;
 }
 

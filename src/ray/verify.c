@@ -96,8 +96,9 @@ static bool is_surely_drawn(const verifier *f, const scene_edge *e)
     if (f->options.all_edges || e->f[1] == ROBERTS_NONE || f->o.s.facing[e->f[0]] == SIGHT_NOT_FRONT ||
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
-    const plane *of = f->seen.scene->face_plane;
-    return angle_between(of[e->f[0]], of[e->f[1]], false) > f->options.crease_degrees + CREASE_MARGIN;
+    const roberts_scene *scene = f->seen.scene;
+    return angle_between(scene_plane(scene, e->f[0]), scene_plane(scene, e->f[1]), false) >
+           f->options.crease_degrees + CREASE_MARGIN;
 }
 
 /* How the faces of an edge lie around it in the picture. */
@@ -110,7 +111,7 @@ typedef struct edge_sides {
  * the first face of the edge. */
 static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
 {
-    plane F = f->seen.scene->face_plane[face], G = f->o.s.scene->face_plane[face];
+    plane F = scene_plane(f->seen.scene, face), G = scene_plane(f->o.s.scene, face);
     bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned toward the viewer */
     to->unsure += f->o.s.facing[face] == SIGHT_UNSURE;
     if (f->o.s.facing[face] == SIGHT_NOT_FRONT)
@@ -119,7 +120,7 @@ static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t f
         to->right++;
     else
         to->left++;
-    double bent = angle_between(f->seen.scene->face_plane[first], F, false);
+    double bent = angle_between(scene_plane(f->seen.scene, first), F, false);
     to->bent = fmax(to->bent, fmin(bent, 180.0 - bent));
 }
 
@@ -143,7 +144,7 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
     if (e->f[1] != ROBERTS_NONE) {
         bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
         found.bent =
-            angle_between(f->seen.scene->face_plane[of + e->f[0]], f->seen.scene->face_plane[of + e->f[1]], alike);
+            angle_between(scene_plane(f->seen.scene, of + e->f[0]), scene_plane(f->seen.scene, of + e->f[1]), alike);
     }
     return found;
 }
@@ -315,11 +316,11 @@ static void take_own(const verifier *f, const crossed_faces *faces, seen_own *ow
                 own->key[count++] = seen_body_key(body);
             continue;
         }
-        own->key[count++] = scene->surface->plane_of[face];
+        own->key[count++] = scene_plane_number(scene, face);
         if (faces->edge[i] == ROBERTS_NONE)
             continue;
         const seen_own edge = seen_own_of(scene, body, faces->edge[i]);
-        own->key[count++] = edge.key[edge.key[0] == scene->surface->plane_of[face]];
+        own->key[count++] = edge.key[edge.key[0] == scene_plane_number(scene, face)];
         own->many = edge.many ? edge.many : own->many;
     }
 }

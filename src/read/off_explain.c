@@ -307,10 +307,12 @@ static bool describe_points(text *t, char said[SAID])
         return false;
     if (first.words == POSITION && !first.commas)
         snprintf(said, SAID,
-                 "these are points, not OFF; put the lines \"3 points\" and \"%zu\" before them and use --hull", count);
+                 "this looks like points, not OFF; put the lines \"3 points\" and \"%zu\" before them and use --hull",
+                 count);
     else
         snprintf(said, SAID,
-                 "this is a table, %u numbers a line%s, not OFF; points are the lines \"3 points\", their number, and "
+                 "this looks like a table, %u numbers a line%s, not OFF; points are the lines \"3 points\", their "
+                 "number, and "
                  "then three numbers a line, with blanks between",
                  first.words, first.commas ? " with commas" : "");
     return true;

@@ -190,7 +190,7 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
     if (leave != ROBERTS_NONE && !cutter_measure_width(c, begin, &width))
         return false;
     *to_face = c->clip->scene.face_count;
-    return cutter_add_face(c, from->face_plane[face], scene_deviation(from, face), width,
+    return cutter_add_face(c, scene_plane(from, face), scene_deviation(from, face), width,
                            scene_face_number(from, face));
 }
 
@@ -247,7 +247,7 @@ static bool holds_eye(const cutter *c, uint32_t solid)
 {
     roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
     for (uint32_t f = c->from->solid[solid].face; f < c->from->solid[solid + 1].face; f++)
-        if (!(plane_at(c->from->face_plane[f], P) > c->touching))
+        if (!(plane_at(scene_plane(c->from, f), P) > c->touching))
             return false;
     return true;
 }

@@ -16,7 +16,7 @@ static int facing_of(const seen *s, const roberts_scene *scene, uint32_t face)
     if (scene == s->scene)
         return s->facing[face];
     roberts_vec3 eye = vec3_add(v->origin, vec3_scale(v->unit / v->inverse_distance, v->dir));
-    double inside = plane_at(scene->face_plane[face], vec3_sub(eye, scene->centre));
+    double inside = plane_at(scene_plane(scene, face), vec3_sub(eye, scene->centre));
     return fabs(inside) <= v->epsilon * v->unit ? VIEW_EDGE_ON : inside < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
@@ -44,18 +44,29 @@ static double way_of(uint8_t is)
     return ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0) ? 1.0 : -1.0;
 }
 
-/* An edge of one face or two, of the body in `scene`. */
-static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint8_t is,
+/* Do the two faces of edge `e` meet at less than the crease angle? first: the first face of its body. */
+static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
+{
+    const scene_surface *surface = scene->surface;
+    uint8_t code = scene_bend_code(crease);
+    if (surface->bend && surface->bend[e] != code)
+        return surface->bend[e] < code;
+    plane F = scene_plane(scene, first + edge->f[0]), G = scene_plane(scene, first + edge->f[1]);
+    return chord_between(F, G, way_of(surface->edge_is[e])) < crease;
+}
+
+/* Edge `e`, of one face or two, of the body in `scene`. */
+static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e,
                                 double crease)
 {
     edge_faces found = {0};
     uint32_t first = scene->solid[w->body].face;
-    const plane *of = scene->face_plane + first;
+    uint8_t is = scene->surface->edge_is[e];
     add_face(facing_of(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &found);
     if (edge->f[1] == ROBERTS_NONE)
         return found;
     add_face(facing_of(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
-    found.flat = chord_between(of[edge->f[0]], of[edge->f[1]], way_of(is)) < crease;
+    found.flat = is_flatter(scene, first, edge, e, crease);
     return found;
 }
 
@@ -63,11 +74,10 @@ static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, 
 static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const scene_many *many, double crease)
 {
     const uint32_t *face = scene->surface->many_face;
-    const plane *of = scene->face_plane;
     edge_faces found = {.flat = true};
     for (uint32_t k = many->first; k < many->end; k++) {
         uint32_t f = face[k] & ~MANY_TURNED;
-        plane F = of[face[many->first] & ~MANY_TURNED], G = of[f];
+        plane F = scene_plane(scene, face[many->first] & ~MANY_TURNED), G = scene_plane(scene, f);
         add_face(facing_of(s, scene, f), face[k] & MANY_TURNED, &found);
         found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
     }
@@ -91,7 +101,7 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     if (edge->f[0] == ROBERTS_NONE)
         return true;
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
-                                      : faces_of_edge(w, scene, edge, is, crease);
+                                      : faces_of_edge(w, scene, edge, e, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     line->class = ROBERTS_OUTLINE;
     if (is & EDGE_CUT)
@@ -112,7 +122,7 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
     seen_own own = seen_owns_one(ROBERTS_NONE);
     for (int k = 0; k < 2; k++)
         if (e->f[k] != ROBERTS_NONE)
-            own.key[k] = surface->plane_of[scene->solid[body].face + e->f[k]];
+            own.key[k] = scene_plane_number(scene, scene->solid[body].face + e->f[k]);
     if (surface->edge_is[edge] & EDGE_MANY)
         own.many = scene_many_at(scene, edge);
     return own;
@@ -202,10 +212,9 @@ static int facing_of_side(const seen *s, uint32_t face)
 /* The sides of a piece as the faces of an edge; `crease`: flat below that. */
 static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t count, double crease)
 {
-    const plane *of = s->source->face_plane;
     edge_faces found = {.flat = true};
     for (uint32_t i = 0; i < count; i++) {
-        plane F = of[side[0].face], G = of[side[i].face];
+        plane F = scene_plane(s->source, side[0].face), G = scene_plane(s->source, side[i].face);
         add_face(facing_of_side(s, side[i].face), side[i].turned, &found);
         found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
     }
@@ -291,7 +300,7 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .all = s->rules.all_edges,
                    .stored = scene->edge + own->stored,
                    .facing = s->facing + own->face,
-                   .plane = scene->face_plane + own->face,
+                   .plane = scene->face_plane ? scene->face_plane + own->face : NULL,
                    .vertex = own->vertex};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;

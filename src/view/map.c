@@ -29,6 +29,9 @@
 #define OBLIQUE_MOST 1000.0
 /* If the sine of the angle between `up` and the line of sight is at most this, they count as parallel. */
 #define PARALLEL 1e-9
+/* A triangle is plainly front or back if its picture is wider than the sum of these. */
+#define PLAIN_EPSILONS 4.0
+#define PLAIN_ROUNDINGS 64.0
 /* If the cosine of the angle between an axis of the picture and the line of sight is at most this, it is rounding, and
  * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
@@ -144,7 +147,11 @@ static inline bool at_right_angles(const view *v)
 
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
 {
-    plane F = scene->face_plane[face];
+    return view_plane_of(v, scene->centre, scene_plane(scene, face), stretch);
+}
+
+plane view_plane_of(const view *v, roberts_vec3 centre, plane F, double *stretch)
+{
     roberts_vec3 n = {F.a, F.b, F.c};
     plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
     if (stretch)
@@ -153,8 +160,8 @@ plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, doubl
         return G; /* a rotation keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
     if (v->perspective) { /* c' = c + d / D is the eye's distance from the plane, as a fraction of D */
-        G.d += vec3_dot(n, vec3_sub(v->origin, scene->centre)) * v->per_unit;
-        G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, scene->centre))) * v->per_unit * v->inverse_distance;
+        G.d += vec3_dot(n, vec3_sub(v->origin, centre)) * v->per_unit;
+        G.c = (F.d + vec3_dot(n, vec3_sub(v->viewpoint, centre))) * v->per_unit * v->inverse_distance;
     }
     double length = sqrt(G.a * G.a + G.b * G.b + G.c * G.c);
     if (stretch)
@@ -195,6 +202,19 @@ static double picture_width(const roberts_scene *scene, uint32_t face, plane F, 
 static inline double wide_enough(const view *v)
 {
     return 4.0 * v->epsilon * v->unit;
+}
+
+/* Twice the signed area of a triangle's picture is also |n| c, for the normal n and its part c toward the viewer. If it
+ * exceeds the bound here, neither rounding nor epsilon matters: c has its sign, and the picture is wider than epsilon.
+ */
+int view_facing_of_triangle(const view *v, const uint32_t corner[3], const roberts_vec3 *P)
+{
+    roberts_vec3 A = P[corner[0]], AB = vec3_sub(P[corner[1]], A), AC = vec3_sub(P[corner[2]], A);
+    double twice = AB.x * AC.y - AB.y * AC.x;
+    double size = fabs(AB.x) + fabs(AB.y) + fabs(AB.z) + fabs(AC.x) + fabs(AC.y) + fabs(AC.z);
+    if (!at_right_angles(v) || !(fabs(twice) > (PLAIN_EPSILONS * v->epsilon + PLAIN_ROUNDINGS * v->rounding) * size))
+        return VIEW_UNKNOWN;
+    return twice > 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)

@@ -88,26 +88,27 @@ bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
            united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 
-void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])
+scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])
 {
-    out->F = view_plane(&s->view, s->scene, face, &out->stretch);
+    scene_shape shape = scene_shape_of(s->scene, face);
+    out->F = view_plane_of(&s->view, s->scene->centre, shape.F, &out->stretch);
     out->corner = seen_corners(s, face, &out->count, turned);
     if (s->facing[face] == VIEW_BACK)
         out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
+    return shape;
 }
 
-int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])
+int seen_either_face(seen *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
-    out->F = view_plane(&s->view, scene, face, &out->stretch);
-    int facing = view_facing(&s->view, scene, face, out->F, s->P);
+    int facing = VIEW_UNKNOWN;
+    if (!scene->face_plane)
+        facing = view_facing_of_triangle(&s->view, scene->corner + first, s->P);
+    if (facing == VIEW_UNKNOWN)
+        facing = view_facing(&s->view, scene, face, view_plane(&s->view, scene, face, NULL), s->P);
     s->facing[face] = (unsigned char)facing;
-    if (facing == VIEW_BACK) {
-        out->F = (plane){-out->F.a, -out->F.b, -out->F.c, -out->F.d};
-        for (uint32_t i = 0; end - first > SEEN_TURNED && i < end - first; i++)
-            s->turned[first + i] = scene->corner[end - 1 - i];
-    }
-    out->corner = seen_corners(s, face, &out->count, turned);
+    for (uint32_t i = 0; facing == VIEW_BACK && end - first > SEEN_TURNED && i < end - first; i++)
+        s->turned[first + i] = scene->corner[end - 1 - i];
     return facing;
 }

@@ -7,7 +7,7 @@
  * A face does not hide the lines that lie in it. So each face has a key, and a line lists the keys of its own faces:
  *
  *   - all faces of a convex body have one key, that of the body: none of them hides an edge with a front face;
- *   - the pieces of one planar face of another body share a key, their scene_surface.plane_of.
+ *   - the pieces of one planar face of another body share a key, their scene_plane_number().
  *
  * A line need not be an edge. A line where two faces cross has no edge, its ends may be computed points, and its own
  * keys may belong to faces of two bodies.
@@ -118,12 +118,12 @@ static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_
     return turned;
 }
 
-/* Returns the facing of a face of any other body that is mapped. Unless it is VIEW_EDGE_ON, fills `out` with the face
- * turned toward the viewer. turned: as in seen_corners(). */
-int seen_either_face(seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+/* Finds the facing of a face of any other body that is mapped, and turns its corners toward the viewer. */
+int seen_either_face(seen *s, uint32_t face);
 
-/* Fills `out` with the same face again. */
-void seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
+/* Fills `out` with such a face, turned toward the viewer, and returns its shape in the model. turned: as in
+ * seen_corners(). */
+scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED]);
 
 /* ---- keys ------------------------------------------------------------------------------------------------------ */
 
@@ -137,7 +137,7 @@ static inline uint32_t seen_body_key(uint32_t body)
 
 static inline uint32_t seen_face_key(const roberts_scene *scene, uint32_t body, uint32_t face)
 {
-    return scene_is_convex(scene, body) ? seen_body_key(body) : scene->surface->plane_of[face];
+    return scene_is_convex(scene, body) ? seen_body_key(body) : scene_plane_number(scene, face);
 }
 
 /* The faces that do not hide a line because it lies in them. */
@@ -162,7 +162,7 @@ static inline bool seen_owns(const roberts_scene *scene, const seen_own *own, ui
     const scene_many *many = own->many;
     bool found = own->key[0] == key || own->key[1] == key || own->key[2] == key || own->key[3] == key;
     for (uint32_t k = many ? many->first : 0; many && k < many->end && !found; k++)
-        found = surface->plane_of[surface->many_face[k] & ~MANY_TURNED] == key;
+        found = scene_plane_number(scene, surface->many_face[k] & ~MANY_TURNED) == key;
     return found;
 }
 
@@ -237,7 +237,7 @@ typedef struct seen_walk {
     /* pointers to the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
-    const plane *plane;
+    const plane *plane; /* of a convex body */
     uint32_t vertex;
 } seen_walk;
 

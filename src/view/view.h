@@ -18,7 +18,7 @@
 #include "base/vec.h"
 #include "model/scene.h"
 
-enum { VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
+enum { VIEW_UNKNOWN = 0, VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
 
 typedef struct view {
     roberts_vec3 right, up, dir; /* unit vectors in model space */
@@ -59,9 +59,16 @@ void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec
  * distances from the plane grow per unit of 1 + z / D; in the orthographic view it is 1. */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);
 
+/* The same for a plane of the model, F, of a scene with this centre. */
+plane view_plane_of(const view *v, roberts_vec3 centre, plane F, double *stretch);
+
 /* Returns whether a face is front, back or edge-on. It is edge-on if its picture is no wider than epsilon. P: view
  * points of all vertices of the scene; F: the plane of the face in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
+
+/* Returns the facing of a triangle whose plane follows from its corners alone, if that is plain from its picture. It is
+ * that of view_facing(). VIEW_UNKNOWN: it is not. */
+int view_facing_of_triangle(const view *v, const uint32_t corner[3], const roberts_vec3 *P);
 
 /* Returns the facing of a face and, if it is front, sets its plane and stretch. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,

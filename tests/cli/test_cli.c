@@ -540,6 +540,20 @@ static void levels_are_counted(void **state)
     assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
 }
 
+/* A body and what hides it, by their names. */
+static void bodies_are_named(void **state)
+{
+    (void)state;
+    put("in/two.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 -1\nv 2 1 -1\nv 1 2 -1\no lid\nf 1 2 3\no crumb\nf 4 5 6\n");
+    assert_int_equal(run("--view top in/two.obj -f csv --hidden dashed --columns +by,+name"), 0);
+    assert_int_equal(count(",f1,by_name,name\n"), 1);
+    assert_int_equal(count(",,,lid\n"), 3);
+    assert_int_equal(count(",,lid,crumb\n"), 3);
+    assert_int_equal(run("--view top in/two.obj -f json --hidden dashed --columns +by"), 0);
+    assert_int_equal(count(",\"by_name\":null}"), 3);
+    assert_int_equal(count(",\"by_name\":\"lid\"}"), 3);
+}
+
 /* Lines where faces cross are no edges: rays check the others. */
 static void crossing_bodies_are_verified(void **state)
 {
@@ -1065,8 +1079,11 @@ static void regions(void **state)
                                   "\"rings\":[[[-2,-1],[2,-1],[2,1],[-2,1]]]}\n]\n");
     assert_int_equal(run("--view top -o plate.svg --regions plate.json plate.off"), 0);
     assert_int_equal(run("--view top --regions - plate.off"), 2);
-    assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 1);
-    assert_non_null(strstr(last.err, "the near plane cuts body 0, which is not convex"));
+    assert_int_equal(run("--view top -f null --regions plate.csv plate.off"), 0);
+    read_text("plate.csv", last.out);
+    assert_string_equal(last.out, "body,face,area,z0,z1,color,polygon\n0,0,8,0,0,1 0 0.5 1,"
+                                  "\"MULTIPOLYGON (((-2 -1,2 -1,2 1,-2 1,-2 -1)))\"\n");
+    assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 0); /* the near plane cuts */
 }
 
 int main(void)
@@ -1083,6 +1100,7 @@ int main(void)
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(lost_lines_have_a_class),
         IN_FOLDER(levels_are_counted),
+        IN_FOLDER(bodies_are_named),
         IN_FOLDER(crossing_bodies_are_verified),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),

@@ -74,7 +74,7 @@ static void messages_name_the_file(void **state)
                 "convex hull of points)\n");
 }
 
-/* As by cat, also from standard input: what is drawn is the first. */
+/* As by cat, also from standard input: the first one is drawn. */
 static void one_model_after_another(void **state)
 {
     (void)state;
@@ -258,6 +258,7 @@ static const struct {
     {"--fov -1 --eye 9,9,9", "--fov: -1 is out of range: from 0.001 to 179\n"},
     {"--fov wide --eye 9,9,9", "--fov: \"wide\" is not a number\n"},
     {"--dpi 0", "--dpi: 0 is out of range: from 10 to 10000\n"},
+    {"--fill mode", "--fill: \"mode\" is unknown; did you mean model? It can be none, model, shade, body, "},
     {"--plotter middle", "--plotter: the origin is corner or center, not \"middle\"\n"},
     {"--plotter corner,45", "--plotter: a page is turned by 0, 90, 180 or 270 degrees, not \"45\"\n"},
     {"--dpi 1e6", "--dpi: 1e6 is out of range: from 10 to 10000\n"},
@@ -542,6 +543,12 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_int_equal(run("-f pdf -o in/a.PDF models/platonic/cube.off"), 0);
     assert_int_equal(run("-f eps -o in/a models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
 }
 
 /* A place for a number, and nothing that counts. */
@@ -584,7 +591,7 @@ static void terminals_are_told_of(void **state)
     assert_string_equal(last.err, "roberts: standard input:1: the input is empty\n");
 }
 
-/* A terminal must not obey what is in a name. */
+/* A terminal must not obey control characters in a name. */
 static void names_are_printed_plainly(void **state)
 {
     (void)state;
@@ -602,7 +609,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x07'));
 }
 
-/* No file that is opened later takes the number of a closed stream, and with it what is said. */
+/* No file opened later takes the number of a closed stream, and with it the messages. */
 static void closed_streams_stay_taken(void **state)
 {
     (void)state;

@@ -191,6 +191,61 @@ static void test_commands(void **state)
     assert_true(tried > 15);
 }
 
+/* ---- the page whose faces name themselves ---- */
+
+/* A script for the page: it moves the pointer over each face, and adds what the page says of it. */
+static const char pointer_script[] = "<script>for (const face of document.querySelectorAll('.region')) {"
+                                     "face.dispatchEvent(new MouseEvent('mouseover', {bubbles: true}));"
+                                     "document.body.insertAdjacentHTML('beforeend', '<p class=said>' +"
+                                     "document.getElementById('name').textContent + '</p>'); }</script>";
+
+/* Every face of the drawing is in the group of a body, and has a number. Returns how many there are. */
+static int count_faces(const char *page)
+{
+    char line[4096];
+    int faces = 0, bodies = 0;
+    FILE *text = fopen(page, "r");
+    assert_non_null(text);
+    while (fgets(line, sizeof line, text)) {
+        if (strncmp(line, "<g class=\"body\" data-body=\"", 27) == 0)
+            bodies++;
+        if (!strstr(line, "<path class=\"region\""))
+            continue;
+        assert_int_equal(strncmp(line, "<path class=\"region\" data-face=\"", 32), 0);
+        assert_true(bodies > 0);
+        faces++;
+    }
+    fclose(text);
+    return faces;
+}
+
+/* The recipe's page, made by test_commands(). Chromium moves over it where it is installed. */
+static void test_page_of_faces(void **state)
+{
+    char path[512], command[2048];
+    (void)state;
+    snprintf(path, sizeof path, "%s/faces.html", temporary);
+    const int faces = count_faces(path);
+    assert_true(faces > 50);
+    FILE *page = fopen(path, "a");
+    assert_non_null(page);
+    fputs(pointer_script, page);
+    assert_int_equal(fclose(page), 0);
+    snprintf(command, sizeof command,
+             "for name in chromium chromium-browser google-chrome; do browser=$(command -v $name) && break; done; "
+             "[ -n \"$browser\" ] || exit 77; cd '%s' && HOME=$PWD timeout 120 \"$browser\" --headless --no-sandbox "
+             "--disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run --disable-background-networking "
+             "--disable-component-update --disable-sync --user-data-dir=\"$PWD/profile\" --dump-dom "
+             "\"file://$PWD/faces.html\" > dom.html 2>/dev/null && "
+             "test $(grep -o 'class=\"said\">face [0-9]* of body [0-9]*<' dom.html | wc -l) = %d",
+             temporary, faces);
+    const int status = shell(command);
+    if (status == 77 * 256) {
+        SKIP_BECAUSE("no Chromium: the page's markup is sound, but its script has not run");
+    }
+    assert_int_equal(status, 0);
+}
+
 static void write_line(const char *line, void *context)
 {
     fprintf(context, "%s\n", line);
@@ -476,7 +531,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_links),   cmocka_unit_test(test_names),    cmocka_unit_test(test_pages),
-        cmocka_unit_test(test_figures), cmocka_unit_test(test_commands), cmocka_unit_test(test_example),
+        cmocka_unit_test(test_figures), cmocka_unit_test(test_commands), cmocka_unit_test(test_page_of_faces),
+        cmocka_unit_test(test_example),
     };
     return cmocka_run_group_tests_name("readme", tests, set_up, temporary_remove);
 }

@@ -283,7 +283,7 @@ static void a_missing_line_is_seen(void **state)
     roberts_drawing drawing = model_drawing(cases[two_cubes].model, "iso");
     roberts_draw_options options = options_for_browser(two_cubes);
     options.hidden = ROBERTS_HIDDEN_NONE;
-    drawing.framed = true; /* what is left stays in its place */
+    drawing.framed = true; /* the rest stays in its place */
     save(&drawing, options, ROBERTS_PNG, "own.png");
     size_t left_out = 0;
     for (size_t i = 0; i < drawing.count; i++) {
@@ -332,11 +332,150 @@ static void a_wrong_pen_is_seen(void **state)
     roberts_drawing_free(&drawing);
 }
 
+/* ---- fills ---- */
+
+/* Faces shaded from dark to middle grey, without any line. */
+#define GREY 128
+
+/* Seams end half of their width before the paper, lest they stick out. */
+static const double seam_mm = 0.4, mm_per_inch = 25.4;
+
+/* How many pixels from paper there may be a mixture. */
+static int pixels_near_paper(double dpi)
+{
+    return 2 + (int)ceil(seam_mm / 2.0 * dpi / mm_per_inch);
+}
+
+static uint32_t green(cairo_surface_t *image, int x, int y)
+{
+    return 255 - (uint32_t)(255.0 * darkness(image, x, y) + 0.5);
+}
+
+static bool is_near_paper(cairo_surface_t *image, int x, int y, int near)
+{
+    const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
+    for (int v = y - near; v <= y + near; v++)
+        for (int u = x - near; u <= x + near; u++)
+            if (u < 0 || v < 0 || u >= width || v >= height || green(image, u, v) == 255)
+                return true;
+    return false;
+}
+
+/* Counts the pixels that are brighter than any face, but not next to the paper: it shines through. */
+static size_t hairlines(const char *name, double dpi, size_t *inside)
+{
+    cairo_surface_t *image = cairo_image_surface_create_from_png(path(name));
+    assert_int_equal(cairo_surface_status(image), CAIRO_STATUS_SUCCESS);
+    const int width = cairo_image_surface_get_width(image), height = cairo_image_surface_get_height(image);
+    size_t found = 0;
+    *inside = 0;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            const uint32_t value = green(image, x, y);
+            found += value > GREY + 1 && value < 255 && !is_near_paper(image, x, y, pixels_near_paper(dpi));
+            *inside += value < 255;
+        }
+    cairo_surface_destroy(image);
+    return found;
+}
+
+/* The drawing of a model with its regions and options that show nothing but fills. The scene is freed at once. */
+static roberts_drawing filled_drawing(const char *model, roberts_region_list *regions, roberts_draw_options *options)
+{
+    char name[100];
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    roberts_camera camera;
+    roberts_drawing drawing;
+    snprintf(name, sizeof name, "models/%s.off", model);
+    assert_true(roberts_camera_preset("iso", &camera));
+    assert_int_equal(roberts_mesh_read_file(&mesh, name, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_regions(scene, &camera, NULL, regions, NULL), ROBERTS_OK);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    drawing.regions = regions;
+    *options = options_for_browser(0);
+    options->fill = ROBERTS_FILL_COLOR;
+    options->fill_color[0] = options->fill_color[1] = options->fill_color[2] = GREY;
+    options->shaded = true;
+    options->outline.off = options->crease.off = options->intersection.off = options->border.off = true;
+    return drawing;
+}
+
+static void assert_no_hairlines(const char *model, const char *program, double dpi, const char *name)
+{
+    size_t inside, found = hairlines(name, dpi, &inside);
+    assert_true(inside > 1000);
+    if (found > 0)
+        fail_msg("%s, %s, %g dpi: paper shines through in %zu pixels of %zu", model, program, dpi, found, inside);
+}
+
+/* The same file without its seams has hairlines. */
+static void assert_seams_needed(void)
+{
+    char command[4 * TEMPORARY_ROOM];
+    size_t inside;
+    snprintf(command, sizeof command,
+             "sed 's/stroke-width=\"0.4\"/stroke-width=\"0\"/' '%s' | rsvg-convert -d 96 -p 96 -b white -o '%s'",
+             path("a.svg"), path("changed.png"));
+    assert_int_equal(system(command), 0);
+    assert_true(hairlines("changed.png", 96, &inside) > 100);
+}
+
+static void no_paper_shines_through(void **state)
+{
+    static const char *const models[] = {"compound-of-five-tetrahedra", "shapes/torus", "shapes/terrain",
+                                         "star/great-icosahedron", "stacked-blocks"};
+    static const double dpis[] = {96, 131, 300};
+    const bool librsvg = has_librsvg();
+    (void)state;
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
+        roberts_region_list regions;
+        roberts_draw_options options;
+        roberts_drawing drawing = filled_drawing(models[i], &regions, &options);
+        save(&drawing, options, ROBERTS_SVG, "a.svg");
+        for (size_t d = 0; d < sizeof dpis / sizeof dpis[0]; d++) {
+            options.dpi = dpis[d];
+            save(&drawing, options, ROBERTS_PNG, "own.png");
+            assert_no_hairlines(models[i], "own png", dpis[d], "own.png");
+            if (librsvg) {
+                run_librsvg(dpis[d]);
+                assert_no_hairlines(models[i], "librsvg", dpis[d], "librsvg.png");
+            }
+        }
+        if (librsvg && i == 0)
+            assert_seams_needed();
+        roberts_drawing_free(&drawing);
+        roberts_regions_free(&regions);
+    }
+}
+
+static void no_paper_shines_through_in_chromium(void **state)
+{
+    char page[80];
+    roberts_region_list regions;
+    roberts_draw_options options;
+    (void)state;
+    if (!run_chromium("data:text/html,x")) {
+        SKIP_BECAUSE("no Chromium that draws a page");
+    }
+    roberts_drawing drawing = filled_drawing("compound-of-five-tetrahedra", &regions, &options);
+    save(&drawing, options, ROBERTS_SVG, "a.svg");
+    snprintf(page, sizeof page, "file://%s", path("a.svg"));
+    assert_true(run_chromium(page));
+    assert_no_hairlines("compound-of-five-tetrahedra", "Chromium", 192, "chromium.png");
+    roberts_drawing_free(&drawing);
+    roberts_regions_free(&regions);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(librsvg_sees_the_same),  cmocka_unit_test(inkscape_sees_the_same),
-        cmocka_unit_test(chromium_sees_the_same), cmocka_unit_test(a_missing_line_is_seen),
+        cmocka_unit_test(no_paper_shines_through), cmocka_unit_test(no_paper_shines_through_in_chromium),
+        cmocka_unit_test(librsvg_sees_the_same),   cmocka_unit_test(inkscape_sees_the_same),
+        cmocka_unit_test(chromium_sees_the_same),  cmocka_unit_test(a_missing_line_is_seen),
         cmocka_unit_test(a_wrong_pen_is_seen),
     };
     return cmocka_run_group_tests_name("render", tests, temporary_make, temporary_remove);

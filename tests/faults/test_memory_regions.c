@@ -40,11 +40,14 @@ static roberts_scene *make_scene(void)
     return scene;
 }
 
+static bool merges; /* are neighbours in one plane merged? */
+
 static void survives(const roberts_camera *camera, size_t least)
 {
     roberts_scene *scene = make_scene();
     roberts_hide_options options = roberts_hide_options_default();
     options.threads = 1;
+    options.merge_regions = merges;
     size_t before = memory_blocks, failures = 0;
     for (size_t n = 1;; n++) {
         roberts_error error = {0};
@@ -69,6 +72,59 @@ static void survives(const roberts_camera *camera, size_t least)
     roberts_scene_free(scene);
 }
 
+/* A drawing with fills in each format that has them. */
+static void test_fills(void **state)
+{
+    static const roberts_format formats[] = {ROBERTS_SVG, ROBERTS_PDF, ROBERTS_PNG, ROBERTS_TIKZ};
+    roberts_scene *scene = make_scene();
+    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
+                             .eye = {-30, 9, 24.5},
+                             .look_at = {20, 3, 0},
+                             .has_look_at = true,
+                             .fov_degrees = 20};
+    roberts_drawing drawing;
+    roberts_region_list regions;
+    roberts_draw_options options = roberts_draw_options_default();
+    (void)state;
+    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_regions(scene, &camera, NULL, &regions, NULL), ROBERTS_OK);
+    assert_true(drawing.framed && regions.count > 3);
+    drawing.regions = &regions;
+    options.fill = ROBERTS_FILL_BODY;
+    options.shaded = true;
+    options.dpi = 20;
+    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
+        size_t before = memory_blocks, failures = 0;
+        options.format = formats[i];
+        for (size_t n = 1;; n++) {
+            roberts_error error = {0};
+            memory_fail(n);
+            roberts_status status = roberts_drawing_save(&drawing, &options, "/dev/null", &error);
+            bool failed = memory_failed();
+            memory_fail(0);
+            assert_int_equal(memory_blocks, before);
+            if (!failed) {
+                assert_int_equal(status, ROBERTS_OK);
+                break;
+            }
+            failures++;
+            assert_int_equal(status, ROBERTS_NO_MEMORY);
+        }
+        assert_true(failures >= 20);
+    }
+    roberts_drawing_free(&drawing);
+    roberts_regions_free(&regions);
+    roberts_scene_free(scene);
+}
+
+static void test_merged(void **state)
+{
+    (void)state;
+    merges = true;
+    survives(&(roberts_camera){.dir = {0.1, 0.2, 1}}, 60);
+    merges = false;
+}
+
 static void test_from_above(void **state)
 {
     (void)state;
@@ -88,6 +144,7 @@ static void test_near_plane(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_from_above), cmocka_unit_test(test_near_plane)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_from_above), cmocka_unit_test(test_fills),
+                                       cmocka_unit_test(test_merged), cmocka_unit_test(test_near_plane)};
     return cmocka_run_group_tests_name("memory, regions", tests, NULL, NULL);
 }

@@ -28,7 +28,7 @@ struct cross_finder {
     struct meeting {
         rational s;
         vec<rational> at;
-        int up, down; /* by how much the winding number on each side is smaller for points farther along */
+        int up, down; /* by how much the winding number on each side falls here for points farther along */
     };
 
     /* A side that runs along the line. */
@@ -49,6 +49,7 @@ struct cross_finder {
     std::vector<box> boxes;
     std::vector<size_t> first;                                    /* see first_alike() */
     std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge: see take_edges() */
+    std::set<std::array<uint32_t, 2>> joined;                     /* edges of two faces: see join_edges() */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -121,7 +122,7 @@ struct cross_finder {
         return o.even_odd ? winding % 2 != 0 : winding != 0;
     }
 
-    /* Does the face continue on both sides at s, without a side that bounds it there? s is not a meeting. */
+    /* Does the face continue on both sides at s, which is not a meeting, without a side that bounds it there? */
     bool goes_on(const profile &p, const rational &s) const
     {
         long up = 0, down = 0, net = 0;
@@ -186,31 +187,83 @@ struct cross_finder {
         }
     };
 
-    /* Bodies that only touch keep their own edges. If, between two positions, each pair of the file's vertices has two
-     * faces, each pair is an edge. Otherwise all sides there are one edge. */
-    void take_edges()
+    /* Positions that are equal are one vertex "where that closes what is open": bodies that are closed as they are in
+     * the file keep their own vertices, and so their own edges. Names each vertex of the file by the smallest one with
+     * which it is one vertex. */
+    std::vector<uint32_t> vertex_names() const
     {
-        std::map<std::array<uint32_t, 2>, std::map<std::array<uint32_t, 2>, std::vector<size_t>>> sides;
+        std::vector<uint32_t> body(o.mesh.vertex_count), name(body.size());
+        std::map<std::array<uint32_t, 2>, std::set<size_t>> sides;
+        std::iota(body.begin(), body.end(), 0);
+        const auto root = [&](uint32_t v) {
+            while (body[v] != v)
+                v = body[v];
+            return v;
+        };
+        for_sides([&](size_t f, uint32_t p, uint32_t q) {
+            sides[{std::min(p, q), std::max(p, q)}].insert(f);
+            body[std::max(root(p), root(q))] = std::min(root(p), root(q));
+        });
+        std::set<uint32_t> open;
+        for (const auto &[key, faces] : sides)
+            if (faces.size() != 2)
+                open.insert(root(key[0]));
+        std::map<uint32_t, uint32_t> least; /* of open bodies, by position */
+        for (uint32_t v = 0; v < name.size(); v++)
+            name[v] = open.count(root(v)) ? least.emplace(o.position[v], v).first->second : v;
+        return name;
+    }
+
+    /* Calls take(face, p, q) for each side, with its ends as in the file. */
+    template <class T> void for_sides(T take) const
+    {
         for (size_t f = 0; f < o.faces.size(); f++) {
             const uint32_t begin = o.mesh.face_start[o.faces[f].number], end = o.mesh.face_start[o.faces[f].number + 1];
             for (uint32_t i = begin; i < end; i++) {
                 const uint32_t p = o.mesh.corner[i], q = o.mesh.corner[i + 1 < end ? i + 1 : begin];
-                const uint32_t a = o.position[p], b = o.position[q];
-                if (a == b)
-                    continue;
-                std::vector<size_t> &of = sides[{std::min(a, b), std::max(a, b)}][{std::min(p, q), std::max(p, q)}];
-                if (of.empty() || of.back() != f)
-                    of.push_back(f);
+                if (o.position[p] != o.position[q])
+                    take(f, p, q);
             }
         }
-        for (const auto &[key, parts] : sides) {
-            const bool apart =
-                std::all_of(parts.begin(), parts.end(), [](const auto &p) { return p.second.size() == 2; });
-            if (apart)
-                edges.insert(parts.begin(), parts.end());
-            else
-                edges[key] = o.edges.at(key);
+    }
+
+    void take_edges()
+    {
+        const std::vector<uint32_t> name = vertex_names();
+        for_sides([&](size_t f, uint32_t p, uint32_t q) {
+            const uint32_t a = name[p], b = name[q];
+            std::vector<size_t> &of = edges[{std::min(a, b), std::max(a, b)}];
+            if (of.empty() || of.back() != f)
+                of.push_back(f);
+        });
+        join_edges();
+    }
+
+    /* "Each piece of an edge has the faces of all edges that lie on it": edges that have not two faces divide one
+     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two faces
+     * is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
+    void join_edges()
+    {
+        std::set<uint32_t> ends; /* of edges that have not two faces */
+        for (const auto &[key, faces] : edges)
+            if (faces.size() != 2)
+                ends.insert(key.begin(), key.end());
+        for (const auto &[key, faces] : edges) {
+            if (faces.size() != 2 || !ends.count(key[0]) || !ends.count(key[1]))
+                continue;
+            const vec<rational> middle = carrier_of(key).at(rational(1) / 2);
+            const std::array<uint32_t, 2> whole = key;
+            if (std::none_of(ends.begin(), ends.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
+                std::any_of(edges.begin(), edges.end(),
+                            [&](const auto &e) { return e.second.size() != 2 && is_on(e.first, middle); }))
+                joined.insert(key);
         }
+    }
+
+    /* Is the edge one with all others of this kind, where they lie on one another? */
+    bool is_open(const std::array<uint32_t, 2> &key) const
+    {
+        return edges.at(key).size() != 2 || joined.count(key) > 0;
     }
 
     std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */
@@ -241,7 +294,7 @@ struct cross_finder {
         }
     }
 
-    /* Is it certainly outside of the face's plane? */
+    /* Surely not in the plane of the face? */
     bool off_plane(size_t f, uint32_t v) const
     {
         const roberts_vec3 &p = o.mesh.vertex[v];
@@ -282,8 +335,8 @@ struct cross_finder {
         }
     }
 
-    /* Does the face contain the points beside X on one side of the edge, in its plane? way: 1 for the left side, as
-     * seen against the normal, or -1. */
+    /* Does the face hold what lies beside X on one side of the edge, in its plane? way: 1 to the left, as seen against
+     * the normal, or -1. */
     bool holds_beside(size_t f, const carrier &e, const vec<rational> &X, int way) const
     {
         const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
@@ -314,15 +367,14 @@ struct cross_finder {
         return x * x + y * y + z * z < 3.046e-6;
     }
 
-    /* The faces that end at X in the edge. All edges there that do not have two faces count as one edge. */
+    /* The faces that end at X in the edge, or in all open edges there. */
     std::vector<size_t> group_at(const carrier &e, const vec<rational> &X) const
     {
-        const std::vector<size_t> &own = edges.at(e.key);
         std::vector<size_t> out;
-        if (own.size() == 2)
-            return own;
+        if (!is_open(e.key))
+            return edges.at(e.key);
         for (const auto &[key, faces] : edges)
-            if (faces.size() != 2 && is_on(key, X))
+            if (is_open(key) && is_on(key, X))
                 for (size_t f : faces)
                     if (std::find(out.begin(), out.end(), f) == out.end())
                         out.push_back(f);
@@ -376,7 +428,7 @@ struct cross_finder {
                 const vec<rational> &X) const
     {
         for (const auto &other : along)
-            if (edges.at(key).size() != 2 && other < key && edges.at(other).size() != 2 && is_on(other, X))
+            if (is_open(key) && other < key && is_open(other) && is_on(other, X))
                 return false;
         return true;
     }
@@ -394,12 +446,12 @@ struct cross_finder {
         return over && under;
     }
 
-    /* The lines on one edge. */
+    /* What lies on one edge. */
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
         const carrier e = carrier_of(key);
         const std::vector<size_t> &own = edges.at(key);
-        const bool odd = own.size() != 2;
+        const bool open = is_open(key);
         std::vector<size_t> near;
         std::vector<std::array<uint32_t, 2>> along;
         std::vector<rational> cut{rational(0), rational(1)};
@@ -408,7 +460,7 @@ struct cross_finder {
                 near.push_back(f);
                 add_cuts(f, e, cut);
             }
-        std::vector<rational> divided; /* edges that do not have two faces divide one another at their ends */
+        std::vector<rational> divided; /* open edges divide one another at their ends */
         for (const auto &[other, faces] : edges) {
             int on_line = 0;
             for (uint32_t v : other) {
@@ -417,7 +469,7 @@ struct cross_finder {
                     continue;
                 on_line++;
                 cut.push_back(dot(e.d, p) / dot(e.d, e.d));
-                if (odd && faces.size() != 2)
+                if (open && is_open(other))
                     divided.push_back(cut.back());
             }
             if (other != key && on_line == 2)
@@ -438,8 +490,7 @@ struct cross_finder {
                     holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
                     put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             for (const auto &other : along) {
-                const std::vector<size_t> more = edges.at(other);
-                if (!(key < other) || !is_on(other, X) || (odd && more.size() != 2) || !speaks(other, along, X))
+                if (!(key < other) || !is_on(other, X) || (open && is_open(other)) || !speaks(other, along, X))
                     continue;
                 const std::vector<size_t> theirs = group_at(carrier_of(other), X);
                 if (left_out(theirs, carrier_of(other), X))
@@ -453,8 +504,7 @@ struct cross_finder {
         return d.x * p.y == d.y * p.x && d.y * p.z == d.z * p.y && d.x * p.z == d.z * p.x;
     }
 
-    /* Adds from .. to of an edge at X. There the first face of `group` ends on the first of `theirs` that is in another
-     * plane. */
+    /* Adds from .. to of an edge at X, in which the first of `group` ends on the first of `theirs` that lies across. */
     void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const carrier &e,
              const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool divide,
              std::vector<seam> &out) const
@@ -499,13 +549,19 @@ struct cross_finder {
     /* Returns, for each face, the first one that has the same corners. */
     std::vector<size_t> first_alike() const
     {
+        const std::vector<uint32_t> name = vertex_names();
         std::map<std::vector<uint32_t>, size_t> known;
         std::vector<size_t> out;
         for (const polygon &f : o.faces) {
-            std::vector<uint32_t> least;
+            std::vector<uint32_t> least, corners;
+            for (uint32_t i = o.mesh.face_start[f.number]; i < o.mesh.face_start[f.number + 1]; i++)
+                if (corners.empty() || corners.back() != name[o.mesh.corner[i]])
+                    corners.push_back(name[o.mesh.corner[i]]);
+            while (corners.size() > 1 && corners.front() == corners.back())
+                corners.pop_back();
             for (int way = 0; way < 2; way++)
-                for (size_t i = 0; i < f.corner.size(); i++) {
-                    std::vector<uint32_t> c(f.corner);
+                for (size_t i = 0; i < corners.size(); i++) {
+                    std::vector<uint32_t> c(corners);
                     if (way)
                         std::reverse(c.begin(), c.end());
                     std::rotate(c.begin(), c.begin() + (long)i, c.end());

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "judge.h"
+#include "mesh_picture.h"
 
 enum { REPORTS = 3 /* of one scene */ };
 
@@ -294,66 +295,15 @@ size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count,
 
 /* ---- of a drawing ---- */
 
-/* The picture's axes, and the point in its middle. */
-typedef struct picture {
-    roberts_vec3 right, up, toward, middle, eye;
-    double far; /* from the eye to the middle; 0: no eye */
-} picture;
-
-static roberts_vec3 minus(roberts_vec3 p, roberts_vec3 q)
-{
-    return (roberts_vec3){p.x - q.x, p.y - q.y, p.z - q.z};
-}
-
-static roberts_vec3 unit_cross(roberts_vec3 a, roberts_vec3 b)
-{
-    roberts_vec3 c = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-    double l = hypot(hypot(c.x, c.y), c.z);
-    return (roberts_vec3){c.x / l, c.y / l, c.z / l};
-}
-
-static double times(roberts_vec3 a, roberts_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* As the manual says: the origin is the middle of the box round all faces, and z points up, or y where z is seen as a
- * point. */
-static picture picture_of(const mesh_scene *scene)
-{
-    const roberts_mesh *m = &scene->mesh;
-    const oracle_view *v = &scene->view;
-    roberts_vec3 low = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-    for (uint32_t i = 0; i < m->face_start[m->face_count]; i++) {
-        roberts_vec3 p = m->vertex[m->corner[i]];
-        low = (roberts_vec3){fmin(low.x, p.x), fmin(low.y, p.y), fmin(low.z, p.z)};
-        high = (roberts_vec3){fmax(high.x, p.x), fmax(high.y, p.y), fmax(high.z, p.z)};
-    }
-    picture out = {.middle = {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2}};
-    roberts_vec3 d = {v->x, v->y, v->z};
-    if (v->w) {
-        out.eye = d;
-        d = minus(d, out.middle);
-        out.far = sqrt(times(d, d));
-    }
-    double l = sqrt(times(d, d));
-    out.toward = (roberts_vec3){d.x / l, d.y / l, d.z / l};
-    bool upright = hypot(out.toward.x, out.toward.y) < 1e-9;
-    out.right = unit_cross(upright ? (roberts_vec3){0, 1, 0} : (roberts_vec3){0, 0, 1}, out.toward);
-    out.up = unit_cross(out.toward, out.right);
-    return out;
-}
-
 /* How far the picture of X is from p. */
 static double beside(const picture *view, roberts_vec3 X, roberts_vec2 p)
 {
-    roberts_vec3 d = minus(X, view->middle);
-    double w = view->far > 0 ? 1 - times(d, view->toward) / view->far : 1;
-    return hypot(times(d, view->right) / w - p.x, times(d, view->up) / w - p.y);
+    roberts_vec3 d = picture_minus(X, view->middle);
+    double w = view->far > 0 ? 1 - picture_dot(d, view->toward) / view->far : 1;
+    return hypot(picture_dot(d, view->right) / w - p.x, picture_dot(d, view->up) / w - p.y);
 }
 
-/* Learns the bodies of faces from the rows of edges. */
-static void take_bodies(const roberts_scene *built, const roberts_drawing *drawing, uint32_t *body)
+void cross_take_bodies(const roberts_scene *built, const roberts_drawing *drawing, uint32_t *body)
 {
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *s = &drawing->segment[i];
@@ -380,7 +330,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     for (size_t f = 0; body && f < scene->mesh.face_count; f++)
         body[f] = ROBERTS_NONE;
     if (body)
-        take_bodies(built, drawing, body);
+        cross_take_bodies(built, drawing, body);
     for (size_t i = 0; row && body && i < drawing->count; i++) {
         const roberts_segment *s = &drawing->segment[i];
         uint32_t face[2];

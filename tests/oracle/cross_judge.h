@@ -43,4 +43,7 @@ void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_dra
 /* The rows that are right where flat edges are left out; *count is filled. NULL: no memory. The caller frees them. */
 cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_body, size_t *count);
 
+/* Learns the bodies of faces from the rows of edges; body[f] stays as it is where no row names face f. */
+void cross_take_bodies(const roberts_scene *built, const roberts_drawing *drawing, uint32_t *body);
+
 #endif

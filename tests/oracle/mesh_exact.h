@@ -11,6 +11,8 @@
 #include <array>
 #include <cstdlib>
 #include <map>
+#include <numeric>
+#include <set>
 #include <stdexcept>
 #include <tuple>
 #include <vector>

@@ -24,9 +24,10 @@ static inline void expect_same_scene(const roberts_scene *a, const roberts_scene
     assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
     assert_memory_equal(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start);
     assert_memory_equal(a->corner, b->corner, a->corner_count * sizeof *a->corner);
-    assert_memory_equal(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane);
-    assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
-    assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
+    for (uint32_t f = 0; f < a->face_count; f++) {
+        scene_shape p = scene_shape_of(a, f), q = scene_shape_of(b, f);
+        assert_memory_equal(&p, &q, sizeof p);
+    }
     assert_true(a->unit == b->unit);
     assert_true(!a->vertex_color == !b->vertex_color && !a->face_color == !b->face_color);
     if (a->vertex_color)

@@ -98,7 +98,7 @@ static void a_tree_finds_what_all_faces_do(void **state)
         fronts.space.scene = NULL; /* these edges are none of the scene's */
         for (uint32_t k = 0; k < fronts.front_count; k++) {
             const hide_box none = {0};
-            hide_single single;
+            hide_single single = {.front = ROBERTS_NONE};
             if (!hide_bundle(&fronts, k))
                 continue;
             hide_meeting meeting = hide_meet(&fronts, k, &none, &single), plainly = meeting;

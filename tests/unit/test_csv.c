@@ -273,8 +273,8 @@ static void further_columns(void **state)
 static void columns_of_a_scene(void **state)
 {
     static const char *const wanted[] = {
-        "0,0,1,0,1,visible,-0.5,-1,-0.5,1,,border,0,,0,0,5,0,2,5,0.5,0.5,0,\"a, \"\"b\"\"\"\n",
-        "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"level\":0,\"name\":\"a, \\\"b\\\"\"}",
+        "0,0,1,0,1,visible,-0.5,-1,-0.5,1,,border,0,,0,0,5,0,2,5,0.5,0.5,0,\"a, \"\"b\"\"\",\n",
+        "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"level\":0,\"name\":\"a, \\\"b\\\"\",\"by_name\":null}",
     };
     static const char text[] = "o a, \"b\"\nv 0 0 5\nv 0 2 5\nv 1 0 4\nf 1 3 2\n";
     roberts_mesh mesh = {0};

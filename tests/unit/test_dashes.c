@@ -208,7 +208,7 @@ static void any_line_is_dashed(void **state)
         size_t count = 2 + random_bits(&seed) % (MOST - 1), at = 0;
         int64_t step = trial % 3 == 0 ? 500 : trial % 3 == 1 ? 3000 : 30000;
         count = count > MOST ? MOST : count;
-        for (size_t i = 1; i < count; i++) { /* right angles, so that sides are told by their direction */
+        for (size_t i = 1; i < count; i++) { /* right angles, so that the direction tells the side */
             int32_t way = (int32_t)(10 + random_bits(&seed) % (uint64_t)step) * (random_bits(&seed) % 2 ? 1 : -1);
             point[i] = (page_point){point[i - 1].x + (i % 2 ? way : 0), point[i - 1].y + (i % 2 ? 0 : way)};
         }

@@ -95,6 +95,22 @@ static const edge_case cases[] = {
      {0, 0},
      {0, 0},
      VIEW},
+    {"... and the wall's side runs on from the tiles' edge: one edge of four faces",
+     "OFF\n11 5 0\n1 0 0\n3 0 0\n3 2 0\n1 2 0\n3 4 0\n1 4 0\n5 2 0\n5 2 1\n1 2 1\n1 2 -1\n5 2 -1\n"
+     "4 0 1 2 3\n4 3 2 4 5\n4 3 6 7 8\n3 3 2 9\n4 2 6 10 9\n",
+     0.1,
+     false,
+     {0, 0},
+     {0, 0},
+     VIEW},
+    {"... from inside the tiles' edge: two edges",
+     "OFF\n12 5 0\n0 0 0\n3 0 0\n3 2 0\n1 2 0\n3 4 0\n0 4 0\n5 2 0\n5 2 1\n1 2 1\n1 2 -1\n5 2 -1\n0 2 0\n"
+     "4 0 1 2 11\n4 11 2 4 5\n4 3 6 7 8\n3 3 2 9\n4 2 6 10 9\n",
+     0.1,
+     false,
+     {1, 3},
+     {0, 2},
+     VIEW},
     {"one wall through tiles",
      "OFF\n10 3 0\n0 0 0\n4 0 0\n4 2 0\n0 2 0\n4 4 0\n0 4 0\n1 2 1\n3 2 1\n3 2 -1\n1 2 -1\n"
      "4 0 1 2 3\n4 3 2 4 5\n4 6 7 8 9\n",

@@ -77,7 +77,7 @@ static void test1_by_table(void **state)
     }
 }
 
-/* A face whose plane is uncertain far away leaves to the later tests what is not certainly in front. */
+/* If a face's plane is uncertain far away, the later tests decide all that is not certainly in front. */
 static void test1_of_an_uncertain_plane(void **state)
 {
     fixture f;

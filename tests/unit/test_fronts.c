@@ -135,7 +135,7 @@ static bool same_outline(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 
 static bool same_faces(const hide_fronts *a, const hide_fronts *b, uint32_t k)
 {
-    hide_single single[2];
+    hide_single single[2] = {{.front = ROBERTS_NONE}, {.front = ROBERTS_NONE}};
     uint32_t count, other;
     const hide_face *p = hide_faces(a, k, &count, &single[0]), *q = hide_faces(b, k, &other, &single[1]);
     if (count != other)
@@ -235,7 +235,7 @@ static void heap(model *m, rng *r)
     }
 }
 
-/* Eight thousand solids, of which each thousand is made by itself. */
+/* Eight thousand solids, made in groups of a thousand. */
 static roberts_scene *make(int kind)
 {
     rng r = {92};

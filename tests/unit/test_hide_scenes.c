@@ -291,7 +291,7 @@ static void boxes_by_table(void **state)
     }
 }
 
-/* Where depth moves right and up by as much as it is, the line of sight is that of "iso": other pictures,
+/* Where depth moves right and up by its own amount, the line of sight is that of "iso": other pictures,
  * same parts. */
 static void boxes_seen_obliquely(void **state)
 {
@@ -1032,7 +1032,7 @@ static void counts_and_lines(void **state)
     }
 }
 
-/* Edges that go together are told from others by a number of sixteen bits, which comes again after 65,535 of them. Here
+/* Edges that go together share a number of sixteen bits, which comes again after 65,535 of them. Here
  * it is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in
  * between go one by one. Of each bar two edges are hidden by halves, and one wholly. */
 static void more_groups_than_stamps(void **state)

@@ -168,7 +168,7 @@ static void noisy_points(void **state)
             double bound = 1e-5 * size * vec3_length(vec3_scale(1 / size, across)); /* squares must not vanish */
             for (uint32_t f = 0; f < scene->face_count; f++)
                 for (size_t v = 0; v < mesh.vertex_count; v++) {
-                    double inside = plane_at(scene->face_plane[f], vec3_sub(mesh.vertex[v], scene->centre));
+                    double inside = plane_at(scene_plane(scene, f), vec3_sub(mesh.vertex[v], scene->centre));
                     if (scene_width(scene, f) > 1e-3 * size && !(inside >= -bound))
                         fail_msg("noise %g, round %d: vertex %zu is %g outside face %u", noise, round, v, -inside, f);
                 }
@@ -353,7 +353,7 @@ static void refusals(void **state)
     }
 }
 
-/* Keeps what is warned of, as "file: message\n" one after the other. */
+/* Keeps the warnings as "file: message\n" one after the other. */
 static void note(void *context, const char *file, size_t line, const char *message)
 {
     char *text = context;
@@ -491,7 +491,7 @@ static void make_fans(roberts_mesh *mesh, uint32_t every)
     }
 }
 
-/* The same hulls in the same order, the same warning or the first refusal, whatever the threads. */
+/* With any number of threads: the same hulls in the same order, the same warning or first refusal. */
 static void threads_change_nothing(void **state)
 {
     static const struct {
@@ -642,7 +642,7 @@ static void program_draws_hulls(void **state)
                         "roberts: in/flat.off: warning: 1 flat component ignored, of 4 points from vertex 0 on: "
                         "it has no convex hull\n");
     put("in/few.off", "OFF\n2 0 0\n0 0 0 1 0 0\n");
-    assert_int_equal(run("--hull in/few.off in/few.off"), 1);
+    assert_int_equal(run("-q --hull in/few.off in/few.off"), 1);
     assert_string_equal(last.err, "roberts: in/few.off: a convex hull takes four points, but there are 2\n");
     assert_int_equal(run("--hull in/few.off in/flat.off"), 1);
     assert_said("roberts: in/flat.off: the convex hull of solid 0, of 4 points from vertex 0 on, is flat");

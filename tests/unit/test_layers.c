@@ -96,7 +96,7 @@ static bool same_segment(const roberts_drawing *a, const roberts_segment *s, con
            memcmp(a->crossing[s->edge].face, b->crossing[t->edge].face, sizeof a->crossing[0].face) == 0;
 }
 
-/* Intersections of which nothing is seen may have rows or not. */
+/* Intersections that are not seen may have rows or not. */
 static size_t next_row(const roberts_drawing *d, size_t i)
 {
     while (i < d->count && d->segment[i].line == ROBERTS_INTERSECTION && d->segment[i].state == ROBERTS_HIDDEN)

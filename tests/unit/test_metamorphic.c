@@ -595,7 +595,7 @@ static void check_visible_alone(const struct scene_case *scene, const model *m, 
     static const uint32_t grids[] = {0, 1, 2, 3, 31, 200};
     roberts_hide_options options = with_hidden();
     roberts_drawing visible = model_draw(m, &camera->camera, &options);
-    /* what is culled hides nothing, but where borders coincide in the picture its border may be off in the last bit */
+    /* a culled solid hides nothing, but where borders coincide in the picture, its own may be off in the last bit */
     allowance may = {.t = may_tie(scene) ? T_BOUND : 0.0, .p = may_tie(scene) ? picture_bound(drawing) : 0.0};
     assert_int_equal(visible.count, drawing->count);
     filter(&visible, is_visible);

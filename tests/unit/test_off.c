@@ -69,7 +69,7 @@ static void describe(const roberts_mesh *mesh, log_text *log)
     }
 }
 
-/* What must hold of every mesh, whatever was read. */
+/* What holds for every mesh, whatever was read. */
 static void check_mesh(const roberts_mesh *mesh)
 {
     assert_true(mesh->vertex_count <= mesh->vertex_room && mesh->corner_count <= mesh->corner_room);
@@ -221,7 +221,7 @@ static const struct {
     {"more faces", "OFF\n3 1 0\n" POINTS "3 0 1 2\n3 2 1 0\n3 2 1 0\n", TRIANGLE,
      "7: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"points, the first one 0", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n", "",
-     "0: these are points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull;"},
+     "0: this looks like points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull;"},
     {"text after the last face", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\n# c\nhello\n", TRIANGLE,
      "9: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"two models", "OFF\n3 1 0\n" POINTS "3 0 1 2\n\nOFF\n3 1 0\n" POINTS "3 0 1 2\n", TRIANGLE,
@@ -502,19 +502,20 @@ static const struct {
      "corner 2 of 3 in face 1 of 0..1 expected, found \"x\"; look: line 4 has 5 words, and the vertices before it have "
      "6"},
     {"points", "0.5 0 0\n1 0 0\n\n0 1 0\n", ROBERTS_BAD_SYNTAX, 0,
-     "these are points, not OFF; put the lines \"3 points\" and \"3\" before them and use --hull"},
+     "this looks like points, not OFF; put the lines \"3 points\" and \"3\" before them and use --hull"},
     {"whole points", "1 2 3\n4 5 6\n7 8 9\n1 5 2", ROBERTS_BAD_INDEX, 0,
-     "these are points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull"},
+     "this looks like points, not OFF; put the lines \"3 points\" and \"4\" before them and use --hull"},
     {"two counts, and a wrong face", "OFF\n3 2\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n", ROBERTS_BAD_INDEX, 7,
      "face 1 names vertex 3, but there are 3, numbered from 0"},
     {"points with a minus", "-1 2 3\r\n4 5 6\r\n", ROBERTS_BAD_SYNTAX, 0,
-     "these are points, not OFF; put the lines \"3 points\" and \"2\" before them and use --hull"},
+     "this looks like points, not OFF; put the lines \"3 points\" and \"2\" before them and use --hull"},
     {"a table", "1.5,2,3\n4,5,6\n", ROBERTS_BAD_SYNTAX, 0,
-     "this is a table, 3 numbers a line with commas, not OFF; points are the lines \"3 points\", their number, and "
+     "this looks like a table, 3 numbers a line with commas, not OFF; points are the lines \"3 points\", their number, "
+     "and "
      "then "
      "three numbers a line, with blanks between"},
     {"points with normals", ".5 2 3 0 0 1\n4 5 6 0 0 1\n", ROBERTS_BAD_SYNTAX, 0,
-     "this is a table, 6 numbers a line, not OFF; points are the lines \"3 points\", their number, and then "
+     "this looks like a table, 6 numbers a line, not OFF; points are the lines \"3 points\", their number, and then "
      "three numbers a line, with blanks between"},
     {"faces counted from 1", "OFF\n3 2 0\n" POINTS "3 1 2 1\n3 2 1 3\n", ROBERTS_BAD_INDEX, 7,
      "face 1 names vertex 3, but there are 3, numbered from 0; up to here no face names vertex 0: do they count from "

@@ -235,7 +235,7 @@ static void each_class_has_its_pen(void **state)
     }
 }
 
-/* Only what is drawn is fitted: here the hidden line would double the box. */
+/* Only lines that are drawn are fitted: the hidden line here would double the box. */
 static void what_is_not_drawn_takes_no_room(void **state)
 {
     roberts_segment two[] = {line_at(ROBERTS_OUTLINE, 0, 0, 1, 0), line_at(ROBERTS_BACK, 1, 0, 2, 0)};

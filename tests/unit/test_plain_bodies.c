@@ -163,6 +163,35 @@ static void faces_of(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_
     }
 }
 
+/* If planes are not stored, the bend of each edge with two faces is. */
+static void check_bends(const roberts_scene *scene)
+{
+    assert_true(!scene->face_plane == !!scene->surface->bend);
+    for (uint32_t s = 0; scene->surface->bend && s < scene->solid_count; s++)
+        for (uint32_t e = scene->solid[s].edge; e < scene->solid[s + 1].edge; e++) {
+            const scene_edge edge = scene_edge_at(scene, s, e);
+            uint8_t is = scene->surface->edge_is[e];
+            if (scene_edge_stored(scene, s, e)->f[1] == ROBERTS_NONE || is & EDGE_MANY)
+                continue;
+            plane F = scene_plane(scene, edge.f[0]), G = scene_plane(scene, edge.f[1]);
+            double way = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1) ? -1.0 : 1.0;
+            double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
+            assert_int_equal(scene->surface->bend[e], scene_bend_code(a * a + b * b + c * c));
+        }
+}
+
+/* The code of a bend ascends with it, and has digits enough from 4, a face folded back, to 2^-61. */
+static void bend_codes_ascend(void **state)
+{
+    (void)state;
+    assert_int_equal(scene_bend_code(0.0), 0);
+    assert_true(scene_bend_code(4.0) > scene_bend_code(3.9999));
+    for (double bend = 0x1p-60; bend < 4.0; bend *= 1.19) {
+        assert_true(scene_bend_code(bend) <= scene_bend_code(1.19 * bend));
+        assert_true(scene_bend_code(bend) < scene_bend_code(1.51 * bend));
+    }
+}
+
 static void check_same(const char *what, const roberts_scene *a, const roberts_scene *b)
 {
     if (a->solid_count != b->solid_count || a->vertex_count != b->vertex_count || a->face_count != b->face_count ||
@@ -201,9 +230,11 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
     assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
     assert_memory_equal(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start);
     assert_memory_equal(a->corner, b->corner, a->face_start[a->face_count] * sizeof *a->corner);
-    assert_memory_equal(a->face_plane, b->face_plane, a->face_count * sizeof *a->face_plane);
-    assert_memory_equal(a->face_deviation, b->face_deviation, a->face_count * sizeof *a->face_deviation);
-    assert_memory_equal(a->face_width, b->face_width, a->face_count * sizeof *a->face_width);
+    for (uint32_t f = 0; f < a->face_count; f++) {
+        scene_shape p = scene_shape_of(a, f), q = scene_shape_of(b, f);
+        assert_memory_equal(&p, &q, sizeof p);
+    }
+    check_bends(a);
 }
 
 /* One letter for each body: torus, sheet, box, step of whole faces, torus (m) and sheet (n) of mixed winding, torus
@@ -232,7 +263,7 @@ static void a_concave_face_is_cut(void **state)
     roberts_scene_free(scene);
 }
 
-/* Only what is far from convex is told at a glance. */
+/* Only a shape far from convex is recognised at a glance. */
 static void a_glance_tells_only_what_is_certain(void **state)
 {
     static const struct {
@@ -283,6 +314,7 @@ static void a_glance_tells_only_what_is_certain(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bend_codes_ascend),
         cmocka_unit_test(plain_bodies_are_the_same),
         cmocka_unit_test(a_concave_face_is_cut),
         cmocka_unit_test(a_glance_tells_only_what_is_certain),

@@ -69,7 +69,7 @@ static void expect_as_alone(const model *m, const roberts_scene *scene, uint32_t
     for (uint32_t i = 0; i < alone->corner_count; i++)
         assert_int_equal(scene->corner[scene->face_start[first->face] + i] - first->vertex, alone->corner[i]);
     for (uint32_t f = 0; f < alone->face_count; f++) {
-        plane F = scene->face_plane[first->face + f], G = alone->face_plane[f];
+        plane F = scene_plane(scene, first->face + f), G = scene_plane(alone, f);
         assert_true(F.a == G.a && F.b == G.b && F.c == G.c);
         assert_true(scene_width(scene, first->face + f) == scene_width(alone, f));
     }

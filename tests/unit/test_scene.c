@@ -150,7 +150,7 @@ static void check_face(const roberts_scene *scene, uint32_t s, uint32_t f, doubl
 {
     const scene_solid *first = scene->solid + s;
     uint32_t start = scene->face_start[f], count = scene->face_start[f + 1] - start;
-    plane F = scene->face_plane[f];
+    plane F = scene_plane(scene, f);
     double volume = 0.0;
     assert_true(count >= 3);
     assert_true(fabs(sqrt(F.a * F.a + F.b * F.b + F.c * F.c) - 1.0) < 1e-15);
@@ -498,7 +498,7 @@ static void planes_are_exact(void **state)
             add_face(&mesh, cube_face[f], 4);
         roberts_scene *scene = accept("exact", &mesh, 0.0);
         for (uint32_t f = 0; f < 6; f++) {
-            plane F = scene->face_plane[f];
+            plane F = scene_plane(scene, f);
             assert_true(fabs(F.a) + fabs(F.b) + fabs(F.c) == 1.0);
             assert_true(F.d == scale[i] && scene_deviation(scene, f) == 0.0);
             double width =
@@ -534,7 +534,7 @@ static void scale_changes_nothing(void **state)
                                             ldexp(point[c].z, powers[i])};
         roberts_scene *scene = accept("times 2^k", &mesh, coarse ? 1e-4 : 1e-15);
         for (uint32_t f = 0; f < 6 && !coarse; f++) {
-            plane F = one->face_plane[f], G = scene->face_plane[f];
+            plane F = scene_plane(one, f), G = scene_plane(scene, f);
             assert_true(F.a == G.a && F.b == G.b && F.c == G.c && ldexp(F.d, powers[i]) == G.d);
             assert_true(ldexp(scene_width(one, f), powers[i]) == scene_width(scene, f));
         }

@@ -246,7 +246,7 @@ static void agrees_with_the_tests(void **state)
         assert_true(outcomes[v] > 1000);
 }
 
-/* A part that lies within what is hidden, with what it touches, is none; any other is found as it is. */
+/* A part inside a hidden part, widened by the touching distance, is dropped; any other is found as it is. */
 static void within_the_hidden_is_none(void **state)
 {
     rng r = {18};

@@ -92,7 +92,7 @@ static void cells_about(const blocks *b, const int at[3], int axis, uint32_t bod
     }
 }
 
-/* Is a line to be drawn there: is neither nothing, nor all, nor one half filled? */
+/* Is a line drawn there? It is, unless nothing, all or exactly one half is filled. */
 static bool is_line(const bool f[4])
 {
     int n = f[0] + f[1] + f[2] + f[3];
@@ -107,7 +107,7 @@ static double axis_of(roberts_vec3 p, int axis)
 /* The direction in which a side leaves the line, turned back to the grid. */
 static roberts_vec3 side_direction(const roberts_scene *scene, const union_side *side, roberts_vec3 u, mat3 map)
 {
-    plane F = scene->face_plane[side->face];
+    plane F = scene_plane(scene, side->face);
     roberts_vec3 w = vec3_cross((roberts_vec3){F.a, F.b, F.c}, u);
     w = vec3_scale(side->turned ? 1.0 : -1.0, w);
     return (roberts_vec3){vec3_dot(map.x, w), vec3_dot(map.y, w), vec3_dot(map.z, w)};

@@ -230,7 +230,7 @@ static bool move_end(roberts_drawing *drawing, size_t i, double by)
     if (row->t1 >= 1.0 || row->state == ROBERTS_CLIPPED || row->t1 + by <= row->t0 || row->t1 + by >= end)
         return false;
     if (!joined && row->state == ROBERTS_HIDDEN && by < 0.0)
-        return false; /* what is missing counts as hidden, and it is */
+        return false; /* a missing part counts as hidden, and it is */
     if (!joined && next && same_edge(row, next) && next->state != ROBERTS_CLIPPED && row->t1 + by >= next->t0)
         return false; /* the gap must not vanish */
     row->t1 += by;

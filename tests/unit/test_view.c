@@ -5,7 +5,7 @@
 #include "scenes.h"
 #include "view/view.h"
 
-/* What rounding may do to a coordinate of view space, in view units (of which a scene is about one across). */
+/* The largest rounding error of a coordinate of view space, in view units; a scene is about one across. */
 #define ROUNDING 1e-14
 
 static double distance3(roberts_vec3 a, roberts_vec3 b)
@@ -239,7 +239,7 @@ static void turning_goes_about_the_centre(void **state)
     (void)state;
     for (int i = 0; i < 300; i++) {
         roberts_camera camera = random_camera(&r, i % PROJECTIONS), turned;
-        if (i % 5 == 0) /* from above, where nothing says what is up */
+        if (i % 5 == 0) /* from above, where no direction is up */
             camera = (roberts_camera){.dir = {0, 0, 1}};
         double degrees = i % 3 == 0 ? 90.0 * rng_int(&r, -4, 4) : rng_between(&r, -360, 360);
         camera.eye = vec3_add(camera.eye, centre);
@@ -567,7 +567,7 @@ static void planes_stay_planes(void **state)
         roberts_camera camera = random_camera(&r, i % PROJECTIONS);
         view v = prepare(scene, &camera);
         for (uint32_t f = 0; f < scene->face_count; f++) {
-            plane F = scene->face_plane[f], G;
+            plane F = scene_plane(scene, f), G;
             double stretch, outside;
             G = view_plane(&v, scene, f, &stretch);
             assert_true(fabs(G.a * G.a + G.b * G.b + G.c * G.c - 1) < ROUNDING);
@@ -597,8 +597,8 @@ static int facing_of(const roberts_scene *scene, const view *v, roberts_vec3 n)
     assert_true(scene->vertex_count <= 64);
     for (uint32_t i = 0; i < scene->vertex_count; i++)
         P[i] = view_point(v, scene->point[i]);
-    while (fabs(scene->face_plane[face].a - n.x) + fabs(scene->face_plane[face].b - n.y) +
-               fabs(scene->face_plane[face].c - n.z) >
+    while (fabs(scene_plane(scene, face).a - n.x) + fabs(scene_plane(scene, face).b - n.y) +
+               fabs(scene_plane(scene, face).c - n.z) >
            1e-9)
         face++;
     return view_facing(v, scene, face, view_plane(v, scene, face, NULL), P);
