@@ -315,6 +315,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && hint_idle_union(scene))
         message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
                         "--union has no effect: no body is closed");
+    if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
+                        "--fill model has no effect: no face that is seen has a colour");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
 }
@@ -340,6 +343,9 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.ink = &run->ink;
     page.scene = scene;
     page.lettering.warnings = options->scene.warnings;
+    page.lettering.field = options->field;
+    page.lettering.field_count = options->field_count;
+    page.lettering.unit = options->unit;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];
