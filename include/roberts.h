@@ -824,6 +824,12 @@ typedef struct roberts_name {
     const char *text; /**< UTF-8; empty: no label */
 } roberts_name;
 
+/** A text in the title block of a sheet. */
+typedef struct roberts_field {
+    const char *name; /**< owner, author, approved, number, revision, date or sheet; others are not drawn */
+    const char *text; /**< UTF-8 */
+} roberts_field;
+
 /** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct is a page without any. Letters are strokes of
  * the fonts "simplex" of A. V. Hershey, Latin and Greek, near ISO 3098; accents are composed. A character that they
  * lack is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the
@@ -834,8 +840,14 @@ typedef struct roberts_lettering {
     bool native;      /**< SVG, PDF and TikZ: text in a font of the reader, which can be searched and copied */
     unsigned labels;  /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input */
     size_t name_count;
-    const roberts_name *name;  /**< [name_count] by of, number, other, each once; what they name is labelled */
-    roberts_warnings warnings; /**< characters that the fonts lack */
+    const roberts_name *name; /**< [name_count] by of, number, other, each once; what they name is labelled */
+    const char
+        *title; /**< sheets: in the title block (ISO 7200), as are the fields; NULL and none: there is no block */
+    size_t field_count;
+    const roberts_field *field; /**< [field_count] */
+    bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
+    const char *unit;           /**< behind the numbers of dimensions; NULL: none */
+    roberts_warnings warnings;  /**< characters that the fonts lack, labels without room, a tiny drawing */
 } roberts_lettering;
 
 /** In which order the pen draws the lines of a class. */

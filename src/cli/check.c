@@ -188,8 +188,9 @@ static const char *missing(const cli_options *options, const options_given *give
         return "it is not drawn without --sheet";
     if (pen == PEN_HATCH && !draw->hatching.on)
         return "faces are not hatched without --hatch";
-    if (pen == PEN_TEXT && !options_is_given(given, "label"))
-        return "there is no text without --label";
+    if (pen == PEN_TEXT && !options_is_given(given, "label") && !options_is_given(given, "title") &&
+        !options_is_given(given, "field") && !options_is_given(given, "dimensions"))
+        return "there is no text without --label, --title, --field or --dimensions";
     if (pen == PEN_HIDDEN_TEXT && !(options_is_given(given, "label") && draw->hidden != ROBERTS_HIDDEN_NONE))
         return "hidden things have no labels without --label and --hidden";
     return NULL;
@@ -259,7 +260,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
         warn("--plotter", "only hpgl has a plotter's origin");
-    if (options_is_given(given, "unit") && !options_is_given(given, "scale"))
+    if (options_is_given(given, "unit") && !options_is_given(given, "scale") && !options_is_given(given, "dimensions"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)
         warn_pen(options, given, pen);

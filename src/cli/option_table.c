@@ -523,6 +523,42 @@ static const option rows[] = {
          "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
          "Edges that are not drawn have none."},
     {.group = GROUP_TEXT,
+     .name = "title",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "TEXT",
+     .set = values_set_text,
+     TO(draw.lettering.title),
+     .needs = "sheet",
+     .brief = "title block",
+     .help = "with --sheet: a title block with this title, the scale and the symbol of the projection",
+     .manual =
+         "Draws a title block (ISO 7200) in the lower right corner of a sheet, 180 x 27 mm: the title, the scale, "
+         "the symbol of the projection, and the fields of --field. A page that is too small is refused, and the "
+         "message names one that would do."},
+    {.group = GROUP_TEXT,
+     .name = "field",
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,
+     .value = "NAME=TEXT",
+     .words = values_fields,
+     .set = values_set_field,
+     .needs = "sheet",
+     .brief = "a field of the title block",
+     .help = "with --sheet: a field of the title block: owner, author, approved, number, revision, date or sheet",
+     .manual = "Fills a field of the title block of a sheet: owner, author, approved, number, revision, date or sheet. "
+               "May be given several times."},
+    {.group = GROUP_TEXT,
+     .name = "dimensions",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "WHAT",
+     .words = values_dimensions,
+     .set = values_set_dimensions,
+     .needs = "sheet",
+     .brief = "width and height and depth",
+     .help = "with --sheet: overall draws the dimensions of the whole: width, height and depth",
+     .manual =
+         "overall: draws width, height and depth of the whole on a sheet (ISO 129-1), in units of the model, with "
+         "the name of --unit behind them unless that is mm. Numbers have five digits and a decimal comma."},
+    {.group = GROUP_TEXT,
      .name = "label-size",
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "MM",

@@ -9,7 +9,7 @@
 
 #include "roberts.h"
 
-enum { PICKS_MOST = 64 };
+enum { PICKS_MOST = 64, FIELDS_MOST = 7 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
@@ -37,6 +37,9 @@ typedef struct cli_options {
     double azimuth, elevation, roll; /* degrees */
     roberts_hide_options hide;
     roberts_draw_options draw;
+    roberts_field field[FIELDS_MOST]; /* of the title block */
+    size_t field_count;
+    const char *unit; /* name of --unit; NULL: not given */
     bool landscape;
     description description;
     cli_stats stats;

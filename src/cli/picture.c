@@ -343,6 +343,9 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.ink = &run->ink;
     page.scene = scene;
     page.lettering.warnings = options->scene.warnings;
+    page.lettering.field = options->field;
+    page.lettering.field_count = options->field_count;
+    page.lettering.unit = options->unit;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];

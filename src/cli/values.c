@@ -257,6 +257,8 @@ int values_set_unit(const option *o, const char *value, cli_options *options)
     int status = choose(o, value, &i);
     if (status == EXIT_DONE)
         options->draw.placement.unit_mm = mm[i];
+    if (status == EXIT_DONE)
+        options->unit = i == 0 ? NULL : o->words[i];
     return status;
 }
 
@@ -619,6 +621,37 @@ int values_set_text_mode(const option *o, const char *value, cli_options *option
     size_t i;
     int status = choose(o, value, &i);
     options->draw.lettering.native = i == 1;
+    return status;
+}
+
+const char *const values_fields[] = {"owner", "author", "approved", "number", "revision", "date", "sheet", NULL};
+
+/* NAME=TEXT; the last one of a name counts. */
+int values_set_field(const option *o, const char *value, cli_options *options)
+{
+    char word[16];
+    bool fits;
+    const char *text = parse_word(value, '=', word, sizeof word, &fits);
+    const size_t i = parse_find(word, o->words);
+    size_t at = 0;
+    if (!fits || !o->words[i])
+        return hint_unknown("--field", word, o->words, "as in author=Name");
+    if (!text)
+        return message_misuse("--field: \"%s\" is not NAME=TEXT, as author=Name", value);
+    while (at < options->field_count && strcmp(options->field[at].name, o->words[i]) != 0)
+        at++;
+    options->field[at] = (roberts_field){o->words[i], text};
+    options->field_count += at == options->field_count;
+    return EXIT_DONE;
+}
+
+const char *const values_dimensions[] = {"overall", NULL};
+
+int values_set_dimensions(const option *o, const char *value, cli_options *options)
+{
+    size_t i;
+    int status = choose(o, value, &i);
+    options->draw.lettering.overall = status == EXIT_DONE;
     return status;
 }
 

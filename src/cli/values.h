@@ -15,6 +15,8 @@ extern const char *const values_scales[];
 extern const char *const values_units[];
 extern const char *const values_labels[];
 extern const char *const values_texts[];
+extern const char *const values_fields[];
+extern const char *const values_dimensions[];
 extern const char *const values_places[];
 extern const char *const values_backgrounds[];
 extern const char *const values_fills[];
@@ -62,10 +64,10 @@ option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
 /* For one option each. */
 option_set values_set_format, values_set_sheet, values_set_hidden, values_set_columns, values_set_crease,
-    values_set_label, values_set_text_mode, values_set_fill_rule, values_set_page, values_set_scale, values_set_unit,
-    values_set_align, values_set_plotter, values_set_frame, values_set_background, values_set_fill, values_set_style,
-    values_set_dash, values_set_order, values_set_layers, values_set_group, values_set_id_prefix, values_set_hatch,
-    values_set_view, values_set_dir, values_set_eye, values_set_look_at, values_set_stats, values_set_verify,
-    values_set_pick;
+    values_set_label, values_set_text_mode, values_set_field, values_set_dimensions, values_set_fill_rule,
+    values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_plotter, values_set_frame,
+    values_set_background, values_set_fill, values_set_style, values_set_dash, values_set_order, values_set_layers,
+    values_set_group, values_set_id_prefix, values_set_hatch, values_set_view, values_set_dir, values_set_eye,
+    values_set_look_at, values_set_stats, values_set_verify, values_set_pick;
 
 #endif

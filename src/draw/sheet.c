@@ -12,6 +12,7 @@
 
 #include "base/vec.h"
 #include "base/error.h"
+#include "draw/title_block.h"
 
 /* mm */
 static const double default_gap = 15.0;
@@ -36,8 +37,9 @@ typedef struct layout {
     double half;                                          /* the largest coordinate, model units */
     range x[ROBERTS_SHEET_VIEWS], y[ROBERTS_SHEET_VIEWS]; /* of each view, parts of `half` */
     cells columns, rows;
-    double half_mm;     /* what `half` is on paper */
-    double symbol_size; /* as in sheet_map */
+    double half_mm;         /* what `half` is on paper */
+    double symbol_size;     /* as in sheet_map */
+    double left_mm, top_mm; /* of the room for the views */
 } layout;
 
 static range join(range a, range b)
@@ -103,13 +105,60 @@ static double fit_symbol(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
+/* The smallest of A4 to A0, upright or on its side as this page is, that is as large as this. */
+static const char *page_that_would_do(const roberts_page *page, double width_mm, double height_mm)
+{
+    static const struct {
+        const char *name;
+        double narrow, wide;
+    } sizes[] = {{"a4", 210, 297}, {"a3", 297, 420}, {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+    const bool is_wide = page->width_mm > page->height_mm;
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
+        if ((is_wide ? sizes[i].wide : sizes[i].narrow) >= width_mm &&
+            (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm)
+            return sizes[i].name;
+    return "a larger page";
+}
+
+/* Takes the strip of the title block from the room. Each view shall have at least 20 mm. */
+static bool fit_block(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
+{
+    const double views_least = 20.0;
+    const roberts_page *page = &options->page;
+    const double bottom = page->margin_mm + BLOCK_HEIGHT + symbol_from_views;
+    room->height_mm -= bottom;
+    l->symbol_size = 0.0;
+    if (!options->symbol.off)
+        title_block_symbol(&l->symbol_size);
+    const double width = fmax(BLOCK_WIDTH + 2.0 * page->margin_mm,
+                              page->width_mm - room->width_mm + l->columns.gap_mm + 2.0 * views_least);
+    const double height = page->height_mm - room->height_mm + l->rows.gap_mm + 2.0 * views_least;
+    if (page->width_mm >= width && page->height_mm >= height)
+        return true;
+    error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+              "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s "
+              "would do",
+              ceil(width), ceil(height), page->width_mm, page->height_mm, page_that_would_do(page, width, height));
+    return false;
+}
+
 /* Finds the room for the views and their gaps, as a page. Fills l->symbol_size. */
-static bool find_room(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
+static bool find_room(layout *l, const roberts_draw_options *options, bool third, roberts_page *room,
+                      roberts_error *error)
 {
     const roberts_page *page = &options->page;
     double edge = page->margin_mm + (options->frame.off ? 0.0 : views_from_frame);
     double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
     *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
+    l->left_mm = l->top_mm = edge;
+    if (options->lettering.overall) {
+        l->left_mm += DIMENSION_ROOM;
+        l->top_mm += third ? 0.0 : DIMENSION_ROOM;
+        room->width_mm -= DIMENSION_ROOM;
+        room->height_mm -= DIMENSION_ROOM;
+    }
+    if (title_block_is_wanted(options))
+        return fit_block(l, options, room, error);
     l->symbol_size = options->symbol.off ? 0.0 : fit_symbol(l, room->width_mm, room->height_mm - below);
     below += l->symbol_size * SYMBOL_HEIGHT + symbol_from_views;
     room->height_mm -= l->symbol_size > 0.0 ? fmax(edge, below) : edge;
@@ -174,16 +223,21 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
         return false;
     take_windows(sheet, &l);
     divide(sheet, &l);
-    if (!find_room(&l, options, &room, error) || !find_scale(&l, placement, &room, error))
+    if (!find_room(&l, options, third, &room, error) || !find_scale(&l, placement, &room, error))
         return false;
-    double edge = (page->width_mm - room.width_mm) / 2.0;
-    place_cells(&l.columns, l.half_mm, edge, room.width_mm, placement->align_x, false);
-    place_cells(&l.rows, l.half_mm, edge, room.height_mm, -placement->align_y, third);
+    place_cells(&l.columns, l.half_mm, l.left_mm, room.width_mm, placement->align_x, false);
+    place_cells(&l.rows, l.half_mm, l.top_mm, room.height_mm, -placement->align_y, third);
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         map->view[i] = (page_map){.half = l.half, .half_mm = l.half_mm, .page_mm = origin(&l, i, third)};
-    edge = page->margin_mm + (options->frame.off ? 0.0 : symbol_from_frame);
+    const double edge = page->margin_mm + (options->frame.off ? 0.0 : symbol_from_frame);
     map->symbol_size = l.symbol_size;
     map->symbol_mm = (roberts_vec2){page->width_mm - edge, page->height_mm - edge};
+    if (title_block_is_wanted(options)) {
+        double size;
+        const roberts_vec2 in_block = title_block_symbol(&size);
+        map->symbol_mm.x = page->width_mm - page->margin_mm - in_block.x;
+        map->symbol_mm.y = page->height_mm - page->margin_mm - in_block.y;
+    }
     return true;
 }
 

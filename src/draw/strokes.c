@@ -16,6 +16,7 @@
 #include "draw/pdf_text.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
+#include "draw/title_block.h"
 #include "draw/travel.h"
 
 /* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and larger ones wrap silently. A page has less than
@@ -415,6 +416,25 @@ static roberts_page page_within_edge(roberts_page page, double widest, const rob
     return page;
 }
 
+/* Says that the drawing at a given scale is next to nothing: the model is hardly in the unit that was meant. */
+static void warn_tiny(const strokes *s)
+{
+    const double least_mm = 10.0;
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    double most = 0.0;
+    char text[160];
+    for (size_t i = 0; i < s->views; i++) {
+        const roberts_drawing *d = s->view[i].drawing;
+        most = fmax(most, fmax(d->window_max.x - d->window_min.x, d->window_max.y - d->window_min.y));
+    }
+    most *= page_scale(&s->map);
+    if (s->options->placement.scale == 0.0 || most >= least_mm || most == 0.0 || !to->warn)
+        return;
+    snprintf(text, sizeof text, "at this scale the drawing is less than %.0f mm large: is --unit missing?",
+             most < 1.0 ? 1.0 : least_mm);
+    to->warn(to->context, "", 0, text);
+}
+
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error)
 {
@@ -435,6 +455,8 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
     s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
+    if (!drawing->framed)
+        warn_tiny(s);
     return draw(s, error);
 }
 
@@ -454,6 +476,9 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     s->sheet = sheet;
     s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
+    warn_tiny(s);
+    if (!title_block_add(s) || !dimensions_add(s))
+        return error_no_memory(error);
     return draw(s, error);
 }
 

@@ -35,6 +35,8 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     options.frame.off = false;
     options.lettering.labels = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
     options.lettering.native = format == ROBERTS_PDF;
+    options.lettering.title = "Title";
+    options.lettering.overall = true;
     options.hatching.on = true;
     options.hatching.spacing_mm = 10.0;
     roberts_sheet both = {.view = {&drawing, &drawing}};

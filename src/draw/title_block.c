@@ -1,0 +1,101 @@
+/* title_block.c - the title block of a sheet after ISO 7200, in the lower right corner: 180 mm wide, three rows. */
+#include "draw/title_block.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double row_mm = 9.0, caption_mm = 1.8, inset_mm = 1.2;
+
+/* A cell: columns in mm from the left border, rows from the top. `field`: its name in roberts_field; NULL: the title,
+ * the scale or the symbol. */
+typedef struct block_cell {
+    const char *caption, *field;
+    double left, right;
+    int top, bottom;
+} block_cell;
+
+enum { TITLE_CELL = 1, SCALE_CELL = 2, SYMBOL_CELL = 3 };
+
+static const block_cell cells[] = {
+    {"Owner", "owner", 0.0, 60.0, 0, 1},     {"Title", NULL, 60.0, 150.0, 0, 2},
+    {"Scale", NULL, 150.0, 180.0, 0, 1},     {"", NULL, 150.0, 180.0, 1, 2},
+    {"Author", "author", 0.0, 60.0, 1, 2},   {"Approved by", "approved", 0.0, 60.0, 2, 3},
+    {"Number", "number", 60.0, 112.0, 2, 3}, {"Revision", "revision", 112.0, 126.0, 2, 3},
+    {"Date", "date", 126.0, 156.0, 2, 3},    {"Sheet", "sheet", 156.0, 180.0, 2, 3},
+};
+
+bool title_block_is_wanted(const roberts_draw_options *options)
+{
+    return options->lettering.title || options->lettering.field_count > 0;
+}
+
+roberts_vec2 title_block_symbol(double *size)
+{
+    *size = 0.7;
+    return (roberts_vec2){(30.0 - 0.7 * 22.75) / 2.0, row_mm + (row_mm - 0.7 * 10.5) / 2.0};
+}
+
+static const char *find_field(const roberts_lettering *lettering, const char *name)
+{
+    for (size_t i = 0; name && i < lettering->field_count; i++)
+        if (strcmp(lettering->field[i].name, name) == 0)
+            return lettering->field[i].text;
+    return "";
+}
+
+/* The ratio of the drawing to the object: 1:20, 2:1. */
+static void scale_text(const strokes *s, char *text, size_t size)
+{
+    const roberts_placement *placement = &s->options->placement;
+    const double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
+    const double ratio = page_scale(&s->map) / unit_mm;
+    char number[40];
+    dimension_text(ratio < 1.0 ? 1.0 / ratio : ratio, NULL, number, sizeof number);
+    snprintf(text, size, ratio < 1.0 ? "1:%s" : "%s:1", number);
+}
+
+/* Writes a text into a cell, smaller where it is too wide. */
+static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, const char *text)
+{
+    const double width = cell->right - cell->left - 2.0 * inset_mm, left = corner.x + cell->left + inset_mm;
+    const double top = corner.y + cell->top * row_mm, bottom = corner.y + cell->bottom * row_mm;
+    const bool is_high = cell->bottom - cell->top > 1;
+    text_line line = {cell->caption, {left, top + inset_mm + caption_mm}, caption_mm, 0.0, false};
+    if (*cell->caption && !notes_add_text(&s->notes, &line, false))
+        return false;
+    if (!*text)
+        return true;
+    const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
+    line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, false};
+    return notes_add_text(&s->notes, &line, false);
+}
+
+bool title_block_add(strokes *s)
+{
+    const roberts_lettering *lettering = &s->options->lettering;
+    const roberts_vec2 corner = {s->frame_mm[1].x - BLOCK_WIDTH, s->frame_mm[1].y - BLOCK_HEIGHT};
+    char scale[60];
+    bool done = true;
+    if (!title_block_is_wanted(s->options))
+        return true;
+    scale_text(s, scale, sizeof scale);
+    s->taken[s->taken_count++] = (room_box){corner, s->frame_mm[1]};
+    for (size_t i = 0; i < sizeof cells / sizeof cells[0] && done; i++) {
+        const block_cell *cell = &cells[i];
+        const char *text = i == TITLE_CELL    ? (lettering->title ? lettering->title : "")
+                           : i == SCALE_CELL  ? scale
+                           : i == SYMBOL_CELL ? ""
+                                              : find_field(lettering, cell->field);
+        done = fill_cell(s, cell, corner, text);
+        if (done && cell->right < BLOCK_WIDTH) /* right and lower side; those of the block are its border */
+            done = notes_add_line(&s->notes, (roberts_vec2){corner.x + cell->right, corner.y + cell->top * row_mm},
+                                  (roberts_vec2){corner.x + cell->right, corner.y + cell->bottom * row_mm},
+                                  s->units_per_mm);
+        if (done && cell->bottom < 3)
+            done = notes_add_line(&s->notes, (roberts_vec2){corner.x + cell->left, corner.y + cell->bottom * row_mm},
+                                  (roberts_vec2){corner.x + cell->right, corner.y + cell->bottom * row_mm},
+                                  s->units_per_mm);
+    }
+    return done && notes_add_box(&s->notes, corner, s->frame_mm[1], s->units_per_mm);
+}

@@ -1,0 +1,28 @@
+/* title_block.h - what is written on a sheet: its title block, and overall dimensions. */
+#ifndef ROBERTS_DRAW_TITLE_BLOCK_H
+#define ROBERTS_DRAW_TITLE_BLOCK_H
+
+#include "draw/strokes.h"
+
+/* mm, of the title block */
+#define BLOCK_WIDTH 180.0
+#define BLOCK_HEIGHT 27.0
+
+/* What dimensions need beside a view, mm. */
+#define DIMENSION_ROOM 18.0
+
+/* Whether the sheet has a title block: there is a title or a field. */
+bool title_block_is_wanted(const roberts_draw_options *options);
+
+/* Each adds lines and text to s->notes, and what labels keep away from to s->taken. The sheet has been laid. False: no
+ * memory. */
+bool title_block_add(strokes *s);
+bool dimensions_add(strokes *s);
+
+/* Where the symbol lies in a title block: its lower right corner, from that of the block, and its size. */
+roberts_vec2 title_block_symbol(double *size);
+
+/* Writes a number of at most five digits, with a comma (ISO 129-1). */
+void dimension_text(double value, const char *unit, char *text, size_t size);
+
+#endif

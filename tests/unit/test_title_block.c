@@ -1,0 +1,214 @@
+/* Title blocks and dimensions: what they say, and that nothing collides from A4 to A0. */
+#include <errno.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "draw/title_block.h"
+#include "drawing.h"
+
+static const double pages[][2] = {{210, 297}, {420, 297}, {420, 594}, {841, 594}, {841, 1189}, {1189, 841}};
+
+static const roberts_field fields[] = {{"author", "É. Dvořák"},
+                                       {"number", "R-17"},
+                                       {"date", "2026-11-23"},
+                                       {"sheet", "1/1"},
+                                       {"owner", "A workshop with a name that is far too long"}};
+
+typedef struct views {
+    roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
+    roberts_sheet sheet;
+} views;
+
+static void hide_views(views *v, const char *model, roberts_sheet_angle angle)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    char path[100];
+    snprintf(path, sizeof path, "models/%s.off", model);
+    *v = (views){.sheet = {.angle = angle}};
+    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
+        roberts_camera camera;
+        assert_true(roberts_sheet_camera(angle, i, &camera));
+        assert_int_equal(roberts_hide(scene, &camera, NULL, &v->drawing[i], NULL), ROBERTS_OK);
+        v->sheet.view[i] = &v->drawing[i];
+    }
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+static void free_views(views *v)
+{
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
+        roberts_drawing_free(&v->drawing[i]);
+}
+
+static roberts_draw_options lettered(size_t page)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    options.page.width_mm = pages[page][0];
+    options.page.height_mm = pages[page][1];
+    options.frame.off = page % 2 == 0;
+    options.lettering.title = "Title";
+    options.lettering.field = fields;
+    options.lettering.field_count = sizeof fields / sizeof fields[0];
+    options.lettering.overall = true;
+    return options;
+}
+
+static room_box letters_box(const text_line *line)
+{
+    polylines out = {0};
+    room_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    assert_true(letters_draw(line, 1000.0, &out));
+    for (size_t k = 0; k < out.point_count; k++) {
+        box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
+        box.max = (roberts_vec2){fmax(box.max.x, out.point[k].x / 1000.0), fmax(box.max.y, out.point[k].y / 1000.0)};
+    }
+    polylines_free(&out);
+    return box;
+}
+
+static bool is_apart(room_box a, room_box b)
+{
+    return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
+}
+
+/* The boxes of straight pieces: lines here are level, upright, or have all of their box near a view. */
+static room_box piece_box(page_point p, page_point q)
+{
+    return (room_box){{fmin(p.x, q.x) / 1000.0, fmin(p.y, q.y) / 1000.0},
+                      {fmax(p.x, q.x) / 1000.0, fmax(p.y, q.y) / 1000.0}};
+}
+
+/* No text lies on another one, on a line of the views, the frame or the symbol, or on a line of its own. */
+static void check_collisions(const strokes *s, const char *what)
+{
+    const polylines *sets[] = {&s->lines, &s->notes.lines};
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const text_line text = notes_line(&s->notes, i);
+        const room_box box = letters_box(&text);
+        if (!*text.text)
+            continue;
+        assert_true(box.min.x > 0.0 && box.min.y > 0.0 && box.max.x < s->options->page.width_mm &&
+                    box.max.y < s->options->page.height_mm);
+        for (size_t k = 0; k < i; k++) {
+            const text_line other = notes_line(&s->notes, k);
+            if (!is_apart(box, letters_box(&other)))
+                fail_msg("%s: \"%s\" lies on \"%s\"", what, text.text, other.text);
+        }
+        for (int set = 0; set < 2; set++)
+            for (size_t k = 0; k < sets[set]->count; k++) {
+                const polyline *line = &sets[set]->item[k];
+                const page_point *p = sets[set]->point + line->first;
+                const size_t text_start = s->start[LINE_CLASSES - 2]; /* letters themselves are behind it */
+                for (uint32_t j = 0; (set == 1 || k < text_start) && j + 1 < line->count + line->closed; j++)
+                    if (!is_apart(box, piece_box(p[j], p[(j + 1) % line->count])))
+                        fail_msg("%s: \"%s\" lies on a line", what, text.text);
+            }
+    }
+}
+
+static void nothing_collides(void **state)
+{
+    (void)state;
+    static const char *const models[] = {"chair", "temple", "table"};
+    for (size_t m = 0; m < sizeof models / sizeof models[0]; m++)
+        for (int angle = ROBERTS_FIRST_ANGLE; angle <= ROBERTS_THIRD_ANGLE; angle++) {
+            views v;
+            hide_views(&v, models[m], (roberts_sheet_angle)angle);
+            for (size_t page = 0; page < sizeof pages / sizeof pages[0]; page++) {
+                const roberts_draw_options options = lettered(page);
+                roberts_error error = {0};
+                strokes s;
+                if (strokes_make_sheet(&s, &v.sheet, &options, &error) != ROBERTS_OK)
+                    fail_msg("%s: %s", models[m], error.message);
+                check_collisions(&s, models[m]);
+                strokes_free(&s);
+            }
+            free_views(&v);
+        }
+}
+
+static bool says(const strokes *s, const char *text)
+{
+    for (size_t i = 0; i < s->notes.count; i++)
+        if (strcmp(notes_line(&s->notes, i).text, text) == 0)
+            return true;
+    return false;
+}
+
+/* The temple is 30 wide, 42 deep and 25 high; the scale is that of the drawing. */
+static void what_it_says(void **state)
+{
+    (void)state;
+    views v;
+    strokes s;
+    roberts_draw_options options = lettered(1);
+    hide_views(&v, "temple", ROBERTS_FIRST_ANGLE);
+    options.placement.scale = 0.001;
+    options.placement.unit_mm = 1000.0;
+    options.lettering.unit = "m";
+    assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+    static const char *const wanted[] = {"Title", "1:1000", "R-17", "2026-11-23", "30 m", "42 m", "25 m", "Owner"};
+    for (size_t i = 0; i < sizeof wanted / sizeof wanted[0]; i++)
+        if (!says(&s, wanted[i]))
+            fail_msg("nothing says %s", wanted[i]);
+    strokes_free(&s);
+    free_views(&v);
+}
+
+static void small_pages(void **state)
+{
+    (void)state;
+    views v;
+    strokes s;
+    roberts_error error = {0};
+    roberts_draw_options options = lettered(0);
+    hide_views(&v, "chair", ROBERTS_THIRD_ANGLE);
+    options.page = (roberts_page){148, 210, 10};
+    assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, &error), ROBERTS_BAD_ARGUMENT);
+    strokes_free(&s);
+    assert_string_equal(error.message, "page: title block and views need 200 x 125 mm with these margins, and the page "
+                                       "has 148 x 210: a4 would do");
+    free_views(&v);
+}
+
+static void numbers(void **state)
+{
+    (void)state;
+    static const struct {
+        double value;
+        const char *unit, *text;
+    } cases[] = {{44.0, NULL, "44"},
+                 {0.93, "m", "0,93 m"},
+                 {1.41421356, NULL, "1,4142"},
+                 {123456.7, NULL, "123457"},
+                 {0.000125, NULL, "0,000125"},
+                 {99999.5, NULL, "100000"},
+                 {0.1, "", "0,1"},
+                 {20.05, NULL, "20,05"},
+                 {0.05, NULL, "0,05"},
+                 {1000.0, "ft", "1000 ft"},
+                 {0.0, NULL, "0"}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[100];
+        dimension_text(cases[i].value, cases[i].unit, text, sizeof text);
+        assert_string_equal(text, cases[i].text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(what_it_says),
+                                       cmocka_unit_test(small_pages), cmocka_unit_test(numbers)};
+    return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
+}
