@@ -267,6 +267,9 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
     bool too_far = true;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         too_far = too_far && d->epsilon >= d->scene_diameter;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        if (options->draw.fill != ROBERTS_FILL_NONE && d->regions && d->regions->count > 0)
+            return NULL;
     if (g.drawn > 0)
         return NULL;
     if (g.any_inside)
@@ -322,6 +325,17 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
     if (found > 0 && used < size)
         snprintf(text + used, size - used, " %s no effect: the drawing has no such lines", found > 1 ? "have" : "has");
     return found > 0;
+}
+
+bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views)
+{
+    if (options->draw.fill != ROBERTS_FILL_MODEL || options->draw.shaded)
+        return false;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        for (size_t i = 0; d->regions && i < d->regions->count; i++)
+            if (d->regions->region[i].color.count > 0)
+                return false;
+    return true;
 }
 
 bool hint_idle_union(const roberts_scene *scene)

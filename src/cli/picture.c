@@ -319,6 +319,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && hint_idle_union(scene))
         message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
                         "--union has no effect: no body is closed");
+    if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
+        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
+                        "--fill model has no effect: no face that is seen has a colour");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
 }

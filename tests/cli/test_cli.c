@@ -1079,6 +1079,13 @@ static void regions(void **state)
                                   "\"rings\":[[[-2,-1],[2,-1],[2,1],[-2,1]]]}\n]\n");
     assert_int_equal(run("--view top -o plate.svg --regions plate.json plate.off"), 0);
     assert_int_equal(run("--view top --regions - plate.off"), 2);
+    assert_int_equal(run("--view top --fill model --style border:off plate.off"), 0);
+    assert_string_equal(last.err, ""); /* it is filled, and so not empty */
+    assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
+    assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
+    assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour\n"));
+    assert_int_equal(run("--fill shade:pink -o a.svg models/table.off"), 2);
+    assert_int_equal(run("--light 0,0,0 -o a.svg models/table.off"), 2);
     assert_int_equal(run("--view top -f null --regions plate.csv plate.off"), 0);
     read_text("plate.csv", last.out);
     assert_string_equal(last.out, "body,face,area,z0,z1,color,polygon\n0,0,8,0,0,1 0 0.5 1,"

@@ -77,8 +77,8 @@ static void run_command(const char *command, const char *output)
     }
 }
 
-/* The file that a command line writes: what follows "-o " or "> ", of a numbered row the first one; else the last word,
- * where that has an ending and no such file is there yet; else what is printed. */
+/* The file that a command line writes: what follows "-o ", "> " or "--regions ", of a numbered row the first one; else
+ * the last word, where that has an ending and no such file is there yet; else what is printed. */
 static void output_of(const char *line, char output[64])
 {
     char command[1024];
@@ -87,9 +87,12 @@ static void output_of(const char *line, char output[64])
     if (comment)
         *comment = '\0';
     const char *o = strstr(command, " -o "), *redirect = strstr(command, " > "), *last = strrchr(command, ' ');
+    const char *regions = strstr(command, " --regions ");
     char name[64] = "printed";
     if (o || redirect)
         sscanf(o ? o + 4 : redirect + 3, "%63s", name);
+    else if (regions)
+        sscanf(regions + strlen(" --regions "), "%63s", name);
     else if (last && strchr(last, '.') && !strpbrk(last, "*/") && size_of(last + 1) < 0)
         sscanf(last, "%63s", name);
     const char *number = strstr(name, "%03d");

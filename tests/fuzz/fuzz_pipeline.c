@@ -1,6 +1,7 @@
 /* fuzz_pipeline.c - from any bytes to a drawing. The first FUZZ_SETTINGS bytes choose camera, options and format; the
  * rest is read as a file. Where the file is a scene that can be seen, the parts of each edge must follow one another
- * within the edge, the drawing must be finite, not depend on the grid, and be written. */
+ * within the edge, the drawing must be finite, not depend on the grid, and be written; so must the visible
+ * regions be finite, closed and independent of the grid. */
 #include <math.h>
 #include <string.h>
 
@@ -101,6 +102,28 @@ static void require_same(const roberts_drawing *a, const roberts_drawing *b)
     }
 }
 
+static void require_regions(const roberts_scene *scene, const roberts_camera *camera, roberts_hide_options hide)
+{
+    roberts_region_list list, other;
+    FUZZ_REQUIRE(roberts_regions(scene, camera, &hide, &list, NULL) == ROBERTS_OK);
+    hide.grid = hide.grid == 1 ? 7 : 1;
+    FUZZ_REQUIRE(roberts_regions(scene, camera, &hide, &other, NULL) == ROBERTS_OK);
+    FUZZ_REQUIRE(list.count == other.count && list.corner_count == other.corner_count);
+    for (size_t i = 0; i < list.count; i++) {
+        const roberts_region *r = &list.region[i];
+        FUZZ_REQUIRE(r->face == other.region[i].face && r->ring_count > 0);
+        FUZZ_REQUIRE(isfinite(r->area) && isfinite(r->z_min) && r->z_min <= r->z_max && isfinite(r->z_max));
+        for (size_t k = r->first_ring; k < r->first_ring + r->ring_count; k++)
+            FUZZ_REQUIRE(list.ring_start[k] + 3 <= list.ring_start[k + 1]);
+    }
+    for (size_t i = 0; i < list.corner_count; i++) {
+        FUZZ_REQUIRE(isfinite(list.corner[i].x) && isfinite(list.corner[i].y));
+        FUZZ_REQUIRE(list.corner[i].x == other.corner[i].x && list.corner[i].y == other.corner[i].y);
+    }
+    roberts_regions_free(&list);
+    roberts_regions_free(&other);
+}
+
 static void look(const uint8_t *set, const roberts_scene *scene)
 {
     roberts_camera camera = choose_camera(set, scene);
@@ -120,6 +143,8 @@ static void look(const uint8_t *set, const roberts_scene *scene)
         FUZZ_REQUIRE(written > 0);
         FUZZ_REQUIRE(roberts_verify(scene, &camera, &drawing, NULL, &found, NULL) == ROBERTS_OK);
     }
+    if (status == ROBERTS_OK)
+        require_regions(scene, &camera, choose_hiding(set));
     if (status == ROBERTS_OK) {
         roberts_picked picked;
         roberts_vec2 a = drawing.window_min, b = drawing.window_max;

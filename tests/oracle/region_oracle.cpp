@@ -371,8 +371,8 @@ struct region_finder {
     }
 };
 
-/* The program's picture is about the middle of the box round what faces bound. Refuses scenes in which a corner farther
- * out bounds nothing, such as the tip of a side that runs there and back. */
+/* The program's picture is about the middle of the box round what is drawn. Refuses scenes in which a corner farther
+ * out bounds nothing, such as the tip of a side that runs there and back, or is the end of a wire. */
 void check_box(const mesh_oracle &o)
 {
     double out[6], in[6];
@@ -392,6 +392,11 @@ void check_box(const mesh_oracle &o)
                                      t == 1 ? q.z : p.z + t * (q.z - p.z)};
                 grow(in, x);
             }
+    }
+    for (uint32_t i = 0; i < o.mesh.face_start[o.mesh.face_count]; i++) {
+        const roberts_vec3 &p = o.mesh.vertex[o.mesh.corner[i]];
+        const double a[3] = {p.x, p.y, p.z};
+        grow(out, a);
     }
     if (!std::equal(out, out + 6, in))
         throw std::runtime_error("a corner at the rim bounds nothing");

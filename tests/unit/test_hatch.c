@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -469,6 +470,66 @@ static void frames_cut_strokes(void **state)
     strokes_free(&s);
 }
 
+static bool holds(const char *bytes, size_t size, const char *text)
+{
+    const size_t length = strlen(text);
+    for (size_t i = 0; i + length <= size; i++)
+        if (memcmp(bytes + i, text, length) == 0)
+            return true;
+    return false;
+}
+
+/* Every format of pages has the strokes, with a layer, a style or a pen of their own where it has such, on single
+ * drawings and on sheets. */
+static void all_formats_have_strokes(void **state)
+{
+    static const struct {
+        roberts_format format;
+        const char *named;
+    } formats[] = {{ROBERTS_SVG, "<g id=\"hatch\""},
+                   {ROBERTS_PDF, ""},
+                   {ROBERTS_PS, ""},
+                   {ROBERTS_EPS, ""},
+                   {ROBERTS_PNG, ""},
+                   {ROBERTS_TIKZ, "\\begin{scope}[every path/.style={roberts hatch}]"},
+                   {ROBERTS_DXF, "LINE\n8\nHATCH\n"},
+                   {ROBERTS_HPGL, "SP9;"}};
+    roberts_scene *scene = read_scene("models/platonic/cube.off");
+    roberts_region_list regions[2];
+    roberts_drawing drawing[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        roberts_camera camera;
+        assert_true(
+            roberts_sheet_camera(ROBERTS_FIRST_ANGLE, i == 0 ? ROBERTS_SHEET_FRONT : ROBERTS_SHEET_ISO, &camera));
+        drawing[i] = draw_scene(scene, &camera, 1, &regions[i]);
+    }
+    const roberts_sheet sheet = {.view = {[ROBERTS_SHEET_FRONT] = &drawing[0], [ROBERTS_SHEET_ISO] = &drawing[1]}};
+    for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++)
+        for (int k = 0; k < 2; k++) {
+            size_t size[2];
+            for (int on = 0; on < 2; on++) {
+                roberts_draw_options options = roberts_draw_options_default();
+                sink to = {0};
+                options.format = formats[f].format;
+                options.hatching.on = on == 1;
+                roberts_status status = k == 0 ? roberts_drawing_write(&drawing[1], &options, sink_write, &to, NULL)
+                                               : roberts_sheet_write(&sheet, &options, sink_write, &to, NULL);
+                assert_int_equal(status, ROBERTS_OK);
+                size[on] = to.size;
+                if (formats[f].named[0] && holds(to.bytes, to.size, formats[f].named) != (on == 1))
+                    fail_msg("%s: %s", formats[f].named, on ? "is not there" : "is there without hatching");
+                free(to.bytes);
+            }
+            assert_true(size[1] > size[0]);
+        }
+    for (int i = 0; i < 2; i++) {
+        roberts_drawing_free(&drawing[i]);
+        roberts_regions_free(&regions[i]);
+    }
+    roberts_scene_free(scene);
+}
+
 static void odd_arguments(void **state)
 {
     given_region g;
@@ -502,6 +563,7 @@ int main(void)
         cmocka_unit_test(nested_strokes_stay),       cmocka_unit_test(strokes_go_on),
         cmocka_unit_test(steep_strokes_are_upright), cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(frames_cut_strokes),        cmocka_unit_test(odd_arguments),
+        cmocka_unit_test(all_formats_have_strokes),
     };
     return cmocka_run_group_tests_name("hatch", tests, NULL, NULL);
 }
