@@ -523,6 +523,17 @@ static const option rows[] = {
          "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
          "Edges that are not drawn have none."},
     {.group = GROUP_TEXT,
+     .name = "labels",
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_FILE,
+     .value = "FILE.csv",
+     .set = values_set_text,
+     TO(names),
+     .brief = "names in place of numbers",
+     .help = "names for labels: lines such as vertex,4,A and edge,4-17,a and face,3,base and body,0,leg",
+     .manual = "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
+               "face,3,base or body,0,leg, in UTF-8. Lines that begin with # are skipped. What has a name is labelled; "
+               "with --label, what has none is labelled by its numbers. An empty name is no label."},
+    {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "TEXT",

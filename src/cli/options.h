@@ -25,6 +25,7 @@ typedef struct cli_options {
     size_t input_count;
     const char *output;  /* "-" is standard output */
     const char *batch;   /* NULL, or the folder for a picture of each input; then `output` is not used */
+    const char *names;   /* NULL, or the file with names of vertices, edges, faces and bodies */
     const char *regions; /* NULL, or the file for the visible regions of faces; "-" is standard output */
     uint32_t turntable;  /* 0, or how many pictures; then `output` has a place for their numbers */
     bool is_sheet;       /* several views on one page; then the camera is not used */

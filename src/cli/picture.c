@@ -8,6 +8,7 @@
 
 #include "cli/hints.h"
 #include "cli/message.h"
+#include "cli/names.h"
 #include "cli/parse.h"
 #include "cli/report.h"
 #include "cli/signals.h"
@@ -232,7 +233,10 @@ static bool needs_regions(const cli_options *options)
     const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
                        page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
     const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
-    const bool labels = page->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    unsigned kinds = page->lettering.labels;
+    for (size_t i = 0; i < page->lettering.name_count; i++)
+        kinds |= (unsigned)page->lettering.name[i].of;
+    const bool labels = kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
     return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) ||
            (strokes && page->hatching.on && !page->hatch.off);
 }
@@ -485,13 +489,22 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
     return result;
 }
 
-int picture_make(const cli_options *options)
+int picture_make(const cli_options *given)
 {
+    cli_options own = *given;
+    const cli_options *options = &own;
+    name_list labels = {0};
     roberts_scene *scene = NULL;
     roberts_error error = {0};
     run_stats run = {.files = options->input_count};
     roberts_time begin = report_now();
     int result;
+    if (own.names && names_read(&labels, own.names, &error) != ROBERTS_OK) {
+        names_free(&labels);
+        return message_error(own.log, &error);
+    }
+    own.draw.lettering.name = labels.item;
+    own.draw.lettering.name_count = labels.count;
     if (load(options, &scene, &run, &error) != ROBERTS_OK)
         result = fail(options, &error);
     else if (options->turntable)
@@ -499,5 +512,6 @@ int picture_make(const cli_options *options)
     else
         result = draw(options, &scene, true, NULL, run, begin);
     roberts_scene_free(scene);
+    names_free(&labels);
     return result;
 }

@@ -1,0 +1,93 @@
+/* test_names.c - names for labels: read from a file, in order; what is wrong is told with its line. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "cli/names.h"
+#include "temporary.h"
+
+static roberts_status read_names(const char *text, name_list *n, roberts_error *error)
+{
+    FILE *file = fopen("names.csv", "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    *n = (name_list){0};
+    *error = (roberts_error){0};
+    return names_read(n, "names.csv", error);
+}
+
+static void in_order(void **state)
+{
+    (void)state;
+    name_list n;
+    roberts_error error;
+    assert_int_equal(chdir(temporary), 0);
+    assert_int_equal(read_names("# all kinds\r\n\nface,3,Gr\xc3\xb6\xc3\x9f"
+                                "e\r\nedge,9-2,a, b\nvertex,12,\nvertex,2,A\nbody,0,x",
+                                &n, &error),
+                     ROBERTS_OK);
+    static const roberts_name wanted[] = {{ROBERTS_LABEL_VERTICES, 2, 0, "A"},
+                                          {ROBERTS_LABEL_VERTICES, 12, 0, ""},
+                                          {ROBERTS_LABEL_EDGES, 2, 9, "a, b"},
+                                          {ROBERTS_LABEL_FACES, 3, 0,
+                                           "Gr\xc3\xb6\xc3\x9f"
+                                           "e"},
+                                          {ROBERTS_LABEL_BODIES, 0, 0, "x"}};
+    assert_int_equal(n.count, 5);
+    for (size_t i = 0; i < 5; i++) {
+        assert_int_equal(n.item[i].of, wanted[i].of);
+        assert_int_equal(n.item[i].number, wanted[i].number);
+        assert_int_equal(n.item[i].other, wanted[i].other);
+        assert_string_equal(n.item[i].text, wanted[i].text);
+    }
+    names_free(&n);
+    assert_int_equal(read_names("", &n, &error), ROBERTS_OK);
+    assert_int_equal(n.count, 0);
+    names_free(&n);
+}
+
+static void faults(void **state)
+{
+    (void)state;
+    assert_int_equal(chdir(temporary), 0);
+    static const struct {
+        const char *text;
+        size_t line;
+        const char *message;
+    } cases[] = {
+        {"vertex,1,A\nvertx,2,B\n", 2, "the kind is none of vertex, edge, face and body"},
+        {"vertex 1 A\n", 1, "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a"},
+        {"\n\nface,-1,A\n", 3, "the number is not a whole number from 0 on"},
+        {"edge,4,A\n", 1, "an edge is named by its vertices, as 4-17"},
+        {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
+        {"vertex,1,A\nvertex,1,B\n", 0, "vertex 1 has two names"},
+        {"edge,4-7,A\nedge,7-4,B\n", 0, "edge 4-7 has two names"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        name_list n;
+        roberts_error error;
+        assert_int_equal(read_names(cases[i].text, &n, &error), ROBERTS_BAD_SYNTAX);
+        assert_string_equal(error.message, cases[i].message);
+        assert_string_equal(error.file, "names.csv");
+        assert_int_equal(error.line, cases[i].line);
+        names_free(&n);
+    }
+    name_list none = {0};
+    roberts_error error = {0};
+    assert_int_equal(names_read(&none, "nowhere.csv", &error), ROBERTS_IO);
+    names_free(&none);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(in_order, temporary_make, temporary_remove),
+                                       cmocka_unit_test_setup_teardown(faults, temporary_make, temporary_remove)};
+    return cmocka_run_group_tests_name("names", tests, NULL, NULL);
+}
