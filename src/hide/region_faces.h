@@ -6,7 +6,7 @@
 #include "hide/segments.h"
 
 /* The colour that the input gives a face; if none, the mean of those of its corners; none if one of them has none. */
-roberts_color region_color(const hide_job *job, uint32_t face);
+roberts_color region_color(const hide_job *job, uint32_t piece);
 
 /* Whether the regions of two neighbours may be one: they lie in one plane, as far as both are planar, have one colour,
  * and are of one body or of bodies that are taken as one. */
