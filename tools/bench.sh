@@ -5,7 +5,8 @@
 #                 each stage, memory, growth; drawn as SVG; checked by --verify; read by strtod(); two threads
 #                 compared with one
 #   worst         scenes that are hard, each for one reason
-#   meshes        meshes of up to 350,000 triangles: scans, balls, land, stars; balls and loose triangles that cross
+#   meshes        meshes of up to 350,000 triangles: scans, balls, land, stars; balls and loose triangles that cross;
+#                 what is seen of each face (--regions)
 #   instructions  instructions executed, counted by callgrind, compared with tools/bench-baseline.txt
 #   baseline      the same, and rewrites that file
 #   all-meshes    the meshes, to 1.4 million triangles (`make bench-meshes`)
@@ -303,6 +304,9 @@ meshes() {
     mesh 'stars' stars '10000 100000 1000000'
     mesh 'crossing' crossing '20000 320000 1280000' --crease 40
     mesh 'soup' soup '10000 100000 1000000'
+    mesh 'scan, regions' scan '10000 75000 350000' --crease 40 --regions /dev/null
+    mesh 'city, no regions' city '10000 100000'
+    mesh 'city, regions' city '10000 100000' --regions /dev/null
 }
 
 # count NAME FILE: adds the instructions of a whole run to build/bench/instructions.tsv
