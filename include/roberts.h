@@ -846,6 +846,7 @@ typedef struct roberts_lettering {
     size_t field_count;
     const roberts_field *field; /**< [field_count] */
     bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
+    bool zones;                 /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
     const char *unit;           /**< behind the numbers of dimensions; NULL: none */
     roberts_warnings warnings;  /**< characters that the fonts lack, labels without room, a tiny drawing */
 } roberts_lettering;

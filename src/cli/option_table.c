@@ -300,15 +300,20 @@ static const option rows[] = {
                "bottom-left or bottom-right."},
     {.group = GROUP_PAGE,
      .name = "frame",
-     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_OPTIONAL,
+     .value = "zones",
+     .words = values_frames,
      .set = values_set_frame,
      .brief = "draw the border of the margins",
      .help = "draw the border of what the margins leave; the drawing keeps 5 mm from it. Where the drawing is cut off "
-             "(--fov, --near), the border at which it is cut",
-     .manual = "Draws the border of what the margins leave, 0.7 mm wide. The drawing keeps 5 mm from it, a sheet 10 "
-               "mm; on pages with less than 50 mm of room, a tenth of that room. Where the drawing is cut off (--fov, "
-               "--near), the frame is the border at which it is cut: that of the margins again, unless --scale leaves "
-               "the picture smaller."},
+             "(--fov, --near), the border at which it is cut. --frame=zones adds zones and centring marks",
+     .manual =
+         "Draws the border of what the margins leave, 0.7 mm wide. The drawing keeps 5 mm from it, a sheet 10 "
+         "mm; on pages with less than 50 mm of room, a tenth of that room. Where the drawing is cut off (--fov, "
+         "--near), the frame is the border at which it is cut: that of the margins again, unless --scale leaves "
+         "the picture smaller.\n"
+         "--frame=zones adds centring marks, and zones of 50 mm with letters and numbers (ISO 5457), in margins of "
+         "at least 7 mm."},
     {.group = GROUP_PAGE,
      .name = "background",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -293,10 +293,14 @@ int values_set_plotter(const option *o, const char *value, cli_options *options)
     return EXIT_DONE;
 }
 
+const char *const values_frames[] = {"zones", NULL};
+
 int values_set_frame(const option *o, const char *value, cli_options *options)
 {
-    (void)o;
-    (void)value;
+    size_t i;
+    if (value && choose(o, value, &i) != EXIT_DONE)
+        return EXIT_MISUSED;
+    options->draw.lettering.zones = value != NULL;
     options->draw.frame.off = false;
     return EXIT_DONE;
 }

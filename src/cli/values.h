@@ -15,6 +15,7 @@ extern const char *const values_scales[];
 extern const char *const values_units[];
 extern const char *const values_labels[];
 extern const char *const values_texts[];
+extern const char *const values_frames[];
 extern const char *const values_fields[];
 extern const char *const values_dimensions[];
 extern const char *const values_places[];

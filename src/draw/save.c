@@ -155,6 +155,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(
             error, ROBERTS_BAD_ARGUMENT, 0,
             "a pen must be more than 0 and at most 1000 mm wide; dashes and gaps must be 0 to 1000 mm long");
+    if (options->lettering.zones && options->page.margin_mm < 7.0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "zones of a frame need margins of at least 7 mm");
     const double height = options->lettering.height_mm;
     if (!(height == 0.0 || (height >= 0.5 && height <= 100.0)))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "letters must be 0.5 to 100 mm high");

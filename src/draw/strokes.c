@@ -457,6 +457,8 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
     if (!drawing->framed)
         warn_tiny(s);
+    if (!drawing->framed && !zones_add(s))
+        return error_no_memory(error);
     return draw(s, error);
 }
 
@@ -477,7 +479,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
     warn_tiny(s);
-    if (!title_block_add(s) || !dimensions_add(s))
+    if (!zones_add(s) || !title_block_add(s) || !dimensions_add(s))
         return error_no_memory(error);
     return draw(s, error);
 }

@@ -18,6 +18,7 @@ bool title_block_is_wanted(const roberts_draw_options *options);
  * memory. */
 bool title_block_add(strokes *s);
 bool dimensions_add(strokes *s);
+bool zones_add(strokes *s); /* also of a single drawing */
 
 /* Where the symbol lies in a title block: its lower right corner, from that of the block, and its size. */
 roberts_vec2 title_block_symbol(double *size);

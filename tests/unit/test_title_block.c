@@ -61,6 +61,7 @@ static roberts_draw_options lettered(size_t page)
     options.lettering.field = fields;
     options.lettering.field_count = sizeof fields / sizeof fields[0];
     options.lettering.overall = true;
+    options.lettering.zones = true; /* drawn where there is a frame */
     return options;
 }
 
