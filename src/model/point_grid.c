@@ -140,14 +140,15 @@ bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, dou
     const double a[3] = {P.x, P.y, P.z}, b[3] = {Q.x, Q.y, Q.z};
     double most = 2.0 * margin * grid->per + grid->rounding;
     const grid_line l = line_of(a, b, most);
-    double parts = ceil(fabs(b[l.axis] - a[l.axis]) / PART_CELLS), t0 = 0.0;
+    const uint32_t more = (uint32_t)(fabs(b[l.axis] - a[l.axis]) / PART_CELLS); /* both are points of the grid */
+    double t0 = 0.0;
     bool back = b[l.axis] < a[l.axis];
-    for (double k = 0.0; k == 0.0 || k < parts; k++) {
-        double t1 = k + 1.0 < parts ? (k + 1.0) / parts : 1.0;
+    for (uint32_t k = 0; k <= more; k++) {
+        double t1 = k < more ? (k + 1.0) / (more + 1.0) : 1.0;
         double low = a[l.axis] + t0 * (b[l.axis] - a[l.axis]), high = a[l.axis] + t1 * (b[l.axis] - a[l.axis]);
         uint32_t first[3], last[3];
         float part[2] = {-INFINITY, INFINITY};
-        if (k > 0.0)
+        if (k > 0)
             part[back] = (float)low;
         if (t1 < 1.0)
             part[!back] = (float)high;
