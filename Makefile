@@ -294,8 +294,8 @@ $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 # The letters, from the fonts of HERSHEY
 $(BUILD)/obj/src/draw/letters.o: NEEDS = $(CAIRO_CFLAGS) -I$(BUILD)/generated
-$(BUILD)/obj/src/draw/letters.o: $(BUILD)/generated/letters-data.h
-$(BUILD)/generated/letters-data.h: tools/make-letters.sh $(wildcard $(HERSHEY)/futural.jhf $(HERSHEY)/greeks.jhf)
+$(BUILD)/obj/src/draw/letters.o: $(BUILD)/generated/draw/letters_data.h
+$(BUILD)/generated/draw/letters_data.h: tools/make-letters.sh $(wildcard $(HERSHEY)/futural.jhf $(HERSHEY)/greeks.jhf)
 	@mkdir -p $(@D)
 	$(call show,GEN,$@)
 	$(Q)tools/make-letters.sh '$(HERSHEY)' >$@
@@ -328,7 +328,7 @@ lint-format:
 	@echo clang-format on $(words $(C_FILES)) files
 	$(Q)clang-format --dry-run -Werror $(C_FILES)
 
-lint-tidy: $(BUILD)/generated/letters-data.h
+lint-tidy: $(BUILD)/generated/draw/letters_data.h
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "draw/output.h"
-#include "letters-data.h"
+#include "draw/letters_data.h"
 
 enum { FIRST = ' ', LAST = 127, ZERO = 'R' };
 

@@ -186,9 +186,11 @@ static void bend_codes_ascend(void **state)
     (void)state;
     assert_int_equal(scene_bend_code(0.0), 0);
     assert_true(scene_bend_code(4.0) > scene_bend_code(3.9999));
-    for (double bend = 0x1p-60; bend < 4.0; bend *= 1.19) {
+    double bend = 0x1p-60;
+    while (bend < 4.0) {
         assert_true(scene_bend_code(bend) <= scene_bend_code(1.19 * bend));
         assert_true(scene_bend_code(bend) < scene_bend_code(1.51 * bend));
+        bend *= 1.19;
     }
 }
 
