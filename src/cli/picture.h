@@ -5,7 +5,7 @@
 #include "cli/options.h"
 
 /* Reads the inputs as one scene and draws it, to `output`, or as --turntable says. What there is to say goes to the
- * options' log. Returns the exit status. */
-int picture_make(const cli_options *options);
+ * log of the options. Returns the exit status. */
+int picture_make(const cli_options *given);
 
 #endif

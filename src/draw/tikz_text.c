@@ -43,15 +43,18 @@ static const char *tex_name(uint32_t code)
 /* TeX has no commands for Greek letters that look like Latin ones. */
 static const char *tex_greek(int number)
 {
-    static const char *const small[] = {"alpha", "beta",    "gamma",     "delta", "varepsilon", "zeta",
-                                        "eta",   "theta",   "iota",      "kappa", "lambda",     "mu",
-                                        "nu",    "xi",      "mathrm{o}", "pi",    "rho",        "sigma",
-                                        "tau",   "upsilon", "varphi",    "chi",   "psi",        "omega"};
-    static const char *const capital[] = {"mathrm{A}", "mathrm{B}", "Gamma",     "Delta",     "mathrm{E}", "mathrm{Z}",
-                                          "mathrm{H}", "Theta",     "mathrm{I}", "mathrm{K}", "Lambda",    "mathrm{M}",
-                                          "mathrm{N}", "Xi",        "mathrm{O}", "Pi",        "mathrm{P}", "Sigma",
-                                          "mathrm{T}", "Upsilon",   "Phi",       "mathrm{X}", "Psi",       "Omega"};
-    return number > 32 ? capital[number - 33] : small[number - 1];
+    /* [number of letters_greek_number()] */
+    static const char *const name[] = {[1] = "alpha", "beta",      "gamma",     "delta",     "varepsilon",
+                                       "zeta",        "eta",       "theta",     "iota",      "kappa",
+                                       "lambda",      "mu",        "nu",        "xi",        "mathrm{o}",
+                                       "pi",          "rho",       "sigma",     "tau",       "upsilon",
+                                       "varphi",      "chi",       "psi",       "omega",     [33] = "mathrm{A}",
+                                       "mathrm{B}",   "Gamma",     "Delta",     "mathrm{E}", "mathrm{Z}",
+                                       "mathrm{H}",   "Theta",     "mathrm{I}", "mathrm{K}", "Lambda",
+                                       "mathrm{M}",   "mathrm{N}", "Xi",        "mathrm{O}", "Pi",
+                                       "mathrm{P}",   "Sigma",     "mathrm{T}", "Upsilon",   "Phi",
+                                       "mathrm{X}",   "Psi",       "Omega"};
+    return name[number];
 }
 
 void tikz_text_write(output *out, const char *text)
