@@ -155,10 +155,10 @@ static bool meet_pair(void *context, int thread, const face_pair *pair)
     finder *t = &((finder *)context)[thread];
     if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
-    if (crossing_in_pieces(&t->last)) { /* the first piece of the other face is enough */
-        uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
+    /* Of a face in several pieces the first one is enough: meet_pairs() looks at the rest, once. */
+    uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
+    if (crossing_in_pieces(&t->last) || first != pair->piece[1])
         return first == t->last.first || add_pair(t, t->last.first, first);
-    }
     crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
     return meet_faces(t, &t->last, &G);
 }
