@@ -282,6 +282,14 @@ static void set_camera(const options_given *given, cli_options *options)
     camera->roll_degrees = options->roll;
 }
 
+/* A title block names a scale of ISO 5455, unless --scale or --fit ask for another one. */
+static void choose_scale(const options_given *given, cli_options *options)
+{
+    bool block = options_is_given(given, "title") || options_is_given(given, "field");
+    if (block && !options_is_given(given, "scale") && !options_is_given(given, "fit"))
+        options->draw.placement.standard = true;
+}
+
 /* The longer side becomes horizontal, in whatever order --landscape and --page came. */
 static void lay_down(roberts_page *page)
 {
@@ -328,5 +336,6 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         return status;
     check_warn(options, given);
     set_camera(given, options);
+    choose_scale(given, options);
     return EXIT_DONE;
 }
