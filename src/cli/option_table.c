@@ -261,8 +261,9 @@ static const option rows[] = {
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .excludes = "scale",
      .brief = "as large as the margins allow",
-     .help = "as large as the margins allow (the default)",
-     .manual = "Draws as large as the margins allow. This is the default."},
+     .help = "as large as the margins allow (the default without a title block)",
+     .manual = "Draws as large as the margins allow. This is the default, except for sheets with a title block: see "
+               "--title."},
     {.group = GROUP_PAGE,
      .name = "scale",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -549,8 +550,9 @@ static const option rows[] = {
      .help = "with --sheet: a title block with this title, the scale and the symbol of the projection",
      .manual =
          "Draws a title block (ISO 7200) in the lower right corner of a sheet, 180 x 27 mm: the title, the scale, "
-         "the symbol of the projection, and the fields of --field. A page that is too small is refused, and the "
-         "message names one that would do."},
+         "the symbol of the projection, and the fields of --field. The scale is as with --scale standard, unless "
+         "--scale "
+         "or --fit says otherwise. A page that is too small is refused, and the message names one that would do."},
     {.group = GROUP_TEXT,
      .name = "field",
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,
