@@ -49,9 +49,40 @@ static bool add_arrow(strokes *s, roberts_vec2 tip, roberts_vec2 d)
            notes_add_line(&s->notes, tip, along(back, side, -arrow_half), s->units_per_mm);
 }
 
-/* A dimension from a to b of the page, whose line is off by `line_off` toward `off`; it is level or upright. */
-static bool add_dimension(strokes *s, roberts_vec2 a, roberts_vec2 b, roberts_vec2 off, double value)
+/* The corner that an extension line measures. The line lies on the line through `start` along `off`; the corner is the
+ * end of a segment there that is nearest to `start`, which is a corner of the view's box. `start` if there is none. */
+static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
 {
+    const double slack = 0.0005; /* mm, half of what coordinates are rounded to */
+    double least = INFINITY;
+    for (size_t i = 0; i < view->drawing->count; i++) {
+        const roberts_segment *segment = &view->drawing->segment[i];
+        roberts_line line;
+        if (!strokes_is_drawn(s->options, segment, &line))
+            continue;
+        for (int end = 0; end < 2; end++) {
+            const roberts_vec2 p = page_place(&view->map, end ? segment->p1 : segment->p0);
+            const roberts_vec2 d = {start.x - p.x, start.y - p.y};
+            if (fabs(d.x * off.y - d.y * off.x) <= slack)
+                least = fmin(least, fmax(d.x * off.x + d.y * off.y, 0.0));
+        }
+    }
+    return least < INFINITY ? along(start, off, -least) : start;
+}
+
+/* The extension line from the corner that belongs to `start`, across the end of the dimension line. */
+static bool add_extension(strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
+{
+    const roberts_vec2 corner = find_corner(s, view, start, off);
+    return notes_add_line(&s->notes, along(corner, off, extension_gap), along(start, off, line_off + extension_over),
+                          s->units_per_mm);
+}
+
+/* A dimension between `ends`, corners of the box of a view. Its line is off by `line_off` toward `off`; it is level or
+ * upright. */
+static bool add_dimension(strokes *s, const page_view *view, const roberts_vec2 ends[2], roberts_vec2 off, double value)
+{
+    const roberts_vec2 a = ends[0], b = ends[1];
     const double length = hypot(b.x - a.x, b.y - a.y), units = s->units_per_mm;
     if (!(length > 0.0))
         return true;
@@ -71,8 +102,7 @@ static bool add_dimension(strokes *s, roberts_vec2 a, roberts_vec2 b, roberts_ve
         s->taken[s->taken_count++] =
             is_upright ? (room_box){{line.at.x - height, line.at.y - half}, {line.at.x, line.at.y + half}}
                        : (room_box){{line.at.x - half, line.at.y - height}, {line.at.x + half, line.at.y}};
-    return notes_add_line(&s->notes, along(a, off, extension_gap), along(from, off, extension_over), units) &&
-           notes_add_line(&s->notes, along(b, off, extension_gap), along(to, off, extension_over), units) &&
+    return add_extension(s, view, a, off) && add_extension(s, view, b, off) &&
            notes_add_line(&s->notes, along(from, d, -outside), along(to, d, outside), units) &&
            add_arrow(s, from, is_narrow ? d : (roberts_vec2){-d.x, -d.y}) &&
            add_arrow(s, to, is_narrow ? (roberts_vec2){-d.x, -d.y} : d) && notes_add_text(&s->notes, &line, false);
@@ -92,10 +122,10 @@ bool dimensions_add(strokes *s)
         const double y = first ? b.y : a.y;
         if (view->place != ROBERTS_SHEET_FRONT && view->place != ROBERTS_SHEET_SIDE)
             continue;
-        if (!add_dimension(s, (roberts_vec2){a.x, y}, (roberts_vec2){b.x, y}, outward, high.x - low.x))
+        const roberts_vec2 level[2] = {{a.x, y}, {b.x, y}}, upright[2] = {a, {a.x, b.y}};
+        if (!add_dimension(s, view, level, outward, high.x - low.x))
             return false;
-        if (view->place == ROBERTS_SHEET_FRONT &&
-            !add_dimension(s, a, (roberts_vec2){a.x, b.y}, leftward, high.y - low.y))
+        if (view->place == ROBERTS_SHEET_FRONT && !add_dimension(s, view, upright, leftward, high.y - low.y))
             return false;
     }
     return true;

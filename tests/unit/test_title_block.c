@@ -167,6 +167,54 @@ static void what_it_says(void **state)
     free_views(&v);
 }
 
+static bool is_corner(const strokes *s, page_point p)
+{
+    for (size_t i = 0; i < s->start[LINE_CLASSES - 4]; i++) /* those of the views; then frame, symbol and text follow */
+        for (uint32_t k = 0; k < s->lines.item[i].count; k++) {
+            const page_point q = s->lines.point[s->lines.item[i].first + k];
+            if (abs(p.x - q.x) <= 1 && abs(p.y - q.y) <= 1)
+                return true;
+        }
+    return false;
+}
+
+/* Each extension line begins 1 mm from a corner of its view, also where the view's box is higher than the view there.
+ * `longest` in mm, on paper. */
+static void check_extensions(const char *model, roberts_sheet_angle angle, double longest)
+{
+    enum { DIMENSIONS = 3, LINES = 7 /* of a dimension: two extensions, then itself and two arrows of two */ };
+    views v;
+    strokes s;
+    double most = 0.0;
+    roberts_draw_options options = roberts_draw_options_default();
+    options.page = (roberts_page){420, 297, 10};
+    options.lettering.overall = true;
+    options.placement.scale = 1.0;
+    hide_views(&v, model, angle);
+    assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+    assert_int_equal(s.notes.lines.count, DIMENSIONS * LINES);
+    for (size_t i = 0; i < DIMENSIONS * LINES; i += i % LINES == 0 ? 1 : LINES - 1) {
+        const page_point *p = s.notes.lines.point + s.notes.lines.item[i].first;
+        const double length = hypot(p[1].x - p[0].x, p[1].y - p[0].y);
+        const page_point corner = {p[0].x - (int32_t)lround((p[1].x - p[0].x) / length * 1000.0),
+                                   p[0].y - (int32_t)lround((p[1].y - p[0].y) / length * 1000.0)};
+        if (!is_corner(&s, corner))
+            fail_msg("%s: extension line %zu begins in the air", model, i);
+        most = fmax(most, length / 1000.0);
+    }
+    assert_true(fabs(most - longest) < 0.002);
+    strokes_free(&s);
+    free_views(&v);
+}
+
+static void extensions_reach_corners(void **state)
+{
+    (void)state;
+    check_extensions("chair", ROBERTS_FIRST_ANGLE, 48.0 + 11.0);  /* down to the seat: 93 - 45 */
+    check_extensions("chair", ROBERTS_THIRD_ANGLE, 93.0 + 11.0);  /* up to the top of the back, which leans */
+    check_extensions("temple", ROBERTS_FIRST_ANGLE, 24.0 + 11.0); /* down to the lowest step */
+}
+
 static void small_pages(void **state)
 {
     (void)state;
@@ -210,6 +258,7 @@ static void numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(what_it_says),
-                                       cmocka_unit_test(small_pages), cmocka_unit_test(numbers)};
+                                       cmocka_unit_test(extensions_reach_corners), cmocka_unit_test(small_pages),
+                                       cmocka_unit_test(numbers)};
     return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
 }
