@@ -282,11 +282,11 @@ static void set_camera(const options_given *given, cli_options *options)
     camera->roll_degrees = options->roll;
 }
 
-/* A title block names the scale, so the scale is one of ISO 5455 unless the user chooses it. */
-static void set_scale(const options_given *given, cli_options *options)
+/* A title block names a scale of ISO 5455, unless --scale or --fit ask for another one. */
+static void choose_scale(const options_given *given, cli_options *options)
 {
-    const bool has_block = options_is_given(given, "title") || options_is_given(given, "field");
-    if (has_block && !options_is_given(given, "scale") && !options_is_given(given, "fit"))
+    bool block = options_is_given(given, "title") || options_is_given(given, "field");
+    if (block && !options_is_given(given, "scale") && !options_is_given(given, "fit"))
         options->draw.placement.standard = true;
 }
 
@@ -334,7 +334,7 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         (status = choose_format(given, options)) != EXIT_DONE || (status = check_format(options)) != EXIT_DONE ||
         (status = check_needs(given)) != EXIT_DONE || (status = check_options(options, given)) != EXIT_DONE)
         return status;
-    set_scale(given, options);
+    choose_scale(given, options);
     check_warn(options, given);
     set_camera(given, options);
     return EXIT_DONE;

@@ -334,6 +334,8 @@ static const struct {
     {"--view top --page 100x100 --scale standard --unit m", "M 70 30 L 30 30 L 30 70 L 70 70 Z"},
     {"--view top --page 100x100 --scale standard --scale 10", "M 60 40 L 40 40 L 40 60 L 60 60 Z"},
     {"--sheet first --scale standard --unit cm --align top-left", "M 50 10 L 10 10 L 10 50 L 50 50 Z"},
+    {"--sheet first --title T --unit cm --align top-left", "M 50 65 L 10 65 L 10 105 L 50 105 Z"},
+    {"--sheet first --title T --unit cm --align top-left --fit", "M 148.744 97.487 L 97.487 127.08"},
     {"--view top --page 100x100 --scale 10 --align top-left", "M 30 10 L 10 10 L 10 30 L 30 30 Z"},
     {"--view top --page 100x100 --scale 10 --align bottom-right", "M 90 70 L 70 70 L 70 90 L 90 90 Z"},
     {"--view top --page 100x100 --scale 10 --align right", "M 90 40 L 70 40 L 70 60 L 90 60 Z"},
