@@ -261,9 +261,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
         warn("--plotter", "only hpgl has a plotter's origin");
-    if (options_is_given(given, "unit") && !options_is_given(given, "scale") &&
-        !options_is_given(given, "dimensions") && !options_is_given(given, "title") &&
-        !options_is_given(given, "field"))
+    const bool to_scale = draw->placement.standard || options_is_given(given, "scale");
+    if (options_is_given(given, "unit") && !to_scale && !options_is_given(given, "dimensions"))
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)
         warn_pen(options, given, pen);

@@ -261,8 +261,9 @@ static const option rows[] = {
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .excludes = "scale",
      .brief = "as large as the margins allow",
-     .help = "as large as the margins allow (the default)",
-     .manual = "Draws as large as the margins allow. This is the default."},
+     .help = "as large as the margins allow (the default without a title block)",
+     .manual = "Draws as large as the margins allow. This is the default, except for sheets with a title block: see "
+               "--title."},
     {.group = GROUP_PAGE,
      .name = "scale",
      .flags = OPTION_DRAWS | OPTION_PAPER,

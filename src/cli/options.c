@@ -334,8 +334,8 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         (status = choose_format(given, options)) != EXIT_DONE || (status = check_format(options)) != EXIT_DONE ||
         (status = check_needs(given)) != EXIT_DONE || (status = check_options(options, given)) != EXIT_DONE)
         return status;
+    choose_scale(given, options);
     check_warn(options, given);
     set_camera(given, options);
-    choose_scale(given, options);
     return EXIT_DONE;
 }

@@ -151,6 +151,37 @@ static void it_is_parsed(void **state)
     }
 }
 
+/* A sheet with a title block has a scale of ISO 5455, unless the user chooses it. */
+static void scale_of_title_blocks(void **state)
+{
+    static const struct {
+        const char *line;
+        bool standard;
+        double scale;
+        const char *said;
+    } cases[] = {
+        {"--sheet first --title T", true, 0.0, ""},
+        {"--sheet third --field number=17 --unit cm", true, 0.0, ""},
+        {"--sheet first --title T --scale 1:3", false, 1.0 / 3.0, ""},
+        {"--scale 2:1 --title T --sheet first", false, 2.0, ""},
+        {"--sheet first --title T --fit", false, 0.0, ""},
+        {"--sheet first", false, 0.0, ""},
+        {"--sheet first --dimensions overall", false, 0.0, ""},
+        {"--sheet first --unit cm", false, 0.0, "--unit has no effect"},
+        {"--sheet first --title T --fit --unit cm", false, 0.0, "--unit has no effect"},
+    };
+    static char said[TEXT];
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        static cli_options options;
+        print_message("%s\n", cases[i].line);
+        assert_int_equal(parse(cases[i].line, &options, said), EXIT_DONE);
+        assert_int_equal(options.draw.placement.standard, cases[i].standard);
+        assert_true(options.draw.placement.scale == cases[i].scale);
+        assert_true(*cases[i].said ? strstr(said, cases[i].said) != NULL : *said == '\0');
+    }
+}
+
 /* What the printers rely on, and what names other rows. */
 static void rows_are_sound(void **state)
 {
@@ -184,6 +215,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_row_more_is_an_option_more),
         cmocka_unit_test(it_is_parsed),
+        cmocka_unit_test(scale_of_title_blocks),
         cmocka_unit_test(rows_are_sound),
     };
     return cmocka_run_group_tests_name("options", tests, NULL, NULL);
