@@ -16,7 +16,8 @@ show      = $(if $(V),,@printf '  %-6s %s\n' $1 '$2')
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(TEST_DIRS) $(NEEDS) -MMD -MP
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(TEST_DIRS) $(NEEDS) \
+            -MMD -MP
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =
@@ -254,7 +255,8 @@ $(FUZZER): $(BUILD)/fuzz/%: $(BUILD)/obj/tests/fuzz/%.o $(BUILD)/libroberts.a
 $(FUZZER): $(call object,tests/fuzz/fuzz_read.c)
 
 # Tests of the program's own functions
-$(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report $(BUILD)/tests/test_names: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
+$(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report $(BUILD)/tests/test_names: \
+    $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 $(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)
@@ -262,9 +264,8 @@ $(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)
 # The exact oracle: C++ with CGAL, only for tests.
 ORACLE_OBJ  := $(call object,$(ORACLE)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.o)
 ORACLE_LIBS := -lgmp -lmpfr -lstdc++
-ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle $(BUILD)/tests/test_union_oracle \
-               $(BUILD)/tests/test_region_oracle \
-               $(BUILD)/tests/test_golden
+ORACLE_TEST := $(BUILD)/tests/test_oracle $(BUILD)/tests/test_mesh_oracle $(BUILD)/tests/test_cross_oracle \
+               $(BUILD)/tests/test_union_oracle $(BUILD)/tests/test_region_oracle $(BUILD)/tests/test_golden
 $(ORACLE_TEST): $(ORACLE_OBJ)
 $(ORACLE_TEST): TEST_LIBS = $(ORACLE_LIBS)
 
@@ -289,7 +290,8 @@ $(BUILD)/obj/%.o: %.cpp $(BUILD)/flags
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -c -o $@ $<
 
 $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
-$(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o \
+    $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 # The letters, from the fonts of HERSHEY
