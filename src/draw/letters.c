@@ -93,10 +93,10 @@ static const struct {
 static const struct {
     const char *character, *plain;
 } plain_letters[] = {
-    {"\u00a0", " "}, {"–", "-"},  {"—", "-"},  {"−", "-"},   {"‐", "-"},  {"’", "'"}, {"‘", "`"},  {"‚", ","},
-    {"“", "\""},     {"”", "\""}, {"„", "\""}, {"…", "..."}, {"·", "."},  {"ı", "i"}, {"ß", "ss"}, {"Æ", "AE"},
-    {"æ", "ae"},     {"Œ", "OE"}, {"œ", "oe"}, {"þ", "th"},  {"Þ", "Th"}, {"′", "'"}, {"″", "\""}, {"«", "<<"},
-    {"»", ">>"},     {"‹", "<"},  {"›", ">"},  {"ð", "d"},   {"∆", "Δ"},  {"Ω", "Ω"}, {"µ", "μ"},
+    {"\u00a0", " "}, {"–", "-"},  {"—", "-"},  {"−", "-"},  {"‐", "-"},   {"’", "'"},  {"‘", "`"},
+    {"‚", ","},      {"“", "\""}, {"”", "\""}, {"„", "\""}, {"…", "..."}, {"·", "."},  {"ı", "i"},
+    {"ß", "ss"},     {"Æ", "AE"}, {"æ", "ae"}, {"Œ", "OE"}, {"œ", "oe"},  {"þ", "th"}, {"Þ", "Th"},
+    {"′", "'"},      {"″", "\""}, {"«", "<<"}, {"»", ">>"}, {"‹", "<"},   {"›", ">"},  {"ð", "d"},
 };
 
 /* Signs that the fonts lack or have for other characters. */
@@ -129,14 +129,16 @@ uint32_t letters_decode(const char *text, size_t *length)
     return code;
 }
 
-/* The final sigma counts as sigma, letters with tonos as those without. */
+/* The final sigma counts as sigma, letters with tonos as those without; so do the signs of micro, ohm and increment as
+ * mu, Omega and Delta. */
 int letters_greek_number(uint32_t code)
 {
     static const struct {
         uint32_t code, plain;
-    } same[] = {{0x3c2, 0x3c3}, {0x3ac, 0x3b1}, {0x3ad, 0x3b5}, {0x3ae, 0x3b7}, {0x3af, 0x3b9}, {0x3cc, 0x3bf},
-                {0x3cd, 0x3c5}, {0x3ce, 0x3c9}, {0x3d1, 0x3b8}, {0x3d5, 0x3c6}, {0x3f5, 0x3b5}, {0x386, 0x391},
-                {0x388, 0x395}, {0x389, 0x397}, {0x38a, 0x399}, {0x38c, 0x39f}, {0x38e, 0x3a5}, {0x38f, 0x3a9}};
+    } same[] = {{0x3c2, 0x3c3}, {0x3ac, 0x3b1},  {0x3ad, 0x3b5}, {0x3ae, 0x3b7}, {0x3af, 0x3b9}, {0x3cc, 0x3bf},
+                {0x3cd, 0x3c5}, {0x3ce, 0x3c9},  {0x3d1, 0x3b8}, {0x3d5, 0x3c6}, {0x3f5, 0x3b5}, {0x386, 0x391},
+                {0x388, 0x395}, {0x389, 0x397},  {0x38a, 0x399}, {0x38c, 0x39f}, {0x38e, 0x3a5}, {0x38f, 0x3a9},
+                {0xb5, 0x3bc},  {0x2126, 0x3a9}, {0x2206, 0x394}};
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++)
         if (same[i].code == code)
             code = same[i].plain;
@@ -219,7 +221,7 @@ static bool compose(uint32_t code, composed *c)
             continue;
         c->plain = plain_letters[i].plain;
         c->count = strlen(c->plain);
-        return (unsigned char)c->plain[0] < 0x80 || compose(letters_decode(c->plain, &length), c);
+        return true;
     }
     return compose_accented(code, c) || compose_small(code, c);
 }

@@ -116,6 +116,10 @@ static void greek_letters(void **state)
     assert_int_equal(letters_greek_number(0x3c9), 24); /* omega */
     assert_int_equal(letters_greek_number(0x391), 33);
     assert_int_equal(letters_greek_number(0x3a9), 56);
+    assert_int_equal(letters_greek_number(0xb5), letters_greek_number(0x3bc));   /* micro, mu */
+    assert_int_equal(letters_greek_number(0x2126), letters_greek_number(0x3a9)); /* ohm, Omega */
+    assert_int_equal(letters_greek_number(0x2206), letters_greek_number(0x394)); /* increment, Delta */
+    assert_int_equal(letters_missing("\u00b5\u2126\u2206", NULL), 0);
     assert_int_equal(letters_greek_number('a'), 0);
     assert_int_equal(letters_missing("αβγδεζηθικλμνξοπρσςτυφχψωΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩ µ", NULL), 0);
     assert_int_equal(strokes_of("Α"), strokes_of("A"));
