@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "draw/groups.h"
+#include "draw/sheet.h"
 #include "draw/svg.h"
 
 enum { LEVELS = 3, POINTS_A_LINE = 100 /* then the text goes on in a new line */ };
@@ -40,12 +41,7 @@ static void attribute_integer(output *out, const char *name, uint32_t a)
 
 static const char *view_name(const strokes *s, uint32_t view)
 {
-    const bool first = s->sheet->angle == ROBERTS_FIRST_ANGLE;
-    const char *const names[ROBERTS_SHEET_VIEWS] = {[ROBERTS_SHEET_FRONT] = "front",
-                                                    [ROBERTS_SHEET_TOP] = "top",
-                                                    [ROBERTS_SHEET_SIDE] = first ? "left" : "right",
-                                                    [ROBERTS_SHEET_ISO] = "iso"};
-    return names[s->view[view].place];
+    return sheet_view_name(s->sheet->angle, s->view[view].place);
 }
 
 static const char *body_name(const roberts_draw_options *options, uint32_t body)
