@@ -69,11 +69,19 @@ bool polylines_append(polylines *out, page_point at)
     return true;
 }
 
-/* Whether q lies exactly on the straight way from p to r. */
-static bool is_between(page_point p, page_point q, page_point r)
+bool polylines_copy(const polylines *from, polylines *out)
 {
-    int64_t ax = q.x - (int64_t)p.x, ay = q.y - (int64_t)p.y, bx = r.x - (int64_t)q.x, by = r.y - (int64_t)q.y;
-    return ax * by == ay * bx && ax * bx + ay * by > 0;
+    for (size_t i = 0; i < from->count; i++) {
+        const polyline *line = &from->item[i];
+        if (!polylines_start(out))
+            return false;
+        out->item[out->count - 1].closed = line->closed;
+        out->item[out->count - 1].number = line->number;
+        for (uint32_t k = 0; k < line->count; k++)
+            if (!polylines_append(out, from->point[line->first + k]))
+                return false;
+    }
+    return true;
 }
 
 /* Appends a point. It replaces the last point if that lies on the straight way to it. */
@@ -82,7 +90,7 @@ static bool add_point(polylines *out, page_point at)
     if (out->item[out->count - 1].count < 2)
         return polylines_append(out, at); /* before the very first point, out->point is NULL */
     page_point *end = out->point + out->point_count;
-    if (!is_between(end[-2], end[-1], at))
+    if (!page_is_between(end[-2], end[-1], at))
         return polylines_append(out, at);
     end[-1] = at;
     return true;
@@ -98,7 +106,7 @@ static void finish_line(polylines *out)
     line->closed = true;
     line->count--;
     out->point_count--;
-    if (line->count > 3 && is_between(p[line->count - 1], p[0], p[1])) {
+    if (line->count > 3 && page_is_between(p[line->count - 1], p[0], p[1])) {
         memmove(p, p + 1, (line->count - 1) * sizeof *p);
         line->count--;
         out->point_count--;

@@ -55,6 +55,13 @@ static inline double page_distance(page_point p, page_point q)
     return sqrt(page_square(p, q));
 }
 
+/* Whether q lies exactly on the straight way from p to r. */
+static inline bool page_is_between(page_point p, page_point q, page_point r)
+{
+    int64_t ax = q.x - (int64_t)p.x, ay = q.y - (int64_t)p.y, bx = r.x - (int64_t)q.x, by = r.y - (int64_t)q.y;
+    return ax * by == ay * bx && ax * bx + ay * by > 0;
+}
+
 /* The cell of a coordinate, `size` units wide, and a neighbour that may hold places within PIECE_TOUCH of it. Returns
  * 2 if the neighbour may hold any, otherwise 1. */
 static inline int page_cells(int32_t value, int32_t size, int32_t cell[2])
@@ -102,6 +109,9 @@ bool chain_apart(const pieces *p, roberts_line line, polylines *out);
 /* Begins a polyline; appends a point to the last one. False: no memory. */
 bool polylines_start(polylines *p);
 bool polylines_append(polylines *p, page_point at);
+
+/* Appends all polylines of `from`. False: no memory. */
+bool polylines_copy(const polylines *from, polylines *out);
 
 void polylines_free(polylines *p);
 

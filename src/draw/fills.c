@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "draw/page_regions.h"
@@ -283,20 +282,13 @@ static size_t next_side(const side_list *sides, const fill_side *from)
     return found;
 }
 
-/* Whether q lies straight between p and r. */
-static bool is_between(page_point p, page_point q, page_point r)
-{
-    int64_t ux = q.x - (int64_t)p.x, uy = q.y - (int64_t)p.y, vx = r.x - (int64_t)q.x, vy = r.y - (int64_t)q.y;
-    return ux * vy == uy * vx && ux * vx + uy * vy > 0;
-}
-
 /* Appends a point; drops the one before it if that lies straight between its neighbours. */
 static bool add_point(polylines *out, page_point p)
 {
     const polyline *line = &out->item[out->count - 1];
     if (line->count > 1) {
         page_point *end = out->point + out->point_count;
-        if (is_between(end[-2], end[-1], p)) {
+        if (page_is_between(end[-2], end[-1], p)) {
             end[-1] = p;
             return true;
         }
@@ -320,11 +312,11 @@ static void close_ring(polylines *out)
     polyline *line = &out->item[out->count - 1];
     page_point *p = out->point + line->first;
     line->closed = true;
-    if (line->count > 3 && is_between(p[line->count - 2], p[line->count - 1], p[0])) {
+    if (line->count > 3 && page_is_between(p[line->count - 2], p[line->count - 1], p[0])) {
         line->count--;
         out->point_count--;
     }
-    if (line->count > 3 && is_between(p[line->count - 1], p[0], p[1])) {
+    if (line->count > 3 && page_is_between(p[line->count - 1], p[0], p[1])) {
         p[0] = p[--line->count];
         out->point_count--;
     }

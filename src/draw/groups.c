@@ -120,29 +120,13 @@ static bool is_same_group(const strokes *s, const group_key *key, const pieces *
             p->item[i].number == p->item[i - 1].number);
 }
 
-/* Moves polylines to the end of those of `s`. */
-static bool append(strokes *s, const polylines *own)
-{
-    for (size_t i = 0; i < own->count; i++) {
-        const polyline *line = &own->item[i];
-        if (!polylines_start(&s->lines))
-            return false;
-        for (uint32_t k = 0; k < line->count; k++)
-            if (!polylines_append(&s->lines, own->point[line->first + k]))
-                return false;
-        s->lines.item[s->lines.count - 1].closed = line->closed;
-        s->lines.item[s->lines.count - 1].number = line->number;
-    }
-    return true;
-}
-
 /* Makes one group of `p`, which holds its pieces alone. */
 static roberts_status make_group(strokes *s, const pieces *p, stroke_group group, page_point *pen, roberts_error *error)
 {
     polylines own = {0}; /* cutting dashes copies all lines before them */
     roberts_status status = strokes_chain(s, p, group.line, &own, pen, error);
     group.first = s->lines.count;
-    if (status == ROBERTS_OK && !append(s, &own))
+    if (status == ROBERTS_OK && !polylines_copy(&own, &s->lines))
         status = error_no_memory(error);
     group.end = s->lines.count;
     if (status == ROBERTS_OK && group.end > group.first)

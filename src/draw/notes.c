@@ -48,22 +48,9 @@ text_line notes_line(const notes *n, size_t i)
     return (text_line){n->chars + from->text, from->at, from->height_mm, from->align, from->reads_up};
 }
 
-static bool append_lines(const polylines *from, polylines *out)
-{
-    for (size_t i = 0; i < from->count; i++) {
-        if (!polylines_start(out))
-            return false;
-        out->item[out->count - 1].closed = from->item[i].closed;
-        for (uint32_t k = 0; k < from->item[i].count; k++)
-            if (!polylines_append(out, from->point[from->item[i].first + k]))
-                return false;
-    }
-    return true;
-}
-
 bool notes_draw(const notes *n, bool is_back, bool native, double units_per_mm, polylines *out)
 {
-    if (!is_back && !append_lines(&n->lines, out))
+    if (!is_back && !polylines_copy(&n->lines, out))
         return false;
     for (size_t i = 0; i < n->count && !native; i++) {
         const text_line line = notes_line(n, i);

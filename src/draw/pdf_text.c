@@ -5,9 +5,6 @@
  * Widths are those of Adobe's metrics of these fonts, in thousandths of the size. */
 #include "draw/pdf_text.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 static const double capital = 0.718; /* height of capitals of Helvetica, as a part of its size */
 
 /* From the blank to the tilde. */

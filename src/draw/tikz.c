@@ -5,7 +5,6 @@
  * defined is left as it is. Units are mm, the origin is the lower left corner of the page, and y is up. Each vertex
  * that is seen is a coordinate: v12 is vertex 12. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
