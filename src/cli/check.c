@@ -188,12 +188,12 @@ static const char *missing(const cli_options *options, const options_given *give
         return "it is not drawn without --sheet";
     if (pen == PEN_HATCH && !draw->hatching.on)
         return "faces are not hatched without --hatch";
-    if (pen == PEN_TEXT && !options_is_given(given, "label") && !options_is_given(given, "labels") &&
-        !options_is_given(given, "title") && !options_is_given(given, "field") &&
-        !options_is_given(given, "dimensions"))
-        return "there is no text without --label, --title, --field or --dimensions";
-    if (pen == PEN_HIDDEN_TEXT && !(options_is_given(given, "label") && draw->hidden != ROBERTS_HIDDEN_NONE))
-        return "hidden things have no labels without --label and --hidden";
+    const bool labels = options_is_given(given, "label") || options_is_given(given, "labels");
+    if (pen == PEN_TEXT && !labels && !draw->lettering.zones && !options_is_given(given, "title") &&
+        !options_is_given(given, "field") && !options_is_given(given, "dimensions"))
+        return "there is no text without --label, --labels, --title, --field, --dimensions or --frame=zones";
+    if (pen == PEN_HIDDEN_TEXT && !(labels && draw->hidden != ROBERTS_HIDDEN_NONE))
+        return "hidden things have labels only with --hidden and --label or --labels";
     return NULL;
 }
 

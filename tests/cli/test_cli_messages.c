@@ -458,6 +458,14 @@ static const struct {
     {"--style hidden:off,width=1 --hidden dashed", "the pen of --style hidden has no effect: these lines are off\n"},
     {"--frame --style frame:off,width=2", "the pen of --style frame has no effect: these lines are off\n"},
     {"--style symbol:dash=2,off --sheet first", "the pen of --style symbol has no effect: these lines are off\n"},
+    {"--style text:width=1", "--style text has no effect: there is no text without --label, --labels, --title, "
+                             "--field, --dimensions or --frame=zones\n"},
+    {"--style text:width=0.3 --label vertices", ""},
+    {"--style text:width=0.3 --frame=zones", ""},
+    {"--style hidden-text:width=0.3 --label vertices",
+     "--style hidden-text has no effect: hidden things have labels only with --hidden and --label or --labels\n"},
+    {"--style hidden-text:width=0.3 --label vertices --hidden dashed", ""},
+    {"--style hidden-text:width=0.3 --labels one-name.csv --hidden dashed", ""},
     {"--dash real", "--dash real has no effect: no lines are dashed, as by --hidden dashed\n"},
     {"--dash real --hidden solid", "--dash real has no effect"},
     {"--dash real --hidden dashed", ""},
@@ -482,6 +490,7 @@ static void idle_options_are_warned_of(void **state)
 {
     char line[300], said[300];
     (void)state;
+    put("one-name.csv", "vertex,0,A\n");
     for (size_t i = 0; i < sizeof idle_cases / sizeof idle_cases[0]; i++) {
         snprintf(line, sizeof line, "%s models/platonic/cube.off", idle_cases[i].arguments);
         print_message("roberts %s\n", line);
