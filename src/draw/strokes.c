@@ -249,13 +249,14 @@ static void tell_missing(const strokes *s)
     if (missing == 0 || !to->warn || (native && !is_pdf))
         return;
     if (native)
-        snprintf(text, sizeof text, "%zu character%s that the fonts of PDF lack written as question marks", missing,
+        snprintf(text, sizeof text, "the fonts of PDF lack %zu character%s: a question mark stands for each", missing,
                  missing == 1 ? "" : "s");
     else if (first)
-        snprintf(text, sizeof text, "%zu character%s that the letters lack drawn as a box, the first of them U+%04X",
+        snprintf(text, sizeof text, "the letters lack %zu character%s, the first of them U+%04X: a box stands for each",
                  missing, missing == 1 ? "" : "s", (unsigned)first);
     else
-        snprintf(text, sizeof text, "%zu character%s drawn as a box, the first of them a byte that is not UTF-8",
+        snprintf(text, sizeof text,
+                 "the letters lack %zu character%s, the first of them a byte that is not UTF-8: a box stands for each",
                  missing, missing == 1 ? "" : "s");
     to->warn(to->context, "", 0, text);
 }

@@ -196,7 +196,20 @@ static void hidden_and_named(void **state)
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(s.notes.item[i].is_back, i >= 2);
     assert_int_equal(warnings.count, 1);
-    assert_string_equal(warnings.text, "1 character drawn as a box, the first of them a byte that is not UTF-8");
+    assert_string_equal(warnings.text, "the letters lack 1 character, the first of them a byte that is not UTF-8: a "
+                                       "box stands for each");
+    strokes_free(&s);
+    const roberts_name far_name = {ROBERTS_LABEL_VERTICES, 5, 0, "\u4e00\u4e8c"};
+    options.lettering.name = &far_name;
+    options.lettering.name_count = 1;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    assert_string_equal(warnings.text,
+                        "the letters lack 2 characters, the first of them U+4E00: a box stands for each");
+    strokes_free(&s);
+    options.format = ROBERTS_PDF;
+    options.lettering.native = true;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters: a question mark stands for each");
     strokes_free(&s);
 }
 
