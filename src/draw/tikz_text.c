@@ -74,7 +74,7 @@ void tikz_text_write(output *out, const char *text)
             output_text(out, level > 0 ? "\\textsuperscript{" : "\\textsubscript{");
             output_bytes(out, letters_plain(code, &count), 1);
             output_text(out, "}");
-        } else if (code < ' ') {
+        } else if (code < ' ' || code == 0x7f) {
             output_text(out, "?");
         } else {
             output_bytes(out, text, length);
