@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "draw/output.h"
 #include "draw/title_block.h"
 
 /* mm */
@@ -25,9 +26,12 @@ void dimension_text(double value, const char *unit, char *text, size_t size)
     snprintf(digits, sizeof digits, scaled < 1e15 ? "%.0f" : "%.4e", scaled);
     size_t length = strlen(digits), whole = length > (size_t)decimals ? length - (size_t)decimals : 0;
     char number[80];
-    if (decimals == 0)
-        snprintf(number, sizeof number, "%s", digits);
-    else if (whole > 0)
+    if (decimals == 0) {
+        decimal_unlocalise(number, digits);
+        for (char *c = number; *c; c++)
+            if (*c == '.')
+                *c = ',';
+    } else if (whole > 0)
         snprintf(number, sizeof number, "%.*s,%s", (int)whole, digits, digits + whole);
     else
         snprintf(number, sizeof number, "0,%0*d%s", (int)((size_t)decimals - length), 0, digits);
@@ -49,8 +53,8 @@ static bool add_arrow(strokes *s, roberts_vec2 tip, roberts_vec2 d)
            notes_add_line(&s->notes, tip, along(back, side, -arrow_half), s->units_per_mm);
 }
 
-/* The corner that an extension line measures. The line lies on the line through `start` along `off`; the corner is the
- * end of a segment there that is nearest to `start`, which is a corner of the view's box. `start` if there is none. */
+/* The corner that an extension line measures. `start` is a corner of the view's box, and the line runs through it along
+ * `off`. Of the ends of segments on that line, the nearest to `start` is measured; if there is none, `start` itself. */
 static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
 {
     const double slack = 0.0005; /* mm, half of what coordinates are rounded to */

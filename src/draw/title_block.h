@@ -23,7 +23,7 @@ bool zones_add(strokes *s); /* also of a single drawing */
 /* Where the symbol lies in a title block: its lower right corner, from that of the block, and its size. */
 roberts_vec2 title_block_symbol(double *size);
 
-/* Writes a number of at most five digits, with a comma (ISO 129-1). */
+/* Writes a number rounded to five digits, or to a whole one if that has more, with a comma (ISO 129-1). */
 void dimension_text(double value, const char *unit, char *text, size_t size);
 
 #endif
