@@ -8,7 +8,7 @@
 
 #include "cli/parse.h"
 
-enum { FILE_MOST = 64 * 1024 * 1024 /* bytes */ };
+enum { ROOM_MOST = 64 * 1024 * 1024 /* bytes for the text of a file */ };
 
 static roberts_status refuse(roberts_error *error, roberts_status status, const char *path, size_t line,
                              const char *why)
@@ -29,10 +29,11 @@ static roberts_status read_text(name_list *n, const char *path, roberts_error *e
     for (size_t got = 1; got > 0; size += got) {
         if (size + 4096 > room) {
             room = 2 * room + 8192;
-            char *grown = room <= FILE_MOST ? realloc(n->text, room) : NULL;
+            char *grown = room <= ROOM_MOST ? realloc(n->text, room) : NULL;
             if (!grown) {
                 fclose(file);
-                return refuse(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
+                return room > ROOM_MOST ? refuse(error, ROBERTS_BAD_SYNTAX, path, 0, "is too long")
+                                        : refuse(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
             }
             n->text = grown;
         }

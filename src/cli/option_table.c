@@ -359,7 +359,8 @@ static const option rows[] = {
      .help = "the direction toward the light, as the viewer sees it: X to the right, Y upward, Z toward the viewer "
              "(default: -1,2,3)",
      .manual =
-         "The direction toward the light for --fill shade, as the viewer sees it: X is to the right, Y upward "
+         "The direction toward the light for --fill shade and --hatch, as the viewer sees it: X is to the right, Y "
+         "upward "
          "and Z toward the viewer, in every view. It has any length. Default: -1,2,3, from the upper left. A "
          "face that looks toward the light has its full colour; others have 0.45 of it, and 0.55 times the cosine "
          "of the angle between normal and light (Lambert's law)."},
@@ -398,23 +399,16 @@ static const option rows[] = {
      .brief = "a pen",
      .help =
          "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
-         "(default: 0.5, 0.5, 0.35, "
-         "0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; color=NAME, #rrggbb or #rgb; "
-         "dash=DASH/GAP in mm "
-         "as seen, or none; off, on",
+         "(default: 0.5, 0.5, 0.35, 0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; "
+         "color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; off, on",
      .manual =
-         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, text or "
-         "hidden-text. width=MM is its "
-         "width, "
-         "color=COLOR its colour (as for --background). dash=DASH/GAP are the lengths of dashes and gaps in mm, as "
-         "seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws whole lines. off leaves the class out, "
-         "on brings it back. May be given several times.\n"
-         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm, black and, for "
-         "hidden-text, "
-         "grey; hidden lines have dashes of 3 mm "
-         "and "
-         "gaps of 0.75 mm, which follow the width. They do not depend on the page: small or crowded pictures want "
-         "thinner pens."},
+         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or "
+         "hidden-text. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are the "
+         "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
+         "whole lines. off leaves the class out, on brings it back. May be given several times.\n"
+         "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
+         "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm, which follow the width. The pens "
+         "do not depend on the page: small or crowded pictures want thinner ones."},
     {.group = GROUP_LINES,
      .name = "hatch",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -429,8 +423,7 @@ static const option rows[] = {
          "to tone",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
-         "of "
-         "their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
+         "of their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
          "them:\n"
          "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. A face that has a part of the "
          "light has so much fewer strokes, and a face on which the light falls straight has none (Lambert's law).\n"
@@ -480,10 +473,8 @@ static const option rows[] = {
      .help = "layers of svg are named (outline) or numbered, too (6 outline), as plotters want them (default: named)",
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
-         "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch and 10 text, the same in every drawing. The software "
-         "of "
-         "AxiDraw finds "
-         "layers by their numbers."},
+         "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch, 10 text and 11 hidden-text, the same in every "
+         "drawing. The software of AxiDraw finds layers by their numbers."},
     {.group = GROUP_LINES,
      .name = "group",
      .flags = OPTION_DRAWS | OPTION_PAPER,

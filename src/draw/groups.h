@@ -8,8 +8,8 @@
  * The views of `s` are set. The caller frees the result; NULL: no memory. */
 uint32_t *groups_parts(const strokes *s, size_t count);
 
-/* Makes the polylines of all groups, and the groups: by view, then by body and class, or by class and body. Frame and
- * symbol come last. Changes the order of the pieces. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT. */
+/* Makes the polylines of all groups, and the groups: by view, then by body and class, or by class and body. Frame,
+ * symbol and text come last. Changes the order of the pieces. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT. */
 roberts_status groups_make(strokes *s, pieces *p, roberts_error *error);
 
 /* What the number of a piece stands for. */

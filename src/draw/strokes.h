@@ -27,7 +27,7 @@ enum { TAKEN_MOST = 4 };
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
     size_t first, end; /* polylines */
-    uint32_t body;     /* ROBERTS_NONE: frame and symbol, which are in no view */
+    uint32_t body;     /* ROBERTS_NONE: frame, symbol and text, which are in no view */
     uint32_t view;     /* of the strokes' views; views: none */
     roberts_line line;
 } stroke_group;
@@ -109,7 +109,7 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 const char *strokes_class_name(roberts_line line);
 
 /* The number of a class where layers and pens are numbered, the same in every drawing: from 1, the undermost first, but
- * hatching has the last one. */
+ * hatching has 9. */
 uint32_t strokes_class_number(roberts_line line);
 
 /* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and

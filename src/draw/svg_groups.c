@@ -121,7 +121,7 @@ static bool is_same(const stroke_group *g, const stroke_group *h, level at)
     return at == LEVEL_VIEW ? g->view == h->view : at == LEVEL_BODY ? g->body == h->body : g->line == h->line;
 }
 
-/* Frame and symbol are in a layer of their class alone. */
+/* Frame, symbol and text are in layers of their class alone. */
 static bool is_plain(const stroke_group *g)
 {
     return g->body == ROBERTS_NONE;
