@@ -69,11 +69,19 @@ void frame_free(solid_frame *frame);
 
 /* Turns the faces of a component into a solid: planes, winding, edges, checks. */
 
+/* Why a component is not closed like a sphere. */
+typedef enum opening {
+    OPENING_NONE,
+    OPENING_EDGES,    /* some edge does not have two faces: welding and splitting may help */
+    OPENING_VERTICES, /* each edge has two faces, but parts share vertices: splitting may help */
+    OPENING_HOLES     /* each edge has two faces, but the surface has holes: neither helps */
+} opening;
+
 /* Scratch memory, reused for solid after solid; zeroed = empty. */
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
-    bool holes; /* the last solid is closed, but its surface has holes: welding does not help */
+    opening opening; /* of the last solid */
 } builder;
 
 typedef enum build_result {
