@@ -15,9 +15,10 @@ Q        := $(if $(V),,@)
 show      = $(if $(V),,@printf '  %-6s %s\n' $1 '$2')
 STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
+# -fno-math-errno: a square root is one instruction, not followed by a test whether errno must be set; nothing reads it
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc $(TEST_DIRS) $(NEEDS) \
-            -MMD -MP
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc \
+            $(TEST_DIRS) $(NEEDS) -MMD -MP
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =

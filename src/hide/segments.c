@@ -264,6 +264,7 @@ BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const roberts_vec3 *P = job->fronts.P;
+    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
@@ -275,7 +276,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (is_covered(job, P[is->v[0]], P[is->v[1]])) {
+        if (covers && is_covered(job, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
