@@ -114,7 +114,9 @@ uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32
     return n;
 }
 
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
+/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
+ * the plane is n.(P - first corner) = mean. */
+static void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
 {
     const local_face *face = &frame->face[f];
     uint32_t to = frame->face_first + f;
@@ -303,7 +305,8 @@ static void fit_all(solid_frame *frame, roberts_scene *scene)
             fit_two(frame, scene, waiting[i], waiting[i], 3 + i);
 }
 
-void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
+/* Fits the plane of each face, and orients plane and corners so that the barycentre is inside. */
+static void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
     double greatest;
     frame->turned = frame->widest = 0;

@@ -56,13 +56,6 @@ static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face, and orients plane and corners so that the barycentre is inside. */
-void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
-
-/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
- * the plane is n.(P - first corner) = mean. */
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean);
-
 void frame_free(solid_frame *frame);
 
 /* ---- one solid ------------------------------------------------------------------------------------------------- */
