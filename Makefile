@@ -6,7 +6,7 @@ CC       ?= cc
 CXX      ?= c++
 BUILD    ?= build
 CFLAGS   ?= -O2 -g
-CXXFLAGS ?= -O2 -g
+CXXFLAGS ?= -O2
 WERROR   ?=
 # Empty: a build without threads; then clang does not need libomp-dev.
 OPENMP   ?= -fopenmp
