@@ -437,6 +437,25 @@ static void turn_round(const cross_truth *truth, cross_line *l)
     *l = turned;
 }
 
+/* May face f be edge-on if its corners move by the slack? It may if one plane through the viewer passes all of them
+ * within the slack. The plane tried goes through the first corner and another one, for each other one. */
+static bool may_be_edge_on(const mesh_scene *scene, uint32_t f)
+{
+    const roberts_mesh *m = &scene->mesh;
+    const uint32_t *corner = m->corner + m->face_start[f];
+    const uint32_t count = m->face_start[f + 1] - m->face_start[f];
+    const roberts_vec3 first = m->vertex[corner[0]], viewer = {scene->view.x, scene->view.y, scene->view.z};
+    const roberts_vec3 sight = scene->view.w ? picture_minus(viewer, first) : viewer;
+    bool may = false;
+    for (uint32_t i = 1; i < count && !may; i++) {
+        roberts_vec3 n = picture_unit_cross(sight, picture_minus(m->vertex[corner[i]], first));
+        may = true;
+        for (uint32_t k = 1; k < count && may; k++)
+            may = fabs(picture_dot(n, picture_minus(m->vertex[corner[k]], first))) <= scene->slack;
+    }
+    return may;
+}
+
 void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
 {
     size_t count = 0;
@@ -450,6 +469,7 @@ void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_dra
     for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
         cross_line *l = &truth->line[i];
         double straight = HUGE_VAL, turned = HUGE_VAL;
+        l->edge_on |= may_be_edge_on(scene, l->f0) || may_be_edge_on(scene, l->f1);
         if (fabs(l->b.x - l->a.x) > scene->slack)
             continue;
         for (size_t k = 0; k < drawing->crossing_count; k++) {
