@@ -285,7 +285,7 @@ static map_item item_of(const map_search *s, uint32_t number)
 static size_t place_in(double at, double low, double size, size_t count)
 {
     double place = (at - low) / size;
-    return !(place > 0.0) ? 0 : place >= (double)count ? count - 1 : (size_t)place;
+    return !(place > 0.0) ? 0 : place >= (double)count ? count - 1 : (size_t)(int64_t)place;
 }
 
 /* Lists an item in the cells that it is in or near. Without entries these are only counted. */
