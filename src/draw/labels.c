@@ -374,7 +374,7 @@ static bool add_note(strokes *s, const label *l)
 {
     const double height = text_height(s), depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
     const text_line line = {
-        .text = l->text, .at = {l->middle.x, l->middle.y + (height - depth) / 2.0}, .height_mm = height, .align = 0.5};
+        .text = l->text, .at = {l->middle.x, l->middle.y + (height - depth) / 2.0}, .height_mm = height, .align = 0.5, .along = TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, l->of->is_back);
 }
 
