@@ -558,15 +558,20 @@ static const option rows[] = {
     {.group = GROUP_TEXT,
      .name = "dimensions",
      .flags = OPTION_DRAWS | OPTION_PAPER,
-     .value = "WHAT",
+     .value = "WHAT,...",
      .words = values_dimensions,
      .set = values_set_dimensions,
      .needs = "sheet",
-     .brief = "width and height and depth",
-     .help = "with --sheet: overall draws the dimensions of the whole: width, height and depth",
+     .brief = "width and height and depth or distances",
+     .help = "with --sheet: overall draws width, height and depth of the whole, v4-v17 the distance between two "
+             "vertices; several with commas",
      .manual =
-         "overall: draws width, height and depth of the whole on a sheet (ISO 129-1), in units of the model, with "
-         "the name of --unit behind them unless that is mm. Numbers have five digits and a decimal comma."},
+         "Draws dimensions on a sheet (ISO 129-1), in units of the model, with the name of --unit behind them unless "
+         "that is mm. Numbers have five digits and a decimal comma. overall: width, height and depth of the whole. "
+         "v4-v17: the distance between two vertices, by their numbers in the file (--label vertices shows them). It "
+         "is drawn once, in a view that shows it in true length, where possible one that shows both vertices. A "
+         "warning says where no view does, or where there is no room. Several with commas, as "
+         "overall,v4-v17,v4-v9."},
     {.group = GROUP_TEXT,
      .name = "label-size",
      .flags = OPTION_DRAWS | OPTION_PAPER,

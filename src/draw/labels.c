@@ -373,8 +373,11 @@ static bool has_descender(const char *text)
 static bool add_note(strokes *s, const label *l)
 {
     const double height = text_height(s), depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
-    const text_line line = {
-        .text = l->text, .at = {l->middle.x, l->middle.y + (height - depth) / 2.0}, .height_mm = height, .align = 0.5, .along = TEXT_LEVEL};
+    const text_line line = {.text = l->text,
+                            .at = {l->middle.x, l->middle.y + (height - depth) / 2.0},
+                            .height_mm = height,
+                            .align = 0.5,
+                            .along = TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, l->of->is_back);
 }
 
@@ -434,6 +437,17 @@ static bool fill_room(const strokes *s, page_room *r)
     return true;
 }
 
+page_room *labels_room(const strokes *s)
+{
+    const roberts_page *page = &s->options->page;
+    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
+    if (r && !fill_room(s, r)) {
+        room_free(r);
+        return NULL;
+    }
+    return r;
+}
+
 double labels_reach(const roberts_draw_options *options)
 {
     const bool beside = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
@@ -444,11 +458,10 @@ bool labels_add(strokes *s)
 {
     targets t = {0};
     label *list = NULL;
-    const roberts_page *page = &s->options->page;
     if (labelled_kinds(&s->options->lettering) == 0)
         return true;
-    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
-    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL && fill_room(s, r);
+    page_room *r = labels_room(s);
+    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL;
     if (done) {
         const size_t count = make_labels(s, &t, list);
         done = place_all(list, count, r, text_gap(s));

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/dashes.h"
+#include "draw/distances.h"
 #include "draw/groups.h"
 #include "draw/hatch.h"
 #include "draw/labels.h"
@@ -271,6 +272,9 @@ static void tell_missing(const strokes *s)
 
 roberts_status strokes_label(strokes *s, roberts_error *error)
 {
+    roberts_status status = distances_add(s, error);
+    if (status != ROBERTS_OK)
+        return status;
     if (!labels_add(s))
         return error_no_memory(error);
     tell_missing(s);
