@@ -512,10 +512,13 @@ static const option rows[] = {
      .words = values_labels,
      .set = values_set_label,
      .brief = "numbers at vertices or edges or faces or bodies",
-     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas",
+     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas, "
+             "then as v4, f4 and b4",
      .manual =
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
-         "several with commas. A label is beside its vertex or the middle of the edge's longest visible part, or in "
+         "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
+         "as "
+         "v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
          "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
          "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
          "Edges that are not drawn have none."},
