@@ -830,6 +830,11 @@ typedef struct roberts_field {
     const char *text; /**< UTF-8 */
 } roberts_field;
 
+/** A distance between two vertices, by their numbers in the input. */
+typedef struct roberts_distance {
+    uint32_t v0, v1;
+} roberts_distance;
+
 /** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct is a page without any. Letters are strokes of
  * the fonts "simplex" of A. V. Hershey, Latin and Greek, near ISO 3098; accents are composed. A character that they
  * lack is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the
@@ -838,7 +843,8 @@ typedef struct roberts_field {
 typedef struct roberts_lettering {
     double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5 */
     bool native;      /**< SVG, PDF and TikZ: text in a font of the reader, which can be searched and copied */
-    unsigned labels;  /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input */
+    unsigned labels; /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input; several
+                        kinds as v4, f4 and b4, edges always as 4-17 */
     size_t name_count;
     const roberts_name *name; /**< [name_count] by of, number, other, each once; what they name is labelled */
     const char
@@ -846,9 +852,13 @@ typedef struct roberts_lettering {
     size_t field_count;
     const roberts_field *field; /**< [field_count] */
     bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
-    bool zones;                 /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
-    const char *unit;           /**< behind the numbers of dimensions; NULL: none */
-    roberts_warnings warnings;  /**< characters that the fonts lack, labels without room, a tiny drawing */
+    size_t distance_count;
+    /** [distance_count] sheets: dimensions between vertices, each in one view that shows it in true length, if possible
+     * one that shows both vertices; they need `scene`. Where no view does, or there is no room, a warning says so. */
+    const roberts_distance *distance;
+    bool zones;                /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
+    const char *unit;          /**< behind the numbers of dimensions; NULL: none */
+    roberts_warnings warnings; /**< characters that the fonts lack, labels and distances without room, a tiny drawing */
 } roberts_lettering;
 
 /** In which order the pen draws the lines of a class. */
@@ -926,7 +936,7 @@ typedef struct roberts_draw_options {
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
     const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, which knows the faces and ends
-                                        of edges, and names; NULL: these fields stay empty */
+                                        of edges, and names; NULL: these fields stay empty. Distances need it */
     size_t column_count;           /**< tables: how many further columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
     bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
@@ -999,7 +1009,7 @@ enum {
 /** Drawings of one scene, each from roberts_hide() with the camera of its view; borrowed. */
 typedef struct roberts_sheet {
     roberts_sheet_angle angle;
-    double gap_mm;                                    /**< between views; 0 = 15 */
+    double gap_mm;                                    /**< between views; 0 = 15, or 25 where there are distances */
     const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
 } roberts_sheet;
 

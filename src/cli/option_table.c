@@ -512,10 +512,13 @@ static const option rows[] = {
      .words = values_labels,
      .set = values_set_label,
      .brief = "numbers at vertices or edges or faces or bodies",
-     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas",
+     .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas, "
+             "then as v4, f4 and b4",
      .manual =
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
-         "several with commas. A label is beside its vertex or the middle of the edge's longest visible part, or in "
+         "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
+         "as "
+         "v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
          "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
          "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
          "Edges that are not drawn have none."},
@@ -558,15 +561,20 @@ static const option rows[] = {
     {.group = GROUP_TEXT,
      .name = "dimensions",
      .flags = OPTION_DRAWS | OPTION_PAPER,
-     .value = "WHAT",
+     .value = "WHAT,...",
      .words = values_dimensions,
      .set = values_set_dimensions,
      .needs = "sheet",
-     .brief = "width and height and depth",
-     .help = "with --sheet: overall draws the dimensions of the whole: width, height and depth",
+     .brief = "width and height and depth or distances",
+     .help = "with --sheet: overall draws width, height and depth of the whole, v4-v17 the distance between two "
+             "vertices; several with commas",
      .manual =
-         "overall: draws width, height and depth of the whole on a sheet (ISO 129-1), in units of the model, with "
-         "the name of --unit behind them unless that is mm. Numbers have five digits and a decimal comma."},
+         "Draws dimensions on a sheet (ISO 129-1), in units of the model, with the name of --unit behind them unless "
+         "that is mm. Numbers have five digits and a decimal comma. overall: width, height and depth of the whole. "
+         "v4-v17: the distance between two vertices, by their numbers in the file (--label vertices shows them). It "
+         "is drawn once, in a view that shows it in true length, where possible one that shows both vertices. A "
+         "warning says where no view does, or where there is no room. Several with commas, as "
+         "overall,v4-v17,v4-v9."},
     {.group = GROUP_TEXT,
      .name = "label-size",
      .flags = OPTION_DRAWS | OPTION_PAPER,

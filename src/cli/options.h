@@ -9,7 +9,7 @@
 
 #include "roberts.h"
 
-enum { PICKS_MOST = 64, FIELDS_MOST = 7 };
+enum { PICKS_MOST = 64, FIELDS_MOST = 7, DISTANCES_MOST = 64 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
@@ -40,6 +40,8 @@ typedef struct cli_options {
     roberts_draw_options draw;
     roberts_field field[FIELDS_MOST]; /* of the title block */
     size_t field_count;
+    roberts_distance distance[DISTANCES_MOST]; /* between vertices of a sheet */
+    size_t distance_count;
     const char *unit; /* name of --unit; NULL: not given */
     bool landscape;
     description description;

@@ -285,10 +285,11 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
-/* Whether what is written asks the scene for the faces of edges, or for names. */
+/* Whether what is written asks the scene for the faces of edges, for names, or for vertices. */
 static bool needs_scene(const cli_options *options)
 {
-    return is_table(options) || (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
+    return is_table(options) || options->distance_count > 0 ||
+           (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
 }
 
 /* What messages call the drawing. */
@@ -350,6 +351,8 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.lettering.field = options->field;
     page.lettering.field_count = options->field_count;
     page.lettering.unit = options->unit;
+    page.lettering.distance = options->distance;
+    page.lettering.distance_count = options->distance_count;
     for (size_t i = 0; i < v->count; i++)
         sheet.view[i] = &v->drawing[i];
     roberts_drawing drawing = v->drawing[0];

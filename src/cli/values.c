@@ -651,12 +651,41 @@ int values_set_field(const option *o, const char *value, cli_options *options)
 
 const char *const values_dimensions[] = {"overall", NULL};
 
+/* v4-v17, or 4-17 as edges are labelled. */
+static bool read_distance(char *word, roberts_distance *distance)
+{
+    char *second = strchr(word, '-');
+    if (!second)
+        return false;
+    *second++ = '\0';
+    return parse_integer(word + (*word == 'v'), &distance->v0) &&
+           parse_integer(second + (*second == 'v'), &distance->v1);
+}
+
 int values_set_dimensions(const option *o, const char *value, cli_options *options)
 {
-    size_t i;
-    int status = choose(o, value, &i);
-    options->draw.lettering.overall = status == EXIT_DONE;
-    return status;
+    char word[64], asked[64];
+    bool fits;
+    options->draw.lettering.overall = false;
+    options->distance_count = 0;
+    while (value) {
+        roberts_distance *distance = &options->distance[options->distance_count];
+        value = parse_word(value, ',', word, sizeof word, &fits);
+        snprintf(asked, sizeof asked, "%s", word);
+        if (fits && strcmp(word, o->words[0]) == 0) {
+            options->draw.lettering.overall = true;
+            continue;
+        }
+        if (options->distance_count == DISTANCES_MOST)
+            return message_misuse("--dimensions: at most %d distances can be given", DISTANCES_MOST);
+        if (!fits || !read_distance(word, distance))
+            return hint_unknown("--dimensions", asked, o->words,
+                                "or two vertices, as v4-v17; with commas between several");
+        if (distance->v0 == distance->v1)
+            return message_misuse("--dimensions: \"%s\" is a distance from a vertex to itself", asked);
+        options->distance_count++;
+    }
+    return EXIT_DONE;
 }
 
 /* ---- view ---- */

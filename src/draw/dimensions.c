@@ -74,42 +74,81 @@ static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts
     return least < INFINITY ? along(start, off, -least) : start;
 }
 
-/* The extension line from the corner that belongs to `start`, across the end of the dimension line. */
-static bool add_extension(strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
+/* The direction in which text along `d` is read: from below or, where it is upright, from the right. */
+static roberts_vec2 reading(roberts_vec2 d)
 {
-    const roberts_vec2 corner = find_corner(s, view, start, off);
-    return notes_add_line(&s->notes, along(corner, off, extension_gap), along(start, off, line_off + extension_over),
-                          s->units_per_mm);
+    const bool backward = d.x < -1e-9 || (d.x <= 1e-9 && d.y > 0.0);
+    return backward ? (roberts_vec2){-d.x, -d.y} : d;
 }
 
-/* A dimension between `ends`, corners of the box of a view. Its line is off by `line_off` toward `off`; it is level or
- * upright. */
-static bool add_dimension(strokes *s, const page_view *view, const roberts_vec2 ends[2], roberts_vec2 off, double value)
+bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
 {
-    const roberts_vec2 a = ends[0], b = ends[1];
-    const double length = hypot(b.x - a.x, b.y - a.y), units = s->units_per_mm;
+    const roberts_vec2 from = d->end[0], to = d->end[1];
+    const double length = hypot(to.x - from.x, to.y - from.y), height = strokes_text_height(s->options);
     if (!(length > 0.0))
+        return false;
+    l->along = (roberts_vec2){(to.x - from.x) / length, (to.y - from.y) / length};
+    l->is_narrow = length < 4.0 * arrow_length;
+    const double half = letters_width(d->text, height) / 2.0, outside = l->is_narrow ? 2.0 * arrow_length : 0.0;
+    const double before = d->shift < 0.0 ? fmax(outside, half - d->shift - length / 2.0) : outside;
+    const double behind = d->shift > 0.0 ? fmax(outside, half + d->shift - length / 2.0) : outside;
+    const roberts_vec2 middle = {(from.x + to.x) / 2.0, (from.y + to.y) / 2.0}, read = reading(l->along);
+    l->line[0] = along(from, l->along, -before);
+    l->line[1] = along(to, l->along, behind);
+    for (int i = 0; i < 2; i++) {
+        l->extension[i][0] = along(d->corner[i], d->off, extension_gap);
+        l->extension[i][1] = along(d->end[i], d->off, extension_over);
+    }
+    l->text =
+        (text_line){d->text, along(along(middle, l->along, d->shift), text_upward(read), text_off), height, 0.5, read};
+    return true;
+}
+
+size_t dimension_text_boxes(const text_line *line, room_box box[DIMENSION_BOXES])
+{
+    const roberts_vec2 d = line->along, up = text_upward(d);
+    const double width = letters_width(line->text, line->height_mm), h = line->height_mm;
+    const bool is_straight = d.x == 0.0 || d.y == 0.0;
+    const size_t count = is_straight ? 1 : (size_t)fmin(fmax(ceil(width / h), 1.0), DIMENSION_BOXES);
+    for (size_t i = 0; i < count; i++) {
+        const double low = width * ((double)i / (double)count - 0.5), high = low + width / (double)count;
+        const roberts_vec2 a = along(line->at, d, low), b = along(line->at, d, high), c = along(a, up, h),
+                           e = along(b, up, h);
+        box[i] = (room_box){{fmin(fmin(a.x, b.x), fmin(c.x, e.x)), fmin(fmin(a.y, b.y), fmin(c.y, e.y))},
+                            {fmax(fmax(a.x, b.x), fmax(c.x, e.x)), fmax(fmax(a.y, b.y), fmax(c.y, e.y))}};
+    }
+    return count;
+}
+
+bool dimension_draw(strokes *s, const dimension *d)
+{
+    const double units = s->units_per_mm;
+    dimension_lines l;
+    room_box box[DIMENSION_BOXES];
+    if (!dimension_lay(s, d, &l))
         return true;
-    const roberts_vec2 d = {(b.x - a.x) / length, (b.y - a.y) / length};
-    const roberts_vec2 from = along(a, off, line_off), to = along(b, off, line_off);
-    const bool is_upright = fabs(d.y) > fabs(d.x), is_narrow = length < 4.0 * arrow_length;
-    const double outside = is_narrow ? 2.0 * arrow_length : 0.0, height = strokes_text_height(s->options);
-    char text[100];
+    for (size_t i = 0, count = dimension_text_boxes(&l.text, box); i < count; i++)
+        if (!strokes_take(s, &box[i]))
+            return false;
+    const roberts_vec2 inward = l.along, outward = {-inward.x, -inward.y};
+    return notes_add_line(&s->notes, l.extension[0][0], l.extension[0][1], units) &&
+           notes_add_line(&s->notes, l.extension[1][0], l.extension[1][1], units) &&
+           notes_add_line(&s->notes, l.line[0], l.line[1], units) &&
+           add_arrow(s, d->end[0], l.is_narrow ? inward : outward) &&
+           add_arrow(s, d->end[1], l.is_narrow ? outward : inward) && notes_add_text(&s->notes, &l.text, false);
+}
+
+/* A dimension between `ends`, corners of the box of a view, off toward `off`; its line is level or upright. */
+static bool add_overall(strokes *s, const page_view *view, const roberts_vec2 ends[2], roberts_vec2 off, double value)
+{
+    char text[DIMENSION_TEXT];
     dimension_text(value, s->options->lettering.unit, text, sizeof text);
-    const roberts_vec2 middle = {(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
-    const text_line line = {text,
-                            is_upright ? (roberts_vec2){middle.x - text_off, middle.y}
-                                       : (roberts_vec2){middle.x, middle.y - text_off},
-                            height, 0.5, is_upright};
-    const double half = letters_width(text, height) / 2.0;
-    if (s->taken_count < TAKEN_MOST)
-        s->taken[s->taken_count++] =
-            is_upright ? (room_box){{line.at.x - height, line.at.y - half}, {line.at.x, line.at.y + half}}
-                       : (room_box){{line.at.x - half, line.at.y - height}, {line.at.x + half, line.at.y}};
-    return add_extension(s, view, a, off) && add_extension(s, view, b, off) &&
-           notes_add_line(&s->notes, along(from, d, -outside), along(to, d, outside), units) &&
-           add_arrow(s, from, is_narrow ? d : (roberts_vec2){-d.x, -d.y}) &&
-           add_arrow(s, to, is_narrow ? (roberts_vec2){-d.x, -d.y} : d) && notes_add_text(&s->notes, &line, false);
+    const dimension d = {{find_corner(s, view, ends[0], off), find_corner(s, view, ends[1], off)},
+                         {along(ends[0], off, line_off), along(ends[1], off, line_off)},
+                         off,
+                         text,
+                         0.0};
+    return dimension_draw(s, &d);
 }
 
 bool dimensions_add(strokes *s)
@@ -127,9 +166,9 @@ bool dimensions_add(strokes *s)
         if (view->place != ROBERTS_SHEET_FRONT && view->place != ROBERTS_SHEET_SIDE)
             continue;
         const roberts_vec2 level[2] = {{a.x, y}, {b.x, y}}, upright[2] = {a, {a.x, b.y}};
-        if (!add_dimension(s, view, level, outward, high.x - low.x))
+        if (!add_overall(s, view, level, outward, high.x - low.x))
             return false;
-        if (view->place == ROBERTS_SHEET_FRONT && !add_dimension(s, view, upright, leftward, high.y - low.y))
+        if (view->place == ROBERTS_SHEET_FRONT && !add_overall(s, view, upright, leftward, high.y - low.y))
             return false;
     }
     return true;

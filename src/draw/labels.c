@@ -99,8 +99,10 @@ static bool add_segment(const strokes *s, const page_view *view, uint32_t v, con
     return !(kinds & ROBERTS_LABEL_EDGES) || !is_on_page(s, view, middle) || add_target(t, &one);
 }
 
-static bool add_region(const page_view *view, uint32_t v, const roberts_region *region, unsigned kinds, targets *t)
+/* A region whose middle the frame cuts off has no label. */
+static bool add_region(const strokes *s, uint32_t v, const roberts_region *region, unsigned kinds, targets *t)
 {
+    const page_view *view = &s->view[v];
     const roberts_region_list *list = view->drawing->regions;
     const double mm = page_scale(&view->map);
     const pole middle = pole_find(list, region);
@@ -110,6 +112,8 @@ static bool add_region(const page_view *view, uint32_t v, const roberts_region *
                   .at = page_place(&view->map, middle.at),
                   .reach = middle.distance * mm,
                   .size = region->area};
+    if (!is_on_page(s, view, one.at))
+        return true;
     if ((kinds & ROBERTS_LABEL_FACES) && region->face != ROBERTS_NONE && !add_target(t, &one))
         return false;
     one.kind = ROBERTS_LABEL_BODIES;
@@ -174,7 +178,7 @@ static bool find_targets(const strokes *s, targets *t)
         for (size_t i = 0;
              drawing->regions && i < drawing->regions->count && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
              i++)
-            if (!add_region(&view[v], v, &drawing->regions->region[i], kinds, t))
+            if (!add_region(s, v, &drawing->regions->region[i], kinds, t))
                 return false;
     }
     unite(t);
@@ -209,6 +213,15 @@ static const char *find_name(const roberts_lettering *lettering, const target *o
     return NULL;
 }
 
+/* What tells numbers of vertices, faces and bodies apart where several of them are shown. Edges have two numbers. */
+static const char *number_prefix(unsigned kinds, roberts_label_kind kind)
+{
+    const unsigned alike = kinds & ~(unsigned)ROBERTS_LABEL_EDGES;
+    if ((alike & (alike - 1)) == 0)
+        return "";
+    return kind == ROBERTS_LABEL_VERTICES ? "v" : kind == ROBERTS_LABEL_FACES ? "f" : "b";
+}
+
 static void set_text(label *l, const roberts_lettering *lettering)
 {
     l->text = find_name(lettering, l->of);
@@ -217,7 +230,8 @@ static void set_text(label *l, const roberts_lettering *lettering)
     if (l->of->kind == ROBERTS_LABEL_EDGES)
         snprintf(l->number, sizeof l->number, "%u-%u", (unsigned)l->of->number, (unsigned)l->of->other);
     else
-        snprintf(l->number, sizeof l->number, "%u", (unsigned)l->of->number);
+        snprintf(l->number, sizeof l->number, "%s%u", number_prefix(lettering->labels, l->of->kind),
+                 (unsigned)l->of->number);
     l->text = l->number;
 }
 
@@ -373,8 +387,11 @@ static bool has_descender(const char *text)
 static bool add_note(strokes *s, const label *l)
 {
     const double height = text_height(s), depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
-    const text_line line = {
-        .text = l->text, .at = {l->middle.x, l->middle.y + (height - depth) / 2.0}, .height_mm = height, .align = 0.5};
+    const text_line line = {.text = l->text,
+                            .at = {l->middle.x, l->middle.y + (height - depth) / 2.0},
+                            .height_mm = height,
+                            .align = 0.5,
+                            .along = TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, l->of->is_back);
 }
 
@@ -434,6 +451,17 @@ static bool fill_room(const strokes *s, page_room *r)
     return true;
 }
 
+page_room *labels_room(const strokes *s)
+{
+    const roberts_page *page = &s->options->page;
+    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
+    if (r && !fill_room(s, r)) {
+        room_free(r);
+        return NULL;
+    }
+    return r;
+}
+
 double labels_reach(const roberts_draw_options *options)
 {
     const bool beside = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
@@ -444,11 +472,10 @@ bool labels_add(strokes *s)
 {
     targets t = {0};
     label *list = NULL;
-    const roberts_page *page = &s->options->page;
     if (labelled_kinds(&s->options->lettering) == 0)
         return true;
-    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
-    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL && fill_room(s, r);
+    page_room *r = labels_room(s);
+    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL;
     if (done) {
         const size_t count = make_labels(s, &t, list);
         done = place_all(list, count, r, text_gap(s));

@@ -10,6 +10,9 @@
  * The same input gives the same places. False: no memory. */
 bool labels_add(strokes *s);
 
+/* The page with all its lines, and with the boxes `taken`. Released by room_free(). NULL: no memory. */
+page_room *labels_room(const strokes *s);
+
 /* How far labels may reach beyond the drawing, mm; 0: there are none beside it. */
 double labels_reach(const roberts_draw_options *options);
 

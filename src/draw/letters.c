@@ -8,6 +8,7 @@
  * The fonts have no accents. A letter with an accent is composed of the letter and a mark over or below it. */
 #include "draw/letters.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "draw/output.h"
@@ -281,6 +282,11 @@ size_t letters_missing(const char *text, uint32_t *first)
 
 /* ---- strokes ---- */
 
+double text_degrees(const text_line *line)
+{
+    return atan2(-line->along.y, line->along.x) * (180.0 / 3.14159265358979323846);
+}
+
 /* A line of text on its way to the page. */
 typedef struct writer {
     const text_line *line;
@@ -296,8 +302,8 @@ typedef struct writer {
 static void add_point(writer *w, double x, double y)
 {
     const double along = x * w->scale - w->before, down = y * w->scale;
-    const roberts_vec2 mm = w->line->reads_up ? (roberts_vec2){w->line->at.x + down, w->line->at.y - along}
-                                              : (roberts_vec2){w->line->at.x + along, w->line->at.y + down};
+    const roberts_vec2 at = w->line->at, d = w->line->along, up = text_upward(d);
+    const roberts_vec2 mm = {at.x + along * d.x - down * up.x, at.y + along * d.y - down * up.y};
     const page_point p = {page_round(mm.x * w->units_per_mm), page_round(mm.y * w->units_per_mm)};
     const polylines *out = w->out;
     const bool repeated = out->item[out->count - 1].count > 0 && out->point[out->point_count - 1].x == p.x &&

@@ -10,12 +10,25 @@ typedef struct text_line {
     roberts_vec2 at;  /* a point of its base line, mm from the upper left corner of the page */
     double height_mm; /* of capital letters */
     double align;     /* how much of its width lies before `at`: 0 the text begins there, 0.5 it is centred, 1 */
-    bool reads_up;    /* turned by 90 degrees, to be read from the right */
+    /* The direction of its base line on the page, a unit vector, y down: TEXT_LEVEL, TEXT_UPRIGHT or any other. */
+    roberts_vec2 along;
 } text_line;
+
+#define TEXT_LEVEL ((roberts_vec2){1.0, 0.0})
+#define TEXT_UPRIGHT ((roberts_vec2){0.0, -1.0}) /* turned by 90 degrees, to be read from the right */
+
+/* Where the letters of the line stand on their base line: the direction from it to their tops. */
+static inline roberts_vec2 text_upward(roberts_vec2 along)
+{
+    return (roberts_vec2){along.y, -along.x};
+}
 
 /* How far letters reach above their base line and below it, as parts of the height of capitals. Accents of capitals
  * reach higher. */
 #define LETTERS_DEPTH (7.0 / 21.0)
+
+/* How far the line is turned counter-clockwise, in degrees: 0 where it is level. */
+double text_degrees(const text_line *line);
 
 /* Width in mm. */
 double letters_width(const char *text, double height_mm);

@@ -13,7 +13,7 @@ bool notes_add_text(notes *n, const text_line *line, bool is_back)
         !array_reserve(&n->chars, &n->char_room, n->char_count + size, 1))
         return false;
     memcpy(n->chars + n->char_count, line->text, size);
-    n->item[n->count++] = (note){n->char_count, line->at, line->height_mm, line->align, line->reads_up, is_back};
+    n->item[n->count++] = (note){n->char_count, line->at, line->height_mm, line->align, line->along, is_back};
     n->char_count += size;
     return true;
 }
@@ -45,7 +45,7 @@ bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm
 text_line notes_line(const notes *n, size_t i)
 {
     const note *from = &n->item[i];
-    return (text_line){n->chars + from->text, from->at, from->height_mm, from->align, from->reads_up};
+    return (text_line){n->chars + from->text, from->at, from->height_mm, from->align, from->along};
 }
 
 bool notes_draw(const notes *n, bool is_back, bool native, double units_per_mm, polylines *out)

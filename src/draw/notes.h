@@ -9,7 +9,8 @@ typedef struct note {
     size_t text; /* place in notes.chars */
     roberts_vec2 at;
     double height_mm, align;
-    bool reads_up, is_back; /* as in text_line; of something hidden */
+    roberts_vec2 along; /* as in text_line */
+    bool is_back;       /* of something hidden */
 } note;
 
 typedef struct notes {

@@ -157,9 +157,14 @@ static void write_line(const strokes *s, const text_line *line, output *to)
     const double size = line->height_mm / capital * s->units_per_mm;
     const double before = line->align * text_width(line->text) * size;
     const double x = line->at.x * s->units_per_mm, y = line->at.y * s->units_per_mm;
-    output_text(to, line->reads_up ? "BT 0 -1 -1 0 " : "BT 1 0 0 -1 ");
-    write_number(to, line->reads_up ? x : x - before);
-    write_number(to, line->reads_up ? y + before : y);
+    const roberts_vec2 d = line->along, up = text_upward(d);
+    output_text(to, "BT ");
+    write_number(to, d.x);
+    write_number(to, d.y);
+    write_number(to, up.x);
+    write_number(to, up.y);
+    write_number(to, x - before * d.x);
+    write_number(to, y - before * d.y);
     output_text(to, "Tm ");
     write_runs(to, line->text, size);
     output_text(to, "ET\n");

@@ -15,7 +15,7 @@
 #include "draw/title_block.h"
 
 /* mm */
-static const double default_gap = 15.0;
+static const double default_gap = 15.0, gap_for_distances = 25.0;
 static const double views_from_frame = 10.0;
 static const double symbol_from_frame = 5.0, symbol_from_views = 5.0;
 
@@ -85,9 +85,10 @@ static cells widths(range front, range beside, range iso, double gap_mm)
 }
 
 /* Front and top view share their x, front and side view their y. */
-static void divide(const roberts_sheet *sheet, layout *l)
+static void divide(const roberts_sheet *sheet, const roberts_draw_options *options, layout *l)
 {
-    const double gap_mm = sheet->gap_mm > 0.0 ? sheet->gap_mm : default_gap;
+    const double usual = options->lettering.distance_count > 0 ? gap_for_distances : default_gap;
+    const double gap_mm = sheet->gap_mm > 0.0 ? sheet->gap_mm : usual;
     l->x[FRONT] = l->x[TOP] = join(l->x[FRONT], l->x[TOP]);
     l->y[FRONT] = l->y[SIDE] = join(l->y[FRONT], l->y[SIDE]);
     l->columns = widths(l->x[FRONT], l->x[SIDE], l->x[ISO], gap_mm);
@@ -151,7 +152,7 @@ static bool find_room(layout *l, const roberts_draw_options *options, bool third
     double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
     *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
     l->left_mm = l->top_mm = edge;
-    if (options->lettering.overall) {
+    if (options->lettering.overall || options->lettering.distance_count > 0) {
         l->left_mm += DIMENSION_ROOM;
         l->top_mm += third ? 0.0 : DIMENSION_ROOM;
         room->width_mm -= DIMENSION_ROOM;
@@ -222,7 +223,7 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     if (!page_placement_is_valid(placement, error))
         return false;
     take_windows(sheet, &l);
-    divide(sheet, &l);
+    divide(sheet, options, &l);
     if (!find_room(&l, options, third, &room, error) || !find_scale(&l, placement, &room, error))
         return false;
     place_cells(&l.columns, l.half_mm, l.left_mm, room.width_mm, placement->align_x, false);

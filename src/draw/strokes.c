@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/dashes.h"
+#include "draw/distances.h"
 #include "draw/groups.h"
 #include "draw/hatch.h"
 #include "draw/labels.h"
@@ -217,6 +218,14 @@ static bool add_symbol(const strokes *s, polylines *out)
     return s->symbol_size == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, out);
 }
 
+bool strokes_take(strokes *s, const room_box *box)
+{
+    if (!array_reserve(&s->taken, &s->taken_room, s->taken_count + 1, sizeof *s->taken))
+        return false;
+    s->taken[s->taken_count++] = *box;
+    return true;
+}
+
 double strokes_text_height(const roberts_draw_options *options)
 {
     return options->lettering.height_mm > 0.0 ? options->lettering.height_mm : 3.5;
@@ -263,6 +272,9 @@ static void tell_missing(const strokes *s)
 
 roberts_status strokes_label(strokes *s, roberts_error *error)
 {
+    roberts_status status = distances_add(s, error);
+    if (status != ROBERTS_OK)
+        return status;
     if (!labels_add(s))
         return error_no_memory(error);
     tell_missing(s);
@@ -489,6 +501,7 @@ void strokes_free(strokes *s)
 {
     polylines_free(&s->lines);
     notes_free(&s->notes);
+    free(s->taken);
     free(s->group);
     fills_free(&s->fills);
 }

@@ -22,8 +22,6 @@ static const roberts_line line_order[LINE_CLASSES] = {
     LINE_HATCH, ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
     LINE_FRAME, LINE_SYMBOL,  LINE_TEXT,    LINE_HIDDEN_TEXT};
 
-enum { TAKEN_MOST = 4 };
-
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
     size_t first, end; /* polylines */
@@ -56,8 +54,8 @@ typedef struct strokes {
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     notes notes;
-    room_box taken[TAKEN_MOST]; /* [taken_count] what labels keep away from */
-    size_t taken_count;
+    room_box *taken; /* [taken_count] what labels keep away from */
+    size_t taken_count, taken_room;
     fills fills; /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */
@@ -90,6 +88,9 @@ roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line lin
 
 /* Finds the places of labels. It comes after all classes but those of text. */
 roberts_status strokes_label(strokes *s, roberts_error *error);
+
+/* Adds a box to s->taken. False: no memory. */
+bool strokes_take(strokes *s, const room_box *box);
 
 /* Height of capitals, mm. */
 double strokes_text_height(const roberts_draw_options *options);

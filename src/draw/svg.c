@@ -176,8 +176,11 @@ static void write_text_line(output *out, const text_line *line)
     output_mm(out, line->height_mm / capital);
     if (line->align > 0.0)
         output_text(out, line->align < 1.0 ? "\" text-anchor=\"middle" : "\" text-anchor=\"end");
-    if (line->reads_up) {
-        output_text(out, "\" transform=\"rotate(-90 ");
+    const double degrees = text_degrees(line);
+    if (degrees != 0.0) {
+        output_text(out, "\" transform=\"rotate(");
+        output_mm(out, -degrees);
+        output_text(out, " ");
         output_mm(out, line->at.x);
         output_text(out, " ");
         output_mm(out, line->at.y);

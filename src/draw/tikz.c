@@ -270,7 +270,11 @@ static void write_nodes(const tikz *p, roberts_line class)
         output_text(p->out, line.align <= 0.0  ? ",anchor=base west"
                             : line.align < 1.0 ? ",anchor=base"
                                                : ",anchor=base east");
-        output_text(p->out, line.reads_up ? ",rotate=90] at " : "] at ");
+        if (text_degrees(&line) != 0.0) {
+            output_text(p->out, ",rotate=");
+            output_mm(p->out, text_degrees(&line));
+        }
+        output_text(p->out, "] at ");
         write_point(p, at);
         output_text(p->out, " {");
         tikz_text_write(p->out, line.text);

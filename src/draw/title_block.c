@@ -61,13 +61,13 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     const double width = cell->right - cell->left - 2.0 * inset_mm, left = corner.x + cell->left + inset_mm;
     const double top = corner.y + cell->top * row_mm, bottom = corner.y + cell->bottom * row_mm;
     const bool is_high = cell->bottom - cell->top > 1;
-    text_line line = {cell->caption, {left, top + inset_mm + caption_mm}, caption_mm, 0.0, false};
+    text_line line = {cell->caption, {left, top + inset_mm + caption_mm}, caption_mm, 0.0, TEXT_LEVEL};
     if (*cell->caption && !notes_add_text(&s->notes, &line, false))
         return false;
     if (!*text)
         return true;
     const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
-    line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, false};
+    line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, false);
 }
 
@@ -80,7 +80,8 @@ bool title_block_add(strokes *s)
     if (!title_block_is_wanted(s->options))
         return true;
     scale_text(s, scale, sizeof scale);
-    s->taken[s->taken_count++] = (room_box){corner, s->frame_mm[1]};
+    if (!strokes_take(s, &(room_box){corner, s->frame_mm[1]}))
+        return false;
     for (size_t i = 0; i < sizeof cells / sizeof cells[0] && done; i++) {
         const block_cell *cell = &cells[i];
         const char *text = i == TITLE_CELL    ? (lettering->title ? lettering->title : "")

@@ -41,7 +41,7 @@ static bool add_side(strokes *s, bool is_level)
             const text_line line = {shown,
                                     is_level ? (roberts_vec2){middle, off + letter_mm / 2.0}
                                              : (roberts_vec2){off, middle + letter_mm / 2.0},
-                                    letter_mm, 0.5, false};
+                                    letter_mm, 0.5, TEXT_LEVEL};
             done = notes_add_text(&s->notes, &line, false);
             if (done && i + 1 < fields)
                 done = notes_add_line(&s->notes, is_level ? (roberts_vec2){at, far} : (roberts_vec2){far, at},

@@ -16,6 +16,18 @@
 #include "memory.h"
 #include "temporary.h"
 
+/* A scene with vertices whose distance is seen in true length. */
+static roberts_scene *tetrahedron(void)
+{
+    static const char text[] = "OFF 4 4 6  0 0 0  9 0 0  0 9 0  0 0 9  3 0 2 1  3 0 1 3  3 0 3 2  3 1 2 3";
+    roberts_mesh mesh = {0};
+    roberts_scene *scene = NULL;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, "tetrahedron", text, sizeof text - 1, NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_mesh_free(&mesh);
+    return scene;
+}
+
 static void saving_survives(roberts_format format, bool sheet, roberts_grouping grouping)
 {
     /* some that coincide, in all classes: every step from segments to strokes has something to do */
@@ -37,6 +49,11 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     options.lettering.native = format == ROBERTS_PDF;
     options.lettering.title = "Title";
     options.lettering.overall = true;
+    const roberts_distance distance = {0, 1};
+    roberts_scene *scene = sheet && grouping == ROBERTS_GROUP_CLASS ? tetrahedron() : NULL;
+    options.scene = scene;
+    options.lettering.distance = &distance;
+    options.lettering.distance_count = scene ? 1 : 0;
     options.hatching.on = true;
     options.hatching.spacing_mm = 10.0;
     roberts_sheet both = {.view = {&drawing, &drawing}};
@@ -63,6 +80,7 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
         assert_string_equal(error.file, "link");
     }
     assert_true(failures >= 4); /* the name, the link's target, the temporary name, the buffer */
+    roberts_scene_free(scene);
 }
 
 static void saving(void **state)

@@ -235,9 +235,91 @@ static void same_again(void **state)
     roberts_drawing_free(&drawing);
 }
 
+/* A cube with its regions, seen by `camera`. */
+typedef struct cube {
+    roberts_drawing drawing;
+    roberts_region_list regions;
+} cube;
+
+static void see_cube(cube *c, const roberts_camera *camera)
+{
+    roberts_mesh mesh = {0};
+    roberts_scene *scene;
+    assert_int_equal(roberts_mesh_read_file(&mesh, "models/platonic/cube.off", NULL, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide(scene, camera, NULL, &c->drawing, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_regions(scene, camera, NULL, &c->regions, NULL), ROBERTS_OK);
+    c->drawing.regions = &c->regions;
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
+static void free_cube(cube *c)
+{
+    roberts_drawing_free(&c->drawing);
+    roberts_regions_free(&c->regions);
+}
+
+static size_t labels_with(const cube *c, unsigned labels, char first)
+{
+    told warnings = {0};
+    const roberts_draw_options options = options_of(labels, 0, &warnings);
+    size_t count = 0;
+    strokes s;
+    assert_int_equal(strokes_make(&s, &c->drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(warnings.count, 0);
+    for (size_t i = 0; i < s.notes.count; i++)
+        count += notes_line(&s.notes, i).text[0] == first;
+    if (!first)
+        count = s.notes.count;
+    strokes_free(&s);
+    return count;
+}
+
+/* Seven vertices and three faces of a cube are seen in isometric view. */
+static void kinds_are_told_apart(void **state)
+{
+    (void)state;
+    const unsigned vertices = ROBERTS_LABEL_VERTICES, faces = ROBERTS_LABEL_FACES, bodies = ROBERTS_LABEL_BODIES;
+    roberts_camera camera;
+    cube c;
+    assert_true(roberts_camera_preset("iso", &camera));
+    see_cube(&c, &camera);
+    assert_int_equal(labels_with(&c, vertices | faces, 'v'), 7);
+    assert_int_equal(labels_with(&c, vertices | faces, 'f'), 3);
+    assert_int_equal(labels_with(&c, vertices | bodies, 'b'), 1);
+    assert_int_equal(labels_with(&c, vertices | ROBERTS_LABEL_EDGES, 'v'), 0);
+    assert_int_equal(labels_with(&c, faces, 'f'), 0);
+    assert_int_equal(labels_with(&c, faces, 0), 3);
+    free_cube(&c);
+}
+
+/* A narrow field of view about a corner shows neither the middle of the upper face nor that corner's neighbours. */
+static void none_beyond_the_frame(void **state)
+{
+    (void)state;
+    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
+                             .eye = {0.9, -30.0, 0.9},
+                             .look_at = {0.9, -1.0, 0.9},
+                             .has_look_at = true,
+                             .fov_degrees = 40.0};
+    cube c;
+    see_cube(&c, &camera);
+    assert_int_equal(labels_with(&c, ROBERTS_LABEL_FACES, 0), 1);
+    free_cube(&c);
+    camera.fov_degrees = 1.0;
+    see_cube(&c, &camera);
+    assert_true(c.drawing.framed);
+    assert_int_equal(labels_with(&c, ROBERTS_LABEL_FACES, 0), 0);
+    assert_int_equal(labels_with(&c, ROBERTS_LABEL_VERTICES, 0), 1);
+    free_cube(&c);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(models_from_a4_to_a0),
-                                       cmocka_unit_test(hidden_and_named), cmocka_unit_test(same_again)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(models_from_a4_to_a0),
+        cmocka_unit_test(hidden_and_named),      cmocka_unit_test(same_again),
+        cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }

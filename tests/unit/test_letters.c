@@ -15,7 +15,7 @@ static const double units = 1000.0; /* in a mm */
 static polylines drawn(const char *text, double align, bool reads_up)
 {
     polylines out = {0};
-    const text_line line = {text, {100.0, 100.0}, 21.0, align, reads_up};
+    const text_line line = {text, {100.0, 100.0}, 21.0, align, reads_up ? TEXT_UPRIGHT : TEXT_LEVEL};
     assert_true(letters_draw(&line, units, &out));
     return out;
 }
