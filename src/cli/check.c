@@ -257,6 +257,9 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--group", "only svg has groups");
     if (options_is_given(given, "id-prefix") && draw->format != ROBERTS_SVG)
         warn("--id-prefix", "only svg has ids");
+    if (draw->lettering.native && draw->format != ROBERTS_SVG && draw->format != ROBERTS_PDF &&
+        draw->format != ROBERTS_TIKZ && draw->format != ROBERTS_DXF)
+        warn("--text native", "only svg, pdf, tikz and dxf have text that is no strokes");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)

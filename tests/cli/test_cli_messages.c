@@ -419,6 +419,8 @@ static const struct {
     {"--hatch on -f csv", "--hatch has no effect: csv has no page\n"},
     {"--hatch on --dash real", "--dash real has no effect: no lines are dashed, as by --hidden dashed\n"},
     {"--hatch on --dash real --style hatch:dash=1", ""},
+    {"--label vertices --text native -f hpgl",
+     "--text native has no effect: only svg, pdf, tikz and dxf have text that is no strokes\n"},
     {"--group body -f pdf", "--group has no effect: only svg has groups\n"},
     {"--id-prefix a -f tikz", "--id-prefix has no effect: only svg has ids\n"},
     {"--background red -f dxf", "--background has no effect: dxf has no background\n"},
