@@ -842,7 +842,7 @@ typedef struct roberts_distance {
  * has a label where hidden lines are drawn. */
 typedef struct roberts_lettering {
     double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5 */
-    bool native;      /**< SVG, PDF and TikZ: text in a font of the reader, which can be searched and copied */
+    bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the reader, which can be searched and copied */
     unsigned labels; /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input; several
                         kinds as v4, f4 and b4, edges always as 4-17 */
     size_t name_count;

@@ -176,6 +176,16 @@ static void warn_useless(const cli_options *options, const options_given *given,
                 values_format_name(options->draw.format), lacks);
 }
 
+static const char no_text[] =
+    "there is no text without --label, --labels, --title, --field, --dimensions or --frame=zones";
+
+static bool has_text(const cli_options *options, const options_given *given)
+{
+    return options->draw.lettering.zones || options_is_given(given, "label") || options_is_given(given, "labels") ||
+           options_is_given(given, "title") || options_is_given(given, "field") ||
+           options_is_given(given, "dimensions");
+}
+
 /* Why lines of a class are not on the page, or NULL. */
 static const char *missing(const cli_options *options, const options_given *given, size_t pen)
 {
@@ -189,9 +199,8 @@ static const char *missing(const cli_options *options, const options_given *give
     if (pen == PEN_HATCH && !draw->hatching.on)
         return "faces are not hatched without --hatch";
     const bool labels = options_is_given(given, "label") || options_is_given(given, "labels");
-    if (pen == PEN_TEXT && !labels && !draw->lettering.zones && !options_is_given(given, "title") &&
-        !options_is_given(given, "field") && !options_is_given(given, "dimensions"))
-        return "there is no text without --label, --labels, --title, --field, --dimensions or --frame=zones";
+    if (pen == PEN_TEXT && !has_text(options, given))
+        return no_text;
     if (pen == PEN_HIDDEN_TEXT && !(labels && draw->hidden != ROBERTS_HIDDEN_NONE))
         return "hidden things have labels only with --hidden and --label or --labels";
     return NULL;
@@ -257,6 +266,14 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--group", "only svg has groups");
     if (options_is_given(given, "id-prefix") && draw->format != ROBERTS_SVG)
         warn("--id-prefix", "only svg has ids");
+    if (options_is_given(given, "text") && !has_text(options, given))
+        warn("--text", no_text);
+    if (options_is_given(given, "label-size") && !options_is_given(given, "label") &&
+        !options_is_given(given, "labels") && !options_is_given(given, "dimensions"))
+        warn("--label-size", "there are no labels without --label or --labels, and no --dimensions");
+    if (draw->lettering.native && draw->format != ROBERTS_SVG && draw->format != ROBERTS_PDF &&
+        draw->format != ROBERTS_TIKZ && draw->format != ROBERTS_DXF)
+        warn("--text native", "only svg, pdf, tikz and dxf have text that is no strokes");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)

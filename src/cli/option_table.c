@@ -592,12 +592,12 @@ static const option rows[] = {
      .words = values_texts,
      .set = values_set_text_mode,
      .brief = "strokes or text of the reader",
-     .help = "strokes: letters that pens draw, everywhere the same; native: text for the reader's fonts, in svg, pdf "
-             "and tikz (default: strokes)",
+     .help = "strokes: letters that pens draw, everywhere the same; native: text for the reader's fonts, in svg, pdf, "
+             "tikz and dxf (default: strokes)",
      .manual = "strokes (the default): letters are drawn as strokes of a pen, everywhere the same: upright letters "
                "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
-               "svg, pdf and tikz have the text itself, which can be searched, copied, and set in the document's "
-               "fonts; other formats have strokes all the same."},
+               "svg, pdf, tikz and dxf have the text itself, which can be searched, copied, and set in the "
+               "document's fonts; other formats have strokes all the same, and a warning says so."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

@@ -4,7 +4,9 @@
  * page, and y is up. A stroke of two points is a LINE, any other a POLYLINE. Release 12 knows no widths of lines, and
  * 255 colours of its own: the nearest is taken. A record is two lines, a code and a value. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "draw/formats.h"
 #include "draw/plot.h"
@@ -168,12 +170,35 @@ static void write_line_types(const dxf *p)
     write_text(p->out, 0, "ENDTAB");
 }
 
+/* Whether text of this class is written as text. */
+static bool is_text_of(const strokes *s, size_t i, roberts_line class)
+{
+    return s->notes.item[i].is_back == (class == LINE_HIDDEN_TEXT);
+}
+
+static bool has_text(const strokes *s, roberts_line class)
+{
+    const bool is_text = class == LINE_TEXT || class == LINE_HIDDEN_TEXT;
+    if (!is_text || !strokes_text_is_native(s->options) || strokes_pen(s->options, class)->off)
+        return false;
+    for (size_t i = 0; i < s->notes.count; i++)
+        if (is_text_of(s, i, class))
+            return true;
+    return false;
+}
+
+/* Whether anything is on the layer of class line_order[i]. */
+static bool has_layer(const strokes *s, int i)
+{
+    return s->start[i] < s->start[i + 1] || has_text(s, line_order[i]);
+}
+
 /* Layer 0 has to be there; nothing is on it. */
 static void write_layers(const dxf *p)
 {
     uint32_t layers = 1;
     for (int i = 0; i < LINE_CLASSES; i++)
-        layers += p->s->start[i] < p->s->start[i + 1];
+        layers += has_layer(p->s, i);
     begin_table(p->out, "LAYER", layers);
     write_text(p->out, 0, "LAYER");
     write_text(p->out, 2, "0");
@@ -181,7 +206,7 @@ static void write_layers(const dxf *p)
     write_integer(p->out, 62, BLACK_OR_WHITE);
     write_text(p->out, 6, "CONTINUOUS");
     for (int i = 0; i < LINE_CLASSES; i++) {
-        if (p->s->start[i] == p->s->start[i + 1])
+        if (!has_layer(p->s, i))
             continue;
         write_text(p->out, 0, "LAYER");
         write_name(p->out, 2, "", strokes_class_name(line_order[i]));
@@ -254,6 +279,56 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
     write_point(p, 11, point[1]);
 }
 
+/* ---- text ---- */
+
+/* What is not ASCII is written as \U+00E9, beyond 16 bits as two of these. A byte that is not UTF-8, or a control
+ * character, becomes a question mark. Two percent signs would begin a special character; three are one of them. */
+static void write_string(output *out, uint32_t code, const char *text)
+{
+    size_t length;
+    char escaped[20];
+    const bool percents = strstr(text, "%%") != NULL;
+    write_code(out, code);
+    for (; *text; text += length) {
+        const uint32_t c = letters_decode(text, &length);
+        if (c >= 0x10000)
+            snprintf(escaped, sizeof escaped, "\\U+%04X\\U+%04X", (unsigned)(0xd800 + ((c - 0x10000) >> 10)),
+                     (unsigned)(0xdc00 + ((c - 0x10000) & 0x3ff)));
+        else if (c > 0x9f)
+            snprintf(escaped, sizeof escaped, "\\U+%04X", (unsigned)c);
+        else
+            snprintf(escaped, sizeof escaped, "%c", c < 0x20 || c >= 0x7f ? '?' : (int)c);
+        output_text(out, c == '%' && percents ? "%%%" : escaped);
+    }
+    output_bytes(out, "\n", 1);
+}
+
+/* 72: 0 the text begins at the point, 1 it is centred there, 2 it ends there; the latter two have it once more. */
+static void write_texts(dxf *p, roberts_line class)
+{
+    const strokes *s = p->s;
+    if (!has_text(s, class))
+        return;
+    p->layer = strokes_class_name(class);
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const text_line line = notes_line(&s->notes, i);
+        const page_point at = {page_round(line.at.x * s->units_per_mm), page_round(line.at.y * s->units_per_mm)};
+        const uint32_t aligned = line.align <= 0.0 ? 0 : line.align < 1.0 ? 1 : 2;
+        if (!is_text_of(s, i, class) || !*line.text)
+            continue;
+        begin_entity(p, "TEXT");
+        write_point(p, 10, at);
+        write_mm(p->out, 40, line.height_mm);
+        write_string(p->out, 1, line.text);
+        if (text_degrees(&line) != 0.0)
+            write_mm(p->out, 50, text_degrees(&line));
+        if (aligned > 0) {
+            write_integer(p->out, 72, aligned);
+            write_point(p, 11, at);
+        }
+    }
+}
+
 roberts_status dxf_write(const strokes *s, output *out, roberts_error *error)
 {
     dxf p = {.s = s,
@@ -270,6 +345,8 @@ roberts_status dxf_write(const strokes *s, output *out, roberts_error *error)
     write_text(out, 0, "SECTION");
     write_text(out, 2, "ENTITIES");
     roberts_status status = plot_strokes(s, &to, out, error);
+    write_texts(&p, LINE_TEXT);
+    write_texts(&p, LINE_HIDDEN_TEXT);
     write_text(out, 0, "ENDSEC");
     write_text(out, 0, "EOF");
     return status;

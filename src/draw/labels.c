@@ -28,6 +28,8 @@ enum {
 /* Costs, in mm of lines that a label lies on. */
 static const double beside_best = 0.2; /* a place that is not the best one, at its worst */
 static const double farther = 0.3;     /* each ring */
+static const double touching = 2.0;    /* anything lies there, however little: worse than any free place */
+static const double on_label = 20.0;   /* another label: then one of them is left out */
 
 /* What a label names. Vertices that hang together in the picture are one. */
 typedef struct target {
@@ -306,6 +308,14 @@ static room_box box_of(const label *l, roberts_vec2 middle)
     return (room_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
 }
 
+static double cost_of_what_lies_there(const page_room *r, const room_box *box, uint32_t own)
+{
+    const double taken = room_taken(r, box, own);
+    if (taken <= 0.0)
+        return 0.0;
+    return taken + touching + (isfinite(taken) && room_is_on_box(r, box, own) ? on_label : 0.0);
+}
+
 /* Finds the cheapest place, the first of several. */
 static void choose_place(label *l, const page_room *r, double gap)
 {
@@ -317,7 +327,7 @@ static void choose_place(label *l, const page_room *r, double gap)
                                                                           : face_place(l, i, &cost);
         const room_box box = box_of(l, middle);
         if (cost < least)
-            cost += room_taken(r, &box, l->box);
+            cost += cost_of_what_lies_there(r, &box, l->box);
         if (cost < least) {
             least = cost;
             l->middle = middle;

@@ -313,6 +313,59 @@ static void a_reader_of_dxf_opens_it(void **state)
     assert_int_equal(chdir(top), 0);
 }
 
+/* A sheet of two views: its labels, dimensions and title block as text, not as strokes. */
+static roberts_draw_options with_text(void)
+{
+    static const roberts_name names[] = {{ROBERTS_LABEL_EDGES, 0, 1, "\u00e9\U0001d11e 5%% \\ \t"}};
+    roberts_draw_options options = roberts_draw_options_default();
+    options.page = (roberts_page){297, 210, 10};
+    options.lettering.native = true;
+    options.lettering.name = names;
+    options.lettering.name_count = 1;
+    options.lettering.title = "Title";
+    options.lettering.overall = true;
+    return options;
+}
+
+static void texts_of_dxf(void **state)
+{
+    (void)state;
+    roberts_draw_options options = with_text();
+    char *text = sheet_written(all_classes(), options, ROBERTS_DXF);
+    assert_non_null(strstr(text, "LAYER\n2\nTEXT\n"));
+    assert_non_null(strstr(text, "\n1\n\\U+00E9\\U+D834\\U+DD1E 5%%%%%% \\ ?\n72\n1\n")); /* centred */
+    assert_non_null(strstr(text, "\n40\n5\n1\nTitle\n0\n"));   /* 5 mm high, from its start */
+    assert_non_null(strstr(text, "\n1\n10\n50\n90\n72\n1\n")); /* the height reads up */
+    free(text);
+    options.text.off = true;
+    text = sheet_written(all_classes(), options, ROBERTS_DXF);
+    assert_null(strstr(text, "TEXT"));
+    free(text);
+}
+
+static void a_reader_of_dxf_finds_text(void **state)
+{
+    const roberts_sheet sheet = {.view = {all_classes(), all_classes(), all_classes(), all_classes()}};
+    roberts_draw_options options = with_text();
+    (void)state;
+    if (system("/usr/bin/python3 -c 'import ezdxf' 2>/dev/null") != 0)
+        SKIP_BECAUSE("no ezdxf (python3-ezdxf) here");
+    assert_int_equal(chdir(temporary), 0);
+    options.format = ROBERTS_DXF;
+    assert_int_equal(roberts_sheet_save(&sheet, &options, "t.dxf", NULL), ROBERTS_OK);
+    assert_int_equal(
+        system("/usr/bin/python3 -c '\n"
+               "import ezdxf\n"
+               "doc = ezdxf.readfile(\"t.dxf\")\n"
+               "audit = doc.audit()\n"
+               "assert not audit.errors and not audit.fixes\n"
+               "texts = [e for e in doc.modelspace() if e.dxftype() == \"TEXT\" and e.dxf.layer == \"TEXT\"]\n"
+               "found = {(e.dxf.text, e.dxf.height, e.dxf.rotation, e.dxf.halign) for e in texts}\n"
+               "assert (\"Title\", 5.0, 0.0, 0) in found and (\"10\", 3.5, 90.0, 1) in found, found\n'"),
+        0);
+    assert_int_equal(chdir(top), 0);
+}
+
 /* The document redefines a style and uses a vertex. */
 static void latex_compiles_tikz(void **state)
 {
@@ -347,6 +400,8 @@ int main(void)
         cmocka_unit_test(plotters_have_their_axes),
         cmocka_unit_test(colours_of_dxf),
         cmocka_unit_test_setup_teardown(a_reader_of_dxf_opens_it, temporary_make, temporary_remove),
+        cmocka_unit_test(texts_of_dxf),
+        cmocka_unit_test_setup_teardown(a_reader_of_dxf_finds_text, temporary_make, temporary_remove),
         cmocka_unit_test_setup_teardown(latex_compiles_tikz, temporary_make, temporary_remove),
     };
     if (!getcwd(top, sizeof top))
