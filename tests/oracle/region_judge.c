@@ -255,6 +255,31 @@ static uint32_t *ranks_of(const mesh_scene *scene, const roberts_scene *built, c
     return rank;
 }
 
+static bool is_place(const roberts_vec3 *P, const roberts_vec3 *Q)
+{
+    return P->x == Q->x && P->y == Q->y && P->z == Q->z;
+}
+
+/* Do three corners of some face lie in different places? If not, the program is right to refuse the scene. */
+static bool has_face(const roberts_mesh *mesh)
+{
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const roberts_vec3 *one = NULL, *other = NULL;
+        for (uint32_t k = mesh->face_start[f]; k < mesh->face_start[f + 1]; k++) {
+            const roberts_vec3 *P = &mesh->vertex[mesh->corner[k]];
+            if (!one)
+                one = P;
+            else if (is_place(P, one) || (other && is_place(P, other)))
+                continue;
+            else if (!other)
+                other = P;
+            else
+                return true;
+        }
+    }
+    return false;
+}
+
 bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *truth, roberts_region_list *list,
                        region_total *total, FILE *out)
 {
@@ -279,7 +304,7 @@ bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *
         roberts_hide(built, &camera, &options, &drawing, &error) != ROBERTS_OK ||
         roberts_regions(built, &camera, NULL, list, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses: %s\n", name, error.message);
-        total->disagreements++;
+        ++*(has_face(&scene->mesh) ? &total->disagreements : &total->refused);
     } else if ((rank = ranks_of(scene, built, &drawing)) != NULL) {
         found = region_truth_find(&scene->mesh, v, scene->even_odd, rank, truth);
         if (!found) {

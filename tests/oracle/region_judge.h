@@ -11,7 +11,7 @@ typedef struct region_total {
     size_t scenes, regions, rings, pieces; /* compared; pieces of borders are the oracle's */
     size_t unseen;                         /* faces of which nothing is seen */
     size_t disagreements;                  /* faces, or whole scenes that the program refused */
-    size_t refused;                        /* scenes that the oracle refused */
+    size_t refused;                        /* scenes that the oracle refused, or that have no face */
     double worst;                          /* greatest difference of a face that did not fail, part of the picture */
     size_t questions, exact;               /* as in region_truth */
 } region_total;
