@@ -256,6 +256,16 @@ worst() {
     grow 'city, edge-on' city "$thousands" --view front
     grow 'city, edge-on, from above' city "$thousands" --view top
     grow 'city, corner behind corner' city "$thousands" --view iso
+    grow 'boards: long planks seen aslant' boards '2000 4000 8000' --view iso
+    grow 'diagonal: long sticks, all aslant' diagonal '1000 2000 4000' --view top
+    grow 'crowd: nearly all in one spot' crowd '10000 40000 100000' $general
+    grow 'galaxy: all sizes' galaxy '10000 40000 100000' $general
+    grow 'street: an eye in a city, hidden lines too' city '10000 100000' --eye 14,14.5,1.75 --look-at 400,410,1.75 \
+        --fov 90 --hidden dashed
+    grow 'lattice, by an eye in it' lattice '10000 100000' --eye 5,5.02,5.01 --look-at 30,31,32 --fov 90
+    grow 'sheets, seen nearly along' sheets '1000 2000 4000' --dir .31,.47,.083
+    grow 'floors: each peeps out' floors '2500 5000 10000' --view top
+    grow 'spines in all directions' spines '4000 8000 16000' $general
     grow 'ball: one solid' sphere '600 6000 60000 600000' $general
     for size in 600 6000 60000 600000; do
         [ $size -le "$most" ] || break

@@ -271,7 +271,7 @@ static int choose_format(const options_given *given, cli_options *options)
     return EXIT_DONE;
 }
 
-/* Applies the options that together make the camera, in whatever order they came. */
+/* Applies the options that make the camera. Their order does not matter. */
 static void set_camera(const options_given *given, cli_options *options)
 {
     roberts_camera *camera = &options->camera;

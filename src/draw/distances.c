@@ -14,7 +14,7 @@
 #include "draw/labels.h"
 #include "view/picture.h"
 
-enum { RINGS = 14, SHIFTS = 3 };
+enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
 
 /* mm */
 static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure */
@@ -87,10 +87,11 @@ static double box_cost(const strokes *s, const page_room *r, room_box box)
 
 static double line_cost(const strokes *s, const page_room *r, roberts_vec2 a, roberts_vec2 b)
 {
-    const double length = hypot(b.x - a.x, b.y - a.y), parts = fmax(ceil(length / step_mm), 1.0);
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    const uint32_t parts = (uint32_t)fmin(fmax(ceil(length / step_mm), 1.0), PARTS_MOST);
     double cost = 0.0;
-    for (double i = 0.0; i < parts; i++) {
-        const double t = i / parts, u = (i + 1.0) / parts;
+    for (uint32_t i = 0; i < parts; i++) {
+        const double t = (double)i / parts, u = (i + 1.0) / parts;
         const roberts_vec2 p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         const roberts_vec2 q = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
         cost += box_cost(s, r, (room_box){{fmin(p.x, q.x), fmin(p.y, q.y)}, {fmax(p.x, q.x), fmax(p.y, q.y)}});

@@ -387,13 +387,14 @@ static bool run_alone(hide_worker *w, hide_line *line)
 /* Takes all lines through the cells of their common box. False: no memory. */
 static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
-    w->live = w->met = 0;
+    w->live = w->line_count;
+    w->met = 0;
     w->shrinks = !w->all;
-    for (size_t i = 0; i < w->line_count; i++) {
-        w->live += !w->line[i].hidden;
-        if (w->line[i].hidden)
+    for (size_t i = 0; w->all && i < w->line_count; i++) /* only then are there lines that their own body hides */
+        if (w->line[i].hidden) {
             w->lanes.x0[i] = INFINITY;
-    }
+            w->live--;
+        }
     if (w->grid->next)
         w->whole = w->lanes;
     next_stamp(w);

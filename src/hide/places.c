@@ -6,6 +6,9 @@
 #include "base/array.h"
 #include "hide/stars.h"
 
+/* Solids this many touching distances apart do not touch. */
+#define WELL_APART 4.0
+
 bool places_find_flat(const places *p, uint32_t front)
 {
     const roberts_scene *scene = p->fronts->scene;
@@ -36,6 +39,16 @@ static void box_solid(const places *p, uint32_t front)
     p->model[front] = (model_box){own, FLAT_UNKNOWN};
 }
 
+/* A point touches a face at the touching distance and the face's departure from its plane, or nearer. */
+static double touching_distance(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    float departure = 0.0f;
+    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
+        departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
+    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
+}
+
 /* If points have low parts, boxes of their high parts say nothing. */
 bool places_find(places *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
@@ -43,6 +56,7 @@ bool places_find(places *p, const hide_fronts *fronts, const objet *grid, int th
     *p = (places){.fronts = fronts};
     while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
         p->whole++;
+    p->touching = p->whole > 0 ? touching_distance(fronts) : 0.0;
     p->first = alloc_array(count, sizeof *p->first);
     p->model = alloc_array(p->whole, sizeof *p->model);
     if (!p->first || !p->model)

@@ -28,6 +28,7 @@ typedef struct places {
     first_cell *first;    /* [front_count] */
     model_box *model;     /* [whole] */
     uint32_t whole;       /* number of whole solids, which come before single faces */
+    double touching;      /* model units; whole solids farther apart do not touch */
     unsigned char *sheet; /* [vertices] of stars_find(); NULL: nothing is known */
 } places;
 
@@ -51,9 +52,10 @@ static inline bool places_apart(const places *p, uint32_t a, uint32_t b)
     if (a >= p->whole || b >= p->whole)
         return false;
     const hide_bounds *f = &p->model[a].is, *g = &p->model[b].is;
-    return (f->high.x <= g->low.x || g->high.x <= f->low.x || f->high.y <= g->low.y || g->high.y <= f->low.y ||
-            f->high.z <= g->low.z || g->high.z <= f->low.z) &&
-           !places_flat(p, a) && !places_flat(p, b);
+    double x = greater(f->low.x - g->high.x, g->low.x - f->high.x);
+    double y = greater(f->low.y - g->high.y, g->low.y - f->high.y);
+    double z = greater(f->low.z - g->high.z, g->low.z - f->high.z), gap = greater(greater(x, y), z);
+    return gap > p->touching || (gap >= 0.0 && !places_flat(p, a) && !places_flat(p, b));
 }
 
 #endif

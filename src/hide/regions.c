@@ -162,8 +162,12 @@ static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
     uint32_t number = scene_face_number(scene, face);
     if (number == ROBERTS_NONE)
         return scene_first_piece(scene, scene_body_of_face(scene, face), face);
-    while (face > 0 && scene_face_number(scene, face - 1) == number)
-        face--;
+    uint32_t step = 1; /* the pieces of a face are in a row: longer and longer steps back, then shorter ones */
+    for (; step <= face && scene_face_number(scene, face - step) == number; step *= 2)
+        face -= step;
+    for (; step > 0; step /= 2)
+        if (step <= face && scene_face_number(scene, face - step) == number)
+            face -= step;
     return face;
 }
 

@@ -1,4 +1,4 @@
-/* segments.c - see segments.h. */
+/* segments.c - from a body's edges to lines, and from lines to visible and hidden segments. */
 #include "hide/segments.h"
 
 #include "base/array.h"
@@ -15,11 +15,11 @@ typedef struct line_writer {
     bool all, perspective; /* all: hidden parts are wanted too */
 } line_writer;
 
-/* What all segments of a line have in common. */
+/* What all segments of a line share. */
 typedef struct line_row {
     uint32_t v[2], edge;
     roberts_line class;
-    double t0, t1; /* what the line is of the edge that it names */
+    double t0, t1; /* which part of the named edge the line is */
 } line_row;
 
 BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
@@ -34,14 +34,14 @@ BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
                       .t1 = line->t1 == 1.0 ? name.t1 : name.t0 + width * line->t1};
 }
 
-/* Where on the edge in space a point of its picture is; view_to_space() without a call where it has nothing to do. */
+/* The parameter in space of a point given by its parameter in the picture. In parallel views they are equal. */
 BITS_INLINE double to_space(const line_writer *w, const hide_edge *e, double s)
 {
     return w->perspective ? view_to_space(&w->seen->view, e->A.z, e->B.z, s) : s;
 }
 
-/* Writes the part s0..s1 of a line, unless rounding leaves no length of it in space. by: who hides it; ROBERTS_NONE: it
- * is visible. There is room for it. */
+/* Writes one part of a line, unless rounding leaves no length of it in space. by: the body that hides it, or
+ * ROBERTS_NONE if it is visible. The chunk has room for it. */
 BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_edge *e, const hide_interval *part,
                           uint32_t by)
 {
@@ -65,7 +65,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
                                                          .edge = row->edge};
 }
 
-/* Writes a part of an edge that the near plane has taken. at: where it is cut. There is room for it. */
+/* Writes a part of an edge that the near plane has taken. at: where the plane cuts the edge. The chunk has room. */
 static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
     line_row row = row_of(w, taken);
@@ -84,8 +84,8 @@ static void put_taken_part(const line_writer *w, const seen_line *taken, roberts
                                                              .edge = row.edge};
 }
 
-/* Writes what the near plane has taken of the edge of a line: before the line (which: SEEN_TAKEN_BEFORE), after it, or
- * instead of it. There is room for it. */
+/* Writes what the near plane has taken of a line's edge: the part before the line (which: SEEN_TAKEN_BEFORE), the part
+ * after it (SEEN_TAKEN_AFTER), or all of it (SEEN_TAKEN). The chunk has room. */
 static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, unsigned which)
 {
     seen_line taken = line->is;
@@ -95,7 +95,8 @@ static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, uns
     taken.t1 = which == SEEN_TAKEN_BEFORE ? line->is.t0 : 1.0;
     put_taken_part(w, &taken, which == SEEN_TAKEN_AFTER ? line->e.B : line->e.A);
 }
-/* Visible segments of a line between its hidden parts, and those too where they are wanted. False: no memory. */
+
+/* Adds the visible segments of a line, and the hidden ones if they are wanted. False: no memory. */
 BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
 {
     hide_chunk *out = w->out;
@@ -125,7 +126,7 @@ BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
     return true;
 }
 
-/* What of a hidden part lies between two places. Nearer to them than `near`, it reaches them. False: nothing. */
+/* Clips a hidden part to `all`. An end nearer than `near` to an end of `all` is moved there. False: nothing is left. */
 static bool clip_hidden(hide_interval *hidden, const hide_interval *all, double near)
 {
     if (hidden->t0 - all->t0 <= near)
@@ -136,7 +137,7 @@ static bool clip_hidden(hide_interval *hidden, const hide_interval *all, double 
     return hidden->t1 - hidden->t0 > (whole ? 0.0 : near);
 }
 
-/* Writes the parts of a line between two places of its picture. There is room for them. */
+/* Writes the parts of a line that lie within `all`, in picture parameters. The chunk has room. */
 static void put_parts(const line_writer *w, const line_row *row, const hide_line *line, const hide_interval *all)
 {
     double near = w->seen->view.epsilon / line->e.length3;
@@ -157,7 +158,7 @@ static void put_parts(const line_writer *w, const line_row *row, const hide_line
         put_part(w, row, &line->e, &shown, ROBERTS_NONE);
 }
 
-/* The segments of one piece of a line, which has a class of its own. False: no memory. */
+/* Adds the segments of one piece of a line. Each piece has its own class. False: no memory. */
 static bool add_piece(const line_writer *w, const hide_line *line, const union_piece *piece, roberts_line class)
 {
     const view *v = &w->seen->view;
@@ -190,7 +191,7 @@ static bool add_piece(const line_writer *w, const hide_line *line, const union_p
     return true;
 }
 
-/* The segments of a line that has pieces. False: no memory. */
+/* Adds the segments of a line that has pieces. False: no memory. */
 static BITS_RARE bool add_pieces(const line_writer *w, const hide_line *line)
 {
     const union_piece *piece = line->is.piece;
@@ -208,7 +209,7 @@ BITS_INLINE bool add_either(const line_writer *w, const hide_line *line)
     return line->is.piece ? add_pieces(w, line) : add_line(w, line);
 }
 
-/* Fills in the level of a line's hidden segments, which are those from `first` on. The middle is that in space. */
+/* Sets the level of a line's hidden segments, taken at their middle in space. The line's segments start at `first`. */
 static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk *out, const seen_line *line,
                                  size_t first)
 {
@@ -245,13 +246,13 @@ static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint
 
 /* ---- bodies to lines ------------------------------------------------------------------------------------------- */
 
-/* Has the body segments? Of one that the near plane has taken, only those that say so. */
+/* Has the body segments? A body that the near plane has taken has only clipped ones. */
 static bool has_segments(const hide_job *job, uint32_t body)
 {
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Lies all of AB behind covers, or behind sheets? Where hidden lines are wanted, neither is asked. */
+/* Does AB lie completely behind covers or sheets? Neither is asked if hidden lines are wanted. */
 BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
 {
     const cover *c = &job->fronts.cover, *sheet = &job->grid.sheet;
@@ -259,11 +260,12 @@ BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
            (sheet->depth && !job->options->keep_hidden && cover_hides_edge(sheet, A, B));
 }
 
-/* Takes up the next lines of a walk, `most` of them or all. What lies behind covers is hidden at once; covers are kept
- * only where hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
+/* Takes the next lines of a walk, at most `most`. Lines behind covers are dropped at once; there are covers only if
+ * hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const roberts_vec3 *P = job->fronts.P;
+    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
@@ -275,7 +277,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (is_covered(job, P[is->v[0]], P[is->v[1]])) {
+        if (covers && is_covered(job, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
@@ -290,7 +292,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
     return true;
 }
 
-/* A walk of which nobody else knows the address can be kept in registers. */
+/* The fast walk is a local copy, so that the compiler can keep it in registers. */
 static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
 {
     if (walk->slow)
@@ -299,7 +301,7 @@ static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, siz
     return take_some(job, w, &fast, SIZE_MAX, false);
 }
 
-/* The body of each hidden part becomes the one that is seen there, in its middle. */
+/* Sets the body of each hidden part to the one that the viewer sees at its middle. */
 static void name_hiders(const hide_job *job, hide_worker *w)
 {
     const view *v = &job->seen.view;
@@ -311,7 +313,7 @@ static void name_hiders(const hide_job *job, hide_worker *w)
             double t1 = view_to_space(v, e->A.z, e->B.z, hidden->part.t1);
             roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, 0.5 * (t0 + t1)));
             uint32_t body = hide_seen_at(w, middle.x, middle.y);
-            if (body != ROBERTS_NONE) /* else the point lies on a border and rounding has put it outside */
+            if (body != ROBERTS_NONE) /* otherwise the point lies on a border and rounding put it outside */
                 hidden->solid = body;
         }
 }
@@ -332,7 +334,7 @@ static bool split_at_pieces(const hide_job *job, hide_worker *w)
     return true;
 }
 
-/* Finds what is hidden of the lines taken up. False: no memory. */
+/* Finds the hidden parts of the worker's lines. False: no memory. */
 static bool hide_lines(const hide_job *job, hide_worker *w)
 {
     if (!hide_worker_run(w))
@@ -354,7 +356,7 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
     return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
 }
 
-/* Takes up lines that are no edges, from *next on, a group of them or up to `end`. False: no memory. */
+/* Takes a group of lines that are no edges, from *next up to `end`, and moves *next on. False: no memory. */
 static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, uint32_t end)
 {
     hide_worker_begin(w, ROBERTS_NONE);
@@ -388,7 +390,7 @@ bool segments_at_once(const hide_job *job, uint32_t body)
     return scene_is_convex(job->seen.scene, body) || s[1].edge - s->edge <= HIDE_GROUP;
 }
 
-/* Those of other bodies are taken a group at a time. */
+/* Writes the segments of a body's edges. Large bodies are handled a group of lines at a time. False: no memory. */
 static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     if (segments_at_once(job, body))

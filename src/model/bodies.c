@@ -48,7 +48,8 @@ typedef struct assembly {
 
 /* ---- which components are convex solids ------------------------------------------------------------------------ */
 
-/* Finds which components are convex solids, and which are open and may be welded. */
+/* Finds which components are convex solids, and which may become closed when welded or split: open[] has their kind of
+ * `opening`. */
 static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bool *any_open, roberts_error *error)
 {
     const solid_rules rules = {a->mesh, a->options->tolerance, false};
@@ -58,14 +59,15 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
             crooked ? solid_is_closed(a->scene, &a->work, s, error) : solid_build(a->scene, &a->work, s, &rules, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))
             return error->status;
-        open[s] = result == BUILD_OPEN && !a->work.holes;
+        open[s] = result == BUILD_OPEN && a->work.opening != OPENING_HOLES ? (uint8_t)a->work.opening : OPENING_NONE;
         convex[s] = result == BUILD_OK && !crooked;
-        *any_open |= open[s];
+        *any_open |= open[s] != OPENING_NONE;
     }
     return ROBERTS_OK;
 }
 
-/* Names the vertices of open components as regroup() does: by the first vertex at each position. False: no memory. */
+/* Names the vertices as regroup() does: in components with open edges, by the first vertex at each position. False: no
+ * memory. */
 static bool weld_open(assembly *a, const uint8_t *open)
 {
     const roberts_scene *scene = a->scene;
@@ -75,7 +77,7 @@ static bool weld_open(assembly *a, const uint8_t *open)
     for (uint32_t v = 0; enough && v < a->mesh->vertex_count; v++)
         a->name[v] = v;
     for (uint32_t s = 0; enough && s < scene->solid_count; s++)
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++)
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s] == OPENING_EDGES; v++)
             listed[count++] = scene_vertex_number(scene, v);
     enough = enough && weld_vertices(a->name, listed, count, a->mesh->vertex);
     free(listed);

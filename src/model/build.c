@@ -23,12 +23,10 @@
 #define CHUNK_SOLIDS 256
 #define CHUNKS_PER_THREAD 4 /* with less work, another thread does not pay */
 
-/* Marks of solids; 0: closed, and with `bodies` also convex. */
+/* Marks of solids that are not of the kind `opening`. OPENING_NONE: closed, and with `bodies` also convex. */
 enum {
-    OPEN = 1,       /* some edge does not have two faces */
-    OPEN_HOLES = 2, /* it is closed, but its surface has holes */
-    NOT_CONVEX = 3, /* only with `bodies`: closed, but not convex */
-    GLANCED = 4     /* only with `bodies`: not convex; its edges are unknown */
+    NOT_CONVEX = OPENING_HOLES + 1, /* only with `bodies`: closed, but not convex */
+    GLANCED                         /* only with `bodies`: not convex; its edges are unknown */
 };
 
 /* State shared by the threads that build solids. */
@@ -94,7 +92,7 @@ static void mark(construction *c, uint32_t s, uint8_t as)
 {
     c->open[s] = as;
     atomic_store_explicit(&c->any_marked, true, memory_order_relaxed);
-    if (as == OPEN || as == OPEN_HOLES)
+    if (as < NOT_CONVEX)
         atomic_store_explicit(&c->any_open, true, memory_order_relaxed);
 }
 
@@ -133,7 +131,7 @@ static void build_or_mark(construction *c, construction_worker *worker, uint32_t
     if (result == BUILD_OK)
         store_edges(c->scene, s, &worker->tools.frame);
     else if (result == BUILD_OPEN)
-        mark(c, s, worker->tools.holes ? OPEN_HOLES : OPEN);
+        mark(c, s, (uint8_t)worker->tools.opening);
     else if (is_shape(worker->found.status))
         mark(c, s, NOT_CONVEX);
     else
@@ -157,7 +155,7 @@ static void build_solid(construction *c, construction_worker *worker, uint32_t s
     result = only_ask ? solid_is_closed(c->scene, &worker->tools, s, found)
                       : solid_build(c->scene, &worker->tools, s, &c->rules, found);
     if (result == BUILD_OPEN && c->open) {
-        mark(c, s, worker->tools.holes ? OPEN_HOLES : OPEN);
+        mark(c, s, (uint8_t)worker->tools.opening);
         return;
     }
     if (result == BUILD_OPEN) {
@@ -266,7 +264,7 @@ static void warn_uncut(size_t faces, const roberts_mesh *mesh, const roberts_war
 static bool only_holes(const uint8_t *open, uint32_t count)
 {
     for (uint32_t s = 0; s < count; s++)
-        if (open[s] && open[s] != OPEN_HOLES)
+        if (open[s] && open[s] != OPENING_HOLES)
             return false;
     return true;
 }
@@ -291,7 +289,7 @@ static roberts_status build_plain(construction *c, const polygons *faces, const 
             build_result result = solid_is_closed(scene, &work, s, error);
             if (result == BUILD_REFUSED)
                 status = ROBERTS_NO_MEMORY;
-            mark(c, s, result == BUILD_OPEN ? (work.holes ? OPEN_HOLES : OPEN) : NOT_CONVEX);
+            mark(c, s, result == BUILD_OPEN ? (uint8_t)work.opening : NOT_CONVEX);
         }
         if (c->open[s] == NOT_CONVEX) {
             c->open[s] = 0;
@@ -361,8 +359,9 @@ static roberts_status find_open(roberts_scene *scene, builder *work, const rober
         build_result result = solid_is_closed(scene, work, s, error);
         if (result == BUILD_REFUSED)
             return error->status;
-        open[s] = result == BUILD_OPEN && scene_face_number(scene, scene->solid[s].face) < mesh->face_count;
-        *any_open |= open[s];
+        if (scene_face_number(scene, scene->solid[s].face) < mesh->face_count)
+            open[s] = (uint8_t)work->opening;
+        *any_open |= open[s] != OPENING_NONE;
     }
     return ROBERTS_OK;
 }

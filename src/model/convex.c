@@ -138,7 +138,11 @@ static double walk(const spot *polygon, uint32_t count, const corner_hull *h, do
     return dent;
 }
 
-double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest)
+/* Returns how far the polygon is from convex: the greatest depth of a corner inside the hull of all corners, and which
+ * corner. INFINITY: the corners do not go round the hull once, even if steps back of length `allowed` are ignored.
+ * Negative: no memory. */
+static double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed,
+                           uint32_t *deepest)
 {
     spot *polygon = alloc_array(count, sizeof *polygon), *sorted = alloc_array(count, sizeof *sorted);
     spot *hull = alloc_array((size_t)count + 1, sizeof *hull);
@@ -166,7 +170,9 @@ double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, 
     return dent;
 }
 
-double polygon_spread(const roberts_vec3 *corner, uint32_t count)
+/* Returns how far a face without area, which has no normal, is from straight: the greatest distance of a corner from
+ * the line through the first corner and the one farthest from it. */
+static double polygon_spread(const roberts_vec3 *corner, uint32_t count)
 {
     roberts_vec3 chord = {0, 0, 0};
     double squared = 0.0, greatest = 0.0;

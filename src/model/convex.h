@@ -12,15 +12,6 @@
  * accepted. */
 bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n);
 
-/* Returns how far the polygon is from convex: the greatest depth of a corner inside the hull of all corners, and which
- * corner. INFINITY: the corners do not go round the hull once, even if steps back of length `allowed` are ignored.
- * Negative: no memory. */
-double polygon_dent(const roberts_vec3 *corner, uint32_t count, roberts_vec3 n, double allowed, uint32_t *deepest);
-
-/* Returns how far a face without area, which has no normal, is from straight: the greatest distance of a corner from
- * the line through the first corner and the one farthest from it. */
-double polygon_spread(const roberts_vec3 *corner, uint32_t count);
-
 /* ---- is a solid convex? ---------------------------------------------------------------------------------------- */
 
 /* Checks a solid whose edges are paired. Returns ROBERTS_OK, _NOT_PLANAR, _NOT_CONVEX, _FLAT or _NO_MEMORY; `error`

@@ -27,12 +27,17 @@
 
 /* Inputs that have points but no faces: each gets one face with all its points as corners. */
 
-size_t hull_input_count(const roberts_mesh *mesh)
+/* The vertices and faces of an input. A mesh that was not read from files counts as one input. */
+typedef struct hull_input {
+    size_t vertex, vertex_end, face, face_end;
+} hull_input;
+
+static size_t hull_input_count(const roberts_mesh *mesh)
 {
     return mesh->source_count ? mesh->source_count : 1;
 }
 
-hull_input hull_input_at(const roberts_mesh *mesh, size_t i)
+static hull_input hull_input_at(const roberts_mesh *mesh, size_t i)
 {
     hull_input range = {0, mesh->vertex_count, 0, mesh->face_count};
     if (i > 0) {
@@ -46,7 +51,8 @@ hull_input hull_input_at(const roberts_mesh *mesh, size_t i)
     return range;
 }
 
-size_t hull_bare_points(const roberts_mesh *mesh, size_t i)
+/* Returns the number of points of input i if it is bare, otherwise 0. */
+static size_t hull_bare_points(const roberts_mesh *mesh, size_t i)
 {
     const hull_input range = hull_input_at(mesh, i);
     for (size_t f = range.face; f < range.face_end; f++)

@@ -12,19 +12,8 @@
 /* The least number of points with a convex hull. */
 enum { HULL_POINTS = 4 };
 
-/* The vertices and faces of an input. A mesh that was not read from files counts as one input. */
-typedef struct hull_input {
-    size_t vertex, vertex_end, face, face_end;
-} hull_input;
-
-size_t hull_input_count(const roberts_mesh *mesh);
-hull_input hull_input_at(const roberts_mesh *mesh, size_t i);
-
 /* Is there a bare input? */
 bool hull_bare_input(const roberts_mesh *mesh);
-
-/* Returns the number of points of input i if it is bare, otherwise 0. */
-size_t hull_bare_points(const roberts_mesh *mesh, size_t i);
 
 /* Adds one face for each bare input with at least four points. All its points are corners, so each input becomes a
  * component. These faces are numbered from mesh->face_count on. Returns ROBERTS_OK, _NO_MEMORY or _FLAT (the mesh has

@@ -114,7 +114,9 @@ uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32
     return n;
 }
 
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
+/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
+ * the plane is n.(P - first corner) = mean. */
+static void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean)
 {
     const local_face *face = &frame->face[f];
     uint32_t to = frame->face_first + f;
@@ -303,7 +305,8 @@ static void fit_all(solid_frame *frame, roberts_scene *scene)
             fit_two(frame, scene, waiting[i], waiting[i], 3 + i);
 }
 
-void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
+/* Fits the plane of each face, and orients plane and corners so that the barycentre is inside. */
+static void frame_fit_faces(solid_frame *frame, roberts_scene *scene)
 {
     double greatest;
     frame->turned = frame->widest = 0;
@@ -497,24 +500,28 @@ static bool is_stored(const roberts_scene *scene, uint32_t s)
     return scene->solid[s].stored < scene->shared;
 }
 
-/* Does the surface have holes? Then V + F < E + 2. For solids that share vertices, V + F > E + 2. */
-static bool has_holes(const roberts_scene *scene, uint32_t s)
+/* If each edge has two faces, then V + F = E + 2 for a sphere. The sum is smaller if the surface has holes, and larger
+ * if parts share vertices. */
+static opening find_opening(const roberts_scene *scene, uint32_t s, edge_pairing pairing)
 {
     const scene_solid *first = scene->solid + s;
     uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
-    return vertices + faces < scene_corners(scene, s) / 2 + (uint64_t)2;
+    uint64_t sum = vertices + faces, sphere = scene_corners(scene, s) / 2 + (uint64_t)2;
+    if (pairing == EDGES_OPEN)
+        return OPENING_EDGES;
+    return sum == sphere ? OPENING_NONE : sum < sphere ? OPENING_HOLES : OPENING_VERTICES;
 }
 
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
 {
-    work->holes = false;
+    work->opening = OPENING_NONE;
     if (is_stored(scene, s))
         return BUILD_OK;
     edge_pairing pairing = edges_pair(scene, s, &work->edges);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
-    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
-    return pairing == EDGES_OPEN || !edges_like_a_sphere(scene, s) ? BUILD_OPEN : BUILD_OK;
+    work->opening = find_opening(scene, s, pairing);
+    return work->opening == OPENING_NONE ? BUILD_OK : BUILD_OPEN;
 }
 
 /* Finds the edges of solid s after its faces have been wound. If all or none of its faces were turned, these are its
@@ -577,7 +584,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, rules->tolerance);
     work->frame.mesh = rules->mesh;
-    work->holes = false;
+    work->opening = OPENING_NONE;
     if (status == ROBERTS_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     if (status != ROBERTS_OK)
@@ -586,7 +593,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     pairing = pair(scene, work, s);
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
-    work->holes = pairing != EDGES_OPEN && has_holes(scene, s);
+    work->opening = find_opening(scene, s, pairing);
     if (pairing == EDGES_OPEN || (!rules->must_close && !sphere))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)

@@ -56,24 +56,25 @@ static inline roberts_vec3 frame_origin(const solid_frame *frame, const roberts_
     return frame->point[scene->corner[scene->face_start[frame->face_first + f]] - frame->vertex_first];
 }
 
-/* Fits the plane of each face, and orients plane and corners so that the barycentre is inside. */
-void frame_fit_faces(solid_frame *frame, roberts_scene *scene);
-
-/* Writes face f's plane, deviation and width to the scene, in model units and relative to the scene's centre; `mean`:
- * the plane is n.(P - first corner) = mean. */
-void frame_store(const solid_frame *frame, roberts_scene *scene, uint32_t f, double mean);
-
 void frame_free(solid_frame *frame);
 
 /* ---- one solid ------------------------------------------------------------------------------------------------- */
 
 /* Turns the faces of a component into a solid: planes, winding, edges, checks. */
 
+/* Why a component is not closed like a sphere. */
+typedef enum opening {
+    OPENING_NONE,
+    OPENING_EDGES,    /* some edge does not have two faces: welding and splitting may help */
+    OPENING_VERTICES, /* each edge has two faces, but parts share vertices: splitting may help */
+    OPENING_HOLES     /* each edge has two faces, but the surface has holes: neither helps */
+} opening;
+
 /* Scratch memory, reused for solid after solid; zeroed = empty. */
 typedef struct builder {
     solid_frame frame;
     edge_scratch edges;
-    bool holes; /* the last solid is closed, but its surface has holes: welding does not help */
+    opening opening; /* of the last solid */
 } builder;
 
 typedef enum build_result {

@@ -14,6 +14,7 @@
 #include "base/vec.h"
 #include "model/edges.h"
 #include "model/scene_arrays.h"
+#include "model/solid.h"
 #include "model/source.h"
 #include "model/split.h"
 #include "read/mesh.h"
@@ -124,9 +125,9 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
 
 /* Components that are not closed are welded and split, and numbered together with the others.
  *
- * Some files give each face its own vertices ("soup"), so that each face is a component. Open components are welded
- * with one another where positions are exactly equal, but never with closed ones: a solid that is complete in the file
- * stays as it is, even if it touches others. */
+ * Some files give each face its own vertices ("soup"), so that each face is a component. Components with open edges are
+ * welded with one another where positions are exactly equal, but never with closed ones: a solid that is complete in
+ * the file stays as it is, even if it touches others. So do closed parts that share a vertex: these are only split. */
 
 /* The faces of open components, merged into one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
@@ -150,7 +151,8 @@ static int compare_keys(const void *a, const void *b)
     return (p->face > q->face) - (p->face < q->face);
 }
 
-/* Gives each vertex of an open component the name of the first one at its position; all others keep their own. */
+/* Gives each vertex of a component with open edges the name of the first one at its position; all others keep their
+ * own. */
 static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open, polygons *faces,
                                 const roberts_mesh *mesh, roberts_error *error)
 {
@@ -162,7 +164,8 @@ static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open,
         name[v] = v;
     for (uint32_t s = 0; s < scene->solid_count && enough; s++)
         for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++) {
-            listed[count++] = scene_vertex_number(scene, v);
+            if (open[s] == OPENING_EDGES)
+                listed[count++] = scene_vertex_number(scene, v);
             if (!mesh_position(scene->point[v]))
                 status = error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %u is not a finite number up to 1e150",
                                    scene_vertex_number(scene, v));

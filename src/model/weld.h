@@ -20,12 +20,12 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
 
 /* Components that are not closed are welded and split, and numbered together with the others. */
 
-/* Welds the components of `scene` that are marked open with one another, and splits them into solids. Then lays out all
- * solids again, closed components and split ones alike, numbered by their smallest vertex (several that share it, by
- * their smallest face). `faces` is cleaned after welding. keep_open: faces that belong to no closed solid are laid out
- * too, as one solid if they share vertices. Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, without `keep_open`,
- * _NOT_CLOSED: `error` then names the first solid that is not closed, one of its edges, and the number of faces at that
- * edge. */
+/* open[]: the kind of `opening` (model/solid.h) of each component of `scene`. Welds the components with open edges with
+ * one another, and splits all that are not closed into solids. Then lays out all solids again, closed components and
+ * split ones alike, numbered by their smallest vertex (several that share it, by their smallest face). `faces` is
+ * cleaned after welding. keep_open: faces that belong to no closed solid are laid out too, as one solid if they share
+ * vertices. Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER or, without `keep_open`, _NOT_CLOSED: `error` then names the
+ * first solid that is not closed, one of its edges, and the number of faces at that edge. */
 roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
                        bool keep_open, roberts_error *error);
 

@@ -48,7 +48,9 @@ roberts_status read_bad_position(reader *r, uint64_t v)
                      (unsigned long long)v, MESH_COORDINATE_MAX);
 }
 
-void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
+/* Warns of faces with fewer than 3 corners, if there are any. OFF has its own warning: there they may be points and
+ * lines. */
+static void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
 {
     if (count)
         warning_send(warnings, name, 0, "%zu face%s with fewer than 3 corners: %s nothing", count,

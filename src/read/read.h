@@ -46,10 +46,6 @@ roberts_status read_fail(reader *r, roberts_status status, const char *format, .
 /* Does the same if the input lacks what `format` names; see input_expected(). A binary input is then at its end. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Warns of faces with fewer than 3 corners, if there are any, in formats that have another way to say what a line is:
- * those of two are drawn as lines. */
-void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count);
-
 /* Refuses an input that begins with this word if the word begins a format that cannot be read. The message names the
  * format, and a command that converts it. ROBERTS_OK: no such format is known. */
 roberts_status read_refuse_foreign(reader *r, const char *word, size_t length);

@@ -137,7 +137,8 @@ static bool cut_vertices(cutter *c, uint32_t solid)
     return true;
 }
 
-bool cutter_measure_width(cutter *c, uint32_t first, double *width)
+/* Measures the width of the last face of the clipped scene, whose corners begin at `first`. */
+static bool cutter_measure_width(cutter *c, uint32_t first, double *width)
 {
     const roberts_scene *to = &c->clip->scene;
     size_t count = to->corner_count - first;

@@ -44,9 +44,6 @@ bool cutter_add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t 
 /* Adds the vertex that divides the edge from A to B at t. */
 bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t);
 
-/* Measures the width of the last face of the clipped scene, whose corners begin at `first`. */
-bool cutter_measure_width(cutter *c, uint32_t first, double *width);
-
 /* ---- bodies that are not convex (clip_surface.c) --------------------------------------------------------------- */
 
 /* Creates the scene_surface of the clipped scene. */

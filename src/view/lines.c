@@ -1,15 +1,15 @@
-/* lines.c - which edges are lines, and of what class: of bodies that are not convex, and of scenes that the near plane
- * has cut. The rest is inlined in seen.h. */
+/* lines.c - which edges are lines, and their classes, for bodies that are not convex, scenes that the near plane cuts,
+ * and --union. Edges of convex solids are handled in seen.h, inline. */
 #include "view/seen.h"
 
-/* How the faces of an edge lie about it in the picture. */
+/* How many faces of an edge lie on each side of it in the picture. */
 typedef struct edge_faces {
     unsigned left, right, edge_on;
-    bool flat; /* all in one plane, but for the crease angle */
+    bool flat; /* all within the crease angle of one plane */
 } edge_faces;
 
-/* The facing of a face of seen.scene, or of seen.source. The latter is seen from the eye, since only there the near
- * plane takes something. */
+/* The facing of a face of seen.scene or seen.source. A face of seen.source is compared with the eye: the two scenes
+ * differ only in perspective, where the near plane cuts. */
 static int facing_of(const seen *s, const roberts_scene *scene, uint32_t face)
 {
     const view *v = &s->view;
@@ -31,14 +31,14 @@ static void add_face(int facing, bool turned, edge_faces *to)
         to->right++;
 }
 
-/* The squared distance of two unit normals, the second one times `way`. */
+/* The squared distance of two unit normals. The second one is multiplied by `way`. */
 static double chord_between(plane F, plane G, double way)
 {
     double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
     return a * a + b * b + c * c;
 }
 
-/* 1 where the two faces of an edge are wound alike, else -1. */
+/* 1 if the two faces of an edge are wound alike, otherwise -1. */
 static double way_of(uint8_t is)
 {
     return ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0) ? 1.0 : -1.0;
@@ -55,7 +55,7 @@ static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_e
     return chord_between(F, G, way_of(surface->edge_is[e])) < crease;
 }
 
-/* Edge `e`, of one face or two, of the body in `scene`. */
+/* The faces of edge `e` of the body in `scene`, which has one or two. */
 static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e,
                                 double crease)
 {
@@ -70,7 +70,7 @@ static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, 
     return found;
 }
 
-/* An edge of more than two. */
+/* The faces of an edge that has more than two. */
 static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const scene_many *many, double crease)
 {
     const uint32_t *face = scene->surface->many_face;
@@ -84,13 +84,13 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
     return found;
 }
 
-/* Faces that meet nearer than this, as a squared distance of normals, are flat. */
+/* The squared distance of normals below which two faces of the body count as flat. */
 static double crease_of(const seen *s, uint32_t body)
 {
     return s->source->surface->smooth[body] ? s->rules.smooth_chord : s->rules.crease_chord;
 }
 
-/* Is edge `e` of `scene`, seen.scene or seen.source, a line? Its class is set then. */
+/* Is edge `e` a line? If so, its class is set. `scene` is seen.scene or seen.source. */
 static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e, seen_line *line)
 {
     const seen *s = w->of;
@@ -128,7 +128,7 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
     return own;
 }
 
-/* The line of an edge of a body that is not convex, number `e` of seen.scene. */
+/* The line of edge `e` of seen.scene, of a body that is not convex. False: it is no line. */
 static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
@@ -143,7 +143,7 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     return true;
 }
 
-/* An edge of seen.source that the near plane has taken as a whole, of a convex body: is it a line? */
+/* Would an edge of a convex body that the near plane has taken completely be a line? Sets its class. */
 static bool taken_of_solid(const seen_walk *w, seen_line *line)
 {
     const roberts_scene *source = w->of->source;
@@ -155,8 +155,8 @@ static bool taken_of_solid(const seen_walk *w, seen_line *line)
            !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
 }
 
-/* The line of an edge, as it is without a union. Of a body that is not convex all but the class is set even where the
- * edge is no line. */
+/* The line of an edge without a union. False: it is no line. For bodies that are not convex, everything but the class
+ * is set even then. */
 static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
@@ -196,8 +196,8 @@ bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge)
 
 /* ---- bodies taken together as one ------------------------------------------------------------------------------ */
 
-/* How the viewer sees a face of seen.source. Of a body that is culled the facing is not known: there the depth of the
- * normal decides, by the face's width. */
+/* The facing of a face of seen.source. It is not stored for a culled body. There the depth of the normal decides,
+ * in relation to the width of the face. */
 static int facing_of_side(const seen *s, uint32_t face)
 {
     double stretch;
@@ -209,7 +209,7 @@ static int facing_of_side(const seen *s, uint32_t face)
     return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
-/* The sides of a piece as the faces of an edge; `crease`: flat below that. */
+/* Counts the sides of a piece as the faces of an edge. Below `crease` they are flat. */
 static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t count, double crease)
 {
     edge_faces found = {.flat = true};
@@ -254,7 +254,7 @@ bool seen_take_pieces(const seen *s, uint32_t body, const united *of, uint32_t i
     return drawn;
 }
 
-/* Would an edge of a convex body be a line without the union? `line`: what it would be if flat edges were lines. */
+/* Would an edge of a convex body be a line without the union? `line` is what it would be if flat edges were lines. */
 static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
 {
     const roberts_scene *source = w->of->source;
@@ -263,8 +263,8 @@ static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
                          scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
 }
 
-/* The line of an edge where bodies are one. An edge of a convex body that has no face toward the viewer is hidden by
- * its own body, whatever the others fill. */
+/* The line of an edge where bodies are one. If an edge of a convex body has no front face, its own body hides it,
+ * whatever the other bodies fill. */
 static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     bool convex = scene_is_convex(w->of->source, w->body), all = w->all;
@@ -304,7 +304,7 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .vertex = own->vertex};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;
-    /* edges of a cap are no lines, but they count; they come last */
+    /* edges of a cap are no lines, but they are counted; they come last */
     for (uint32_t e = own[1].edge; e > own->edge && s->clip.cap[e - 1]; e--)
         w.surviving += seen_fronts(w.facing, scene_edge_stored(scene, body, e - 1)) > 0;
     return w;

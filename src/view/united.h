@@ -37,7 +37,7 @@ static inline const union_piece *united_pieces(const united *u, uint32_t index)
     return u->first && u->first[index] != ROBERTS_NONE ? u->piece + u->first[index] : NULL;
 }
 
-/* The number of lines of which a part or all is not drawn, because bodies are flush there or contain it. */
+/* The number of lines that are not drawn, or only in part, because bodies are flush there or contain them. */
 size_t united_seams(const united *u, uint32_t count);
 
 #endif

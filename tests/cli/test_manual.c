@@ -174,8 +174,8 @@ static void completions_of_fish(void **state)
     assert_int_equal(found, 0); /* no others */
 }
 
-/* Every long option of the README that is meant for this program is one: in commands, behind "roberts ", and in the
- * first column of the table. */
+/* Every long option that the README gives for this program exists: in commands, after "roberts ", and in the first
+ * column of the table. */
 static void options_of_the_readme(void **state)
 {
     static char text[TEXT];

@@ -1,11 +1,11 @@
-/* test_readme.c - what the README shows works as it stands there, and what it links to or names is there.
+/* test_readme.c - what the README shows works as printed, and what it links to or names exists.
  *
  * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes
  * is run as printed, with `roberts` the one in build, and the ```c block is compiled, as example.c, by the README's own
  * command, where `cc` is the compiler that built the library (CC). What the pages on the stages say of constants and
  * files holds too. A block with a name behind its language (```python seen.py) is first written to a file of that name.
- * Lines that need a program that is not installed are left out with a message, and so is `make` itself, which is what
- * runs this. */
+ * Lines that need a program that is not installed are left out with a message, and so are those that call `make`, which
+ * runs this test. */
 #include <ctype.h>
 #include <glob.h>
 #include <setjmp.h>
@@ -124,6 +124,20 @@ static bool lacks_program(const char *line)
 static const char *const pages[] = {"README.md", "models/recipes.md"};
 enum { PAGES = sizeof pages / sizeof pages[0] };
 
+/* Reads one line, without its end. A backslash before the end joins it to the next line. */
+static bool read_line(FILE *text, char *line, size_t room)
+{
+    size_t length = 0;
+    while (fgets(line + length, (int)(room - length), text)) {
+        length += strcspn(line + length, "\n");
+        line[length] = '\0';
+        if (length == 0 || line[length - 1] != '\\')
+            return true;
+        length--;
+    }
+    return length > 0;
+}
+
 /* Gives the lines of a page's ````language` blocks, one after the other, to `use`. */
 static int each_line(const char *page, const char *language, void use(const char *line, void *context), void *context)
 {
@@ -131,8 +145,7 @@ static int each_line(const char *page, const char *language, void use(const char
     char line[1024];
     int count = 0, inside = 0;
     assert_non_null(text);
-    while (fgets(line, sizeof line, text)) {
-        line[strcspn(line, "\n")] = '\0';
+    while (read_line(text, line, sizeof line)) {
         if (strncmp(line, "```", 3) == 0) {
             inside = !inside && strcmp(line + 3, language) == 0;
         } else if (inside) {
@@ -171,6 +184,20 @@ static void write_named_blocks(const char *page)
     fclose(text);
 }
 
+/* Fails, with what to do, if the line calls a program of build that is not built. */
+static void need_built(const char *line)
+{
+    char program[64], path[512];
+    snprintf(path, sizeof path, "%s/build/roberts", temporary);
+    if (access(path, X_OK) != 0)
+        fail_msg("there is no build/roberts: run `make all tools` first");
+    if (sscanf(line, "%63s", program) != 1 || strncmp(program, "build/", 6) != 0)
+        return;
+    snprintf(path, sizeof path, "%s/%s", temporary, program);
+    if (access(path, X_OK) != 0)
+        fail_msg("there is no %s: run `make all tools` first", program);
+}
+
 static void try_command(const char *line, void *context)
 {
     char output[64];
@@ -178,6 +205,7 @@ static void try_command(const char *line, void *context)
     bool clone = strncmp(line, "git clone ", 10) == 0;
     if (our_make || clone || strncmp(line, "cc ", 3) == 0 || lacks_program(line))
         return;
+    need_built(line);
     output_of(line, output);
     run_command(line, output);
     ++*(int *)context;
@@ -228,6 +256,8 @@ static void test_page_of_faces(void **state)
     char path[512], command[2048];
     (void)state;
     snprintf(path, sizeof path, "%s/faces.html", temporary);
+    if (access(path, R_OK) != 0)
+        fail_msg("there is no faces.html: the commands of the recipes, tested before, make it");
     const int faces = count_faces(path);
     assert_true(faces > 50);
     FILE *page = fopen(path, "a");

@@ -1,6 +1,5 @@
-/* The SVG as other programs see it: the pictures that librsvg, Inkscape and Chromium make of it beside each other and
- * beside our own, drawn by Cairo without the way through the file. Each of these is skipped where it is
- * not installed. */
+/* The SVG as other programs draw it. The pictures of librsvg, Inkscape and Chromium are compared with each other and
+ * with our own, which Cairo draws without the file. A program that is not installed is skipped. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>

@@ -21,7 +21,7 @@ static char program[4096], boxes[TEMPORARY_ROOM + 10];
 
 static const char *const formats[] = {"svg", "pdf", "ps", "eps", "png", "tikz", "dxf", "hpgl", "csv", "json"};
 
-/* Boxes on a square, each of some height, some of them touching. */
+/* Boxes of different heights on a square. Some of them touch. */
 static void write_boxes(const char *path)
 {
     static const int corner[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},

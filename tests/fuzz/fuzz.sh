@@ -43,8 +43,9 @@ for program in "$@"; do
     done <"$folder/list"
     cp "$here"/found/"${program#fuzz_}"-* "$folder/seeds/" 2>/dev/null || true
     failed=
-    "$build/fuzz/$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=6144 -print_final_stats=1 \
-        -dict="$here/off.dict" -artifact_prefix="$folder/found/" ${FUZZ_FLAGS:-} "$folder/corpus" "$folder/seeds" \
+    "$build/fuzz/$program" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 -max_len=6144 \
+        -print_final_stats=1 -dict="$here/off.dict" -artifact_prefix="$folder/found/" ${FUZZ_FLAGS:-} \
+        "$folder/corpus" "$folder/seeds" \
         >"$folder/log" 2>&1 || failed=1
     echo "$program: $(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/log") executions, failed: ${failed:-0}"
     if [ -n "$failed" ]; then

@@ -7,7 +7,7 @@
 #include "judge.h"
 #include "mesh_picture.h"
 
-enum { REPORTS = 3 /* of one scene */ };
+enum { REPORTS = 3 /* most failures reported for a scene */ };
 
 /* Ends may be off by this part of the scene's size, as rounding leaves them. */
 #define END_ROUNDING 1e-13
@@ -55,7 +55,7 @@ static double scene_size(const roberts_mesh *mesh)
     return size;
 }
 
-/* What t may be off by on a line. */
+/* The greatest error of t that is allowed on a line. */
 static double t_limit(const rows_at_hand *r, const cross_line *l)
 {
     return MESH_JUDGE_LIMIT + r->rounding / length_of(l);
@@ -96,7 +96,7 @@ static const char *fault_of(const rows_at_hand *r, const cross_row *row, const c
     return NULL;
 }
 
-/* Rows of a line must follow one another from 0 to 1, in states by turns. Gives the length that they leave out. */
+/* Returns the length that the rows of a line leave out between 0 and 1. *turns: do neighbours differ in state? */
 static double gaps(const rows_at_hand *r, size_t mine, bool *turns)
 {
     double end = 0, gap = 0;
@@ -164,7 +164,7 @@ static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
     return wrong;
 }
 
-/* Does the line really exist in what the rows leave out of it? Without slack: yes. */
+/* Does the line surely exist somewhere in the gaps between its rows? Without slack, always. */
 static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line *l)
 {
     const mesh_scene *s = r->c->scene;
@@ -182,7 +182,7 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     return false;
 }
 
-/* Has the line no rows? In the picture a face that is edge-on lies behind its own border, which is drawn. */
+/* Does the line have no rows? If one of its faces is edge-on, the border of that face covers it in the picture. */
 static bool has_no_rows(const rows_at_hand *r, const cross_line *l)
 {
     return l->edge_on || (l->on_edge && r->c->all_edges);
@@ -233,8 +233,8 @@ static void judge_order(rows_at_hand *r)
     }
 }
 
-/* Is a row the same as one of faces f and g would be, which have the same corners? (Of bodies that lie in one place
- * each has its faces.) */
+/* Would the row belong to a line if its faces were f and g, which have the same corners? (Two bodies in one place each
+ * have their own faces.) */
 static bool has_twin(const rows_at_hand *r, const cross_row *row, uint32_t f, uint32_t g)
 {
     cross_row twin = *row;
@@ -246,7 +246,7 @@ static bool has_twin(const rows_at_hand *r, const cross_row *row, uint32_t f, ui
     return false;
 }
 
-/* Rows that belong to no line of the oracle's. */
+/* Reports rows that belong to no line of the oracle. */
 static void judge_others(rows_at_hand *r)
 {
     const mesh_scene *s = r->c->scene;
@@ -373,7 +373,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     return failed;
 }
 
-/* Sends the hidden intervals of a line to another line on which it lies. */
+/* Converts the hidden intervals of a line to parameters of another line on which it lies. */
 static void send_hidden(const cross_truth *truth, const cross_line *from, const cross_line *to)
 {
     for (size_t k = from->first; k < from->first + from->count; k++) {
@@ -403,7 +403,7 @@ static void join_hidden(const cross_truth *truth, cross_line *l, double gap)
     l->count = count;
 }
 
-/* Makes one line of l and next, of the same faces, if they meet within the slack. */
+/* Joins two lines of the same faces if they meet within the slack. */
 static bool unite(const cross_truth *truth, cross_line *l, const cross_line *next, double slack)
 {
     const roberts_vec3 mine[2] = {l->a, l->b}, other[2] = {next->a, next->b};
@@ -417,7 +417,7 @@ static bool unite(const cross_truth *truth, cross_line *l, const cross_line *nex
                 both.b = i ? other[1 - k] : mine[1];
                 send_hidden(truth, l, &both);
                 send_hidden(truth, next, &both);
-                for (size_t h = 0; h < next->count; h++) /* theirs lie behind, perhaps with a gap that was left */
+                for (size_t h = 0; h < next->count; h++) /* those of `next` lie further on, perhaps after a gap */
                     truth->interval[l->first + l->count + h] = truth->interval[next->first + h];
                 both.count += next->count;
                 join_hidden(truth, &both, 4 * slack / length_of(&both));
@@ -437,6 +437,25 @@ static void turn_round(const cross_truth *truth, cross_line *l)
     *l = turned;
 }
 
+/* May face f be edge-on if its corners move by the slack? It may if one plane through the viewer passes all of them
+ * within the slack. The plane tried goes through the first corner and another one, for each other one. */
+static bool may_be_edge_on(const mesh_scene *scene, uint32_t f)
+{
+    const roberts_mesh *m = &scene->mesh;
+    const uint32_t *corner = m->corner + m->face_start[f];
+    const uint32_t count = m->face_start[f + 1] - m->face_start[f];
+    const roberts_vec3 first = m->vertex[corner[0]], viewer = {scene->view.x, scene->view.y, scene->view.z};
+    const roberts_vec3 sight = scene->view.w ? picture_minus(viewer, first) : viewer;
+    bool may = false;
+    for (uint32_t i = 1; i < count && !may; i++) {
+        roberts_vec3 n = picture_unit_cross(sight, picture_minus(m->vertex[corner[i]], first));
+        may = true;
+        for (uint32_t k = 1; k < count && may; k++)
+            may = fabs(picture_dot(n, picture_minus(m->vertex[corner[k]], first))) <= scene->slack;
+    }
+    return may;
+}
+
 void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing)
 {
     size_t count = 0;
@@ -450,6 +469,7 @@ void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_dra
     for (size_t i = 0; i < truth->line_count && scene->slack > 0; i++) {
         cross_line *l = &truth->line[i];
         double straight = HUGE_VAL, turned = HUGE_VAL;
+        l->edge_on |= may_be_edge_on(scene, l->f0) || may_be_edge_on(scene, l->f1);
         if (fabs(l->b.x - l->a.x) > scene->slack)
             continue;
         for (size_t k = 0; k < drawing->crossing_count; k++) {

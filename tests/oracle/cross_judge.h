@@ -37,7 +37,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
 
 /* Adapts the truth of an inexact scene. Joins lines of the same faces that meet within the slack. Reverses lines that
  * the drawing has the other way round, if either end may be the smaller one because their x is equal within the
- * slack. */
+ * slack. Marks lines in faces that may be edge-on within the slack. */
 void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_drawing *drawing);
 
 /* The rows that are right where flat edges are left out; *count is filled. NULL: no memory. The caller frees them. */

@@ -1,7 +1,8 @@
-/* judge.c - comparison edge by edge. What the program hides must lie in `maybe`, what it shows must lie outside `sure`
- * (oracle.h); without slack the two are one and this is equality. A scene spoiled by rounding is held against its
- * original as well, strictly. The program's segments must also tile [0, 1] in turns of visible and hidden; and what it
- * finds visible must be what it finds where only that is wanted: then it looks at less. */
+/* judge.c - compares program and oracle edge by edge. What the program hides must lie in `maybe`, and what it shows
+ * must lie outside `sure` (oracle.h). Without slack these two are the same, so the answers must be equal. A scene
+ * spoiled by rounding is also compared with its original, strictly. The program's segments must tile [0, 1], and
+ * neighbours must differ in state. Drawn without hidden lines, where less is examined, the scene must have the same
+ * visible segments. */
 #include "judge.h"
 
 #include <errno.h>
@@ -13,8 +14,8 @@
 #include "order.h"
 
 enum {
-    REPORTS = 3,     /* of one scene, at most */
-    SEEN_FACES = 200 /* plain rays are slow: only in scenes this small */
+    REPORTS = 3,     /* most failures reported for a scene */
+    SEEN_FACES = 200 /* most faces of a scene checked with plain rays, which are slow */
 };
 
 roberts_camera judge_camera(const test_scene *scene)
@@ -60,13 +61,14 @@ double judge_outside(const oracle_interval *a, size_t a_count, const oracle_inte
 
 /* ---- the two sides --------------------------------------------------------------------------------------------- */
 
-/* Draws `mesh`, which may be a part of the scene, as the scene is to be drawn; all of it as the program is given it. */
+/* Draws `mesh`, the scene's mesh or a part of it, with the scene's options. If it is the whole mesh and the scene has a
+ * soup, the program gets the soup. */
 static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool keep_hidden, roberts_drawing *drawing,
                            roberts_error *error)
 {
     roberts_scene *scene = NULL;
     roberts_camera camera = judge_camera(how);
-    /* so that no faces are made one that are not coplanar */
+    /* a small tolerance, so that only coplanar faces of a hull become one */
     roberts_scene_options solids = {.hull = how->hull, .tolerance = how->hull ? 1e-10 : how->tolerance};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
@@ -81,13 +83,12 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool
         status = roberts_hide(scene, &camera, &options, drawing, error);
     while (status == ROBERTS_OK && drawing->count > 0 &&
            drawing->segment[drawing->count - 1].line == ROBERTS_INTERSECTION)
-        drawing->count--; /* edges alone are judged */
+        drawing->count--; /* only edges are judged here */
     roberts_scene_free(scene);
     return status;
 }
 
-/* The segments of one edge, from *at on; leaves its hidden intervals and what the near plane leaves of it, and tells
- * whether the segments tile it. */
+/* The segments of one edge: its hidden intervals, what the near plane leaves of it, and whether they tile it. */
 typedef struct edge_segments {
     const roberts_segment *segment;
     size_t count, hidden_count;
@@ -122,7 +123,7 @@ static void take_edge(const roberts_drawing *drawing, size_t *at, const oracle_e
     out->tiled = out->tiled && t == 1;
 }
 
-/* How much of the edge is wrong; 1 and more where the segments are no list of its parts at all. */
+/* How much of the edge is wrong. 1 if the segments do not tile it. */
 static double wrong_length(const edge_segments *mine, const oracle_result *truth, const oracle_edge *edge)
 {
     if (!mine->tiled)
@@ -132,9 +133,9 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
-/* What an edge may be wrong on. In a rough scene a part that is shorter than its ends may move by is as open as they
- * are: it is there for some positions of the corners within the slack, and not for others. (From an eye slack counts
- * for more; 2 for each end, 2 for that.) */
+/* How much of an edge may differ. In a rough scene, parts too short to be certain are left open: they exist only for
+ * some positions of the corners within the slack. The factor 4 is 2 for the two ends, times 2 because slack counts for
+ * more in perspective. */
 static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const oracle_edge *edge)
 {
     roberts_vec3 p = mesh->vertex[edge->v0], q = mesh->vertex[edge->v1];
@@ -161,7 +162,7 @@ bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *com
     return fclose(file) == 0 && ok;
 }
 
-/* A copy of the mesh with the wanted solids only; *v0, *v1 become their numbers in it. */
+/* Copies only the wanted solids of the mesh. Vertices *v0 and *v1 become their numbers in the copy. */
 static bool part_of(const roberts_mesh *mesh, const uint32_t *vertex_solid, const bool *wanted, roberts_mesh *part,
                     uint32_t *v0, uint32_t *v1)
 {
@@ -209,7 +210,7 @@ static void one_edge_free(one_edge *one)
     *one = (one_edge){0};
 }
 
-/* Compares one edge of a mesh; wrong is 1 where the program refuses the mesh, 0 where the oracle does. */
+/* Compares one edge of a mesh. If the program refuses the mesh, `wrong` is 1; if the oracle refuses it, 0. */
 static void judge_one(const test_scene *how, const roberts_mesh *mesh, uint32_t v0, uint32_t v1, one_edge *one)
 {
     oracle_options options = {how->slack, false};
@@ -282,7 +283,7 @@ static void write_failure(const char *name, size_t nth, const char *folder, cons
         fprintf(out, "  (%s: %s)\n", path, strerror(errno));
 }
 
-/* Judges the edge in the part of the scene that holds the wanted solids. Returns whether it fails there. */
+/* Does the edge fail in the part of the scene that has only the wanted solids? */
 static bool part_fails(const test_scene *scene, const oracle_result *truth, const bool *wanted, const oracle_edge *edge,
                        roberts_mesh *part, one_edge *one)
 {
@@ -293,8 +294,7 @@ static bool part_fails(const test_scene *scene, const oracle_result *truth, cons
     return one->wrong > one->limit;
 }
 
-/* Leaves out halves, quarters, ... of the solids and in the end single ones, as long as the edge still fails; its own
- * solid stays. */
+/* Removes halves, then quarters, at last single solids, as long as the edge still fails. Its own solid stays. */
 static void shrink(const test_scene *scene, const oracle_result *truth, const oracle_edge *edge, bool *wanted,
                    bool *before)
 {
@@ -354,7 +354,7 @@ static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_t
     total->unjudged += judge_outside(maybe, e->maybe_count, sure, e->sure_count);
 }
 
-/* Compares the drawing with the truth about the scene itself, or about its original. */
+/* Compares the drawing with the oracle's answer for the scene, or for its original. */
 static bool judge_drawing(const char *name, const roberts_drawing *drawing, const test_scene *scene, bool original,
                           const char *folder, judge_total *total, FILE *out)
 {
@@ -385,7 +385,7 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         if (!original) {
             report(name, failed, folder, scene, &truth, e, out);
         } else {
-            fprintf(out, "%s (held against its original): solid %u, edge %u-%u: they differ on %.3g of it\n", name,
+            fprintf(out, "%s (compared with its original): solid %u, edge %u-%u: they differ on %.3g of it\n", name,
                     e->solid, e->v0, e->v1, wrong);
             print_intervals(out, "program hides", mine.hidden, mine.hidden_count);
             print_intervals(out, "the original hides", truth.interval + e->sure, e->sure_count);
@@ -393,7 +393,7 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         }
     }
     if (at != drawing->count || !mine.hidden) {
-        fprintf(out, "%s: the drawing has segments of edges that are not there\n", name);
+        fprintf(out, "%s: the drawing has segments of edges that do not exist\n", name);
         failed++;
     }
     total->pairs += truth.pairs;
@@ -404,9 +404,9 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
     return failed == 0;
 }
 
-/* Does the program see at the middle of a hidden segment what a plain ray sees? Where the middle is rounded and lies
- * in line with a border, what is seen a little before or after it will do; and with slack, what is seen beside it by
- * that, or up to ten times as far: from an eye, what a corner moves by counts for more behind it. */
+/* Does a plain ray see the same solid at the middle of a hidden segment as the program? The rounded middle may lie in
+ * line with a border, so a point a little before or after it may agree instead. With slack, a point beside it may: at
+ * twice the slack, or ten times as far, since in perspective a moved corner moves points behind it by more. */
 static bool is_seen(const test_scene *scene, const oracle_result *truth, const roberts_segment *s, double epsilon,
                     uint32_t *seen)
 {
@@ -416,7 +416,7 @@ static bool is_seen(const test_scene *scene, const oracle_result *truth, const r
             double by = scene->slack * beside[way / 27], t = (s->t0 + s->t1) / 2 + along[i] * (s->t1 - s->t0);
             roberts_vec3 aside = {by * ((way + 1) % 3 - 1), by * ((way / 3 + 1) % 3 - 1), by * ((way / 9 + 1) % 3 - 1)};
             oracle_point point = {&scene->mesh, truth->vertex_solid, &scene->view, s->v0, s->v1, t, aside};
-            /* what counts as touching is there too, and the smallest number counts */
+            /* solids that touch count as present, and of these the one with the smallest number is seen */
             double touch = 2 * epsilon + 2 * scene->slack;
             if (oracle_point_seen(&point, 0, s->by, seen) && *seen == s->by)
                 return true;
@@ -426,7 +426,7 @@ static bool is_seen(const test_scene *scene, const oracle_result *truth, const r
     return false;
 }
 
-/* Is the middle of the segment hidden wherever within the slack corners lie? */
+/* Is the middle of the segment hidden for all positions of the corners within the slack? */
 static bool is_surely_hidden(const oracle_result *truth, const roberts_segment *s)
 {
     double t = (s->t0 + s->t1) / 2;
@@ -441,8 +441,8 @@ static bool is_surely_hidden(const oracle_result *truth, const roberts_segment *
     return false;
 }
 
-/* Holds `by` of one hidden segment against the plain rays of rays.cpp. Where it is open whether a point is hidden, it
- * is open by what. */
+/* Compares `by` of one hidden segment with the plain rays of rays.cpp. Segments that are hidden only perhaps are left
+ * out. */
 static bool judge_seen(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                        judge_total *total, FILE *out)
 {
@@ -480,7 +480,7 @@ static bool is_same(const roberts_segment *a, const roberts_segment *b)
            fabs(a->t0 - b->t0) <= JUDGE_LIMIT && fabs(a->t1 - b->t1) <= JUDGE_LIMIT;
 }
 
-/* Holds the visible segments against those that are found where no others are wanted. */
+/* Compares the visible segments with those of a drawing without hidden lines. */
 static bool judge_visible(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                           judge_total *total, FILE *out)
 {
@@ -546,7 +546,8 @@ static void print_other(FILE *out, const char *name, const roberts_segment *s, c
         fprintf(out, " it is not there\n");
 }
 
-/* The first segment from i on that is longer than rounding: where another order turns an edge, 1 - t is rounded. */
+/* The first segment from i on that is longer than a rounding error. (If another order reverses an edge, 1 - t is
+ * rounded.) */
 static size_t next_longer(const roberts_drawing *drawing, size_t i)
 {
     while (i < drawing->count && drawing->segment[i].t1 - drawing->segment[i].t0 < 1e-15)
@@ -554,9 +555,9 @@ static size_t next_longer(const roberts_drawing *drawing, size_t i)
     return i;
 }
 
-/* Holds the segments against those of the same scene written in another order: vertices, faces, and corners within
- * these. But for their names, and for whom of several solids that touch `by` names, they are the same; where contact
- * is open, rounding may decide otherwise: that is counted. */
+/* Compares the segments with those of the same scene in another order of vertices, faces and corners. They must be the
+ * same, except for their names, and for `by` among solids that touch. Where contact is left open, rounding may decide
+ * differently; such scenes are counted. */
 static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
                         judge_total *total, FILE *out)
 {

@@ -1,5 +1,5 @@
-/* mesh_judge.c - see mesh_judge.h. A row of the program's table lies on an edge of the oracle where its ends do: an
- * edge may come as pieces of other edges of the file that lie on the same line. */
+/* mesh_judge.c - see mesh_judge.h. A row of the program belongs to an edge of the oracle if its ends lie on that edge:
+ * the program may draw the edge as pieces of other edges of the file that lie on the same line. */
 #include "mesh_judge.h"
 
 #include <math.h>
@@ -11,7 +11,10 @@
 #include "judge.h"
 #include "union_judge.h"
 
-enum { REPORTS = 3 /* of one scene */, MANY_EDGES = 3000 /* of which rows are looked up by their vertices alone */ };
+enum {
+    REPORTS = 3,      /* most failures reported for a scene */
+    MANY_EDGES = 3000 /* above this, rows are looked up by their vertices only */
+};
 
 /* A piece of an edge, as the program has it. */
 typedef struct piece {
@@ -24,10 +27,10 @@ typedef struct judgement {
     const mesh_truth *truth;
     const roberts_drawing *drawing;
     double size;  /* of the scene */
-    piece *piece; /* [count] of the edge at hand; room for all segments */
+    piece *piece; /* [count] of the current edge; room for all segments */
     size_t count;
-    oracle_interval *hidden; /* [hidden_count] joined */
-    oracle_interval *any;    /* [any_count] what any piece is of, joined */
+    oracle_interval *hidden; /* [hidden_count] hidden, joined */
+    oracle_interval *any;    /* [any_count] covered by any piece, joined */
     size_t hidden_count, any_count;
 } judgement;
 
@@ -59,7 +62,7 @@ static void add_piece(judgement *j, double t0, double t1, bool hidden)
         j->piece[j->count++] = (piece){t0, t1, hidden};
 }
 
-/* Takes the rows of this very edge. */
+/* Takes the rows of the edge itself. */
 static void take_own(judgement *j, const mesh_edge *e)
 {
     const uint32_t *position = j->truth->position;
@@ -107,8 +110,9 @@ static size_t join(oracle_interval *list, size_t count, const piece *p)
     return count;
 }
 
-/* Joins the pieces, and what is between visible ones. Where one piece is visible and another hidden, of vertices of
- * their own at the same places, the line is seen. Gives how much of what the edge bounds no piece is of. */
+/* Joins the pieces. Everything between visible pieces is hidden. If two edges lie in one place, with vertices of their
+ * own, and one is visible there, the line is visible. Returns the length of the edge, where it bounds something, that
+ * no piece covers. */
 static double uncovered(judgement *j, const mesh_edge *e)
 {
     double end = 0;
@@ -128,7 +132,7 @@ static double uncovered(judgement *j, const mesh_edge *e)
     return judge_outside(j->truth->part + e->part, e->parts, j->any, j->any_count);
 }
 
-/* Length of a \ b in what the edge bounds. */
+/* The length of a \ b on those parts of the edge that bound something. */
 static double outside(const judgement *j, const mesh_edge *e, const oracle_interval *a, size_t a_count,
                       const oracle_interval *b, size_t b_count)
 {
@@ -143,7 +147,8 @@ static double outside(const judgement *j, const mesh_edge *e, const oracle_inter
     return sum;
 }
 
-/* Where the two lists differ, the middles are asked how sure they are. Gives the length that is surely wrong. */
+/* Where the two lists differ, asks the oracle at the middle whether its answer is sure. Returns the length that is
+ * surely wrong. */
 static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjudged)
 {
     const oracle_interval *truth = j->truth->interval + e->first;
@@ -255,7 +260,7 @@ static double size_of(const roberts_mesh *mesh)
     return size;
 }
 
-/* Draws the scene; false: the program refuses. */
+/* Draws the scene. False: the program refuses it. */
 static bool draw(const char *name, const mesh_scene *scene, bool all_edges, roberts_scene **built,
                  roberts_drawing *drawing, FILE *out)
 {
@@ -278,7 +283,7 @@ static bool draw(const char *name, const mesh_scene *scene, bool all_edges, robe
     return false;
 }
 
-/* Bodies drawn as one. */
+/* Judges a scene whose bodies are drawn as one. */
 static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total *total, FILE *out)
 {
     roberts_scene *built = NULL;
@@ -318,7 +323,7 @@ static size_t judge_lines(const cross_case *at, const roberts_scene *built, cons
     return failed;
 }
 
-/* Draws the scene with all edges or without those that are flat, and judges it. */
+/* Draws the scene with all edges or without the flat ones, and judges it. */
 static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_total *total, FILE *out)
 {
     roberts_scene *built = NULL;

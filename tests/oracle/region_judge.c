@@ -9,9 +9,9 @@
 #include "judge.h"
 #include "mesh_picture.h"
 
-enum { REPORTS = 3 /* of one scene */ };
+enum { REPORTS = 3 /* most failures reported for a scene */ };
 
-/* A piece of the border of one face, which lies on its left, in the program's picture. */
+/* A piece of one face's border, in the program's picture. The face lies on its left. */
 typedef struct border {
     uint32_t face;
     roberts_vec2 p, q;
@@ -32,7 +32,7 @@ static double distance(roberts_vec2 p, roberts_vec2 q)
     return hypot(p.x - q.x, p.y - q.y);
 }
 
-/* From X to the segment. */
+/* The distance from X to the segment. */
 static double beside(const border *b, roberts_vec2 X)
 {
     double dx = b->q.x - b->p.x, dy = b->q.y - b->p.y, squared = dx * dx + dy * dy;
@@ -54,7 +54,7 @@ static void tell(comparison *c, uint32_t face, const char *what, double how_much
         fprintf(c->out, "%s: face %u: %s (%.3g)\n", c->name, face, what, how_much);
 }
 
-/* ---- the oracle's picture in the program's ---------------------------------------------------------------------- */
+/* ---- the oracle's picture to the program's ---------------------------------------------------------------------- */
 
 /* p -> m p + b */
 typedef struct affine {
@@ -236,7 +236,7 @@ size_t region_judge_list(const char *name, const mesh_scene *scene, const region
 
 /* ---- a scene ----------------------------------------------------------------------------------------------------- */
 
-/* Of faces that touch, that of the smallest body is seen, and then the smallest one. */
+/* Of faces that touch, the one of the body with the smallest number is seen, then the one with the smallest number. */
 static uint32_t *ranks_of(const mesh_scene *scene, const roberts_scene *built, const roberts_drawing *drawing)
 {
     const size_t count = scene->mesh.face_count;

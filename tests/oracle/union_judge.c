@@ -1,5 +1,5 @@
-/* union_judge.c - see union_judge.h. Lines and rows lie in one place where the ends of one lie on the line of the
- * other; lengths are then compared along either. */
+/* union_judge.c - see union_judge.h. A line and a row lie in one place if the ends of one lie on the line of the other.
+ * Their lengths are then compared along either. */
 #include "union_judge.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 #include "judge.h"
 
-enum { REPORTS = 3 /* of one scene */ };
+enum { REPORTS = 3 /* most failures reported for a scene */ };
 
 /* Points this near count as one, as a part of the scene's size. */
 #define SAME_PLACE 1e-11
@@ -47,7 +47,8 @@ static double along(roberts_vec3 p, roberts_vec3 q, roberts_vec3 X, double *off)
     return t;
 }
 
-/* Does rs lie on the line of pq, and reach into it? [*t0, *t1]: what of pq r and s are at, which may be beyond. */
+/* Does `other` lie on the line and overlap it? *t0 and *t1: the parameters of its ends along the line, which may lie
+ * beyond 0 and 1. */
 static bool coincide(const work *w, const roberts_vec3 line[2], const roberts_vec3 other[2], double *t0, double *t1)
 {
     double off0, off1;
@@ -85,7 +86,7 @@ static void join(list *l, double gap)
     l->count = count;
 }
 
-/* What of line l is drawn, or visible, sent through t -> from + t * (to - from). */
+/* Adds the parts of line l that are drawn, or visible. Each t becomes from + t * (to - from). */
 static void add_truth(const work *w, list *out, const union_line *l, bool visible, double from, double to)
 {
     const union_truth *truth = w->c->truth;
@@ -119,7 +120,7 @@ static double limit_of(const work *w, const roberts_vec3 end[2])
     return MESH_JUDGE_LIMIT + w->near / distance(end[0], end[1]);
 }
 
-/* What is drawn, or visible, by the oracle must be so by the table. */
+/* All that the oracle draws, or sees, must be in the table. */
 static void judge_line(work *w, const union_line *l, bool visible)
 {
     const roberts_vec3 end[2] = {l->a, l->b};
@@ -198,7 +199,7 @@ static size_t judge(const union_case *c, const union_row *row, size_t count, boo
     for (size_t i = 0; w.a.interval && w.b.interval && i < truth->line_count; i++) {
         total->lines++;
         total->lines_cut += truth->line[i].parts > 0;
-        /* lines where faces cross are looked for among what is seen */
+        /* lines where faces cross are judged only where they are visible */
         if (!truth->line[i].crossing)
             judge_line(&w, &truth->line[i], false);
         if (!truth->line[i].crossing || !truth->line[i].edge_on)

@@ -51,6 +51,10 @@ static const body_case cases[] = {
      "o", 0, 4, 0, 0, false, false},
     {"the same face three times", "OFF\n4 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n4 2 1 0 3\n4 1 2 3 0\n", TOP, "o",
      0, 4, 0, 0, false, false},
+    {"closed parts that share a vertex are split, not welded with a triangle that touches them",
+     "OFF\n10 9 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n1 0 0\n0 1 0\n2 2 0\n3 0 1 2\n3 0 2 3\n3 0 3 1\n"
+     "3 1 3 2\n3 0 4 5\n3 0 5 6\n3 0 6 4\n3 4 6 5\n3 7 9 8\n",
+     TOP, "xxo", ROOT_2 + 2 + ROOT_2 + 2, ROOT_2 + 2 * ROOT_5, 0, 0, false, false},
     {"a vertex divides a side", "OFF\n6 3 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1 0\n1 2 0\n4 0 1 2 3\n3 3 4 5\n3 4 2 5\n",
      TOP, "o", 0, 4 + 2 * ROOT_2, 0, 0, false, false},
     {"a side on half of another, within rounding",

@@ -189,8 +189,8 @@ static wide determinant(const int64_t a[3], const int64_t b[3], const int64_t c[
     return sum;
 }
 
-/* Of coordinates of up to 31 bits each determinant is an integer below 2^96, which a double-double holds: so must be
- * the result, and zero where the vectors lie in a plane. */
+/* With coordinates of up to 31 bits, each determinant is an integer below 2^96. A double-double holds it, so the result
+ * must be exact, and zero if the vectors lie in a plane. */
 static void determinants_are_exact(void **state)
 {
     rng r = {54};

@@ -213,12 +213,13 @@ static double area_of(const given_region *g)
 static const ring with_hole[2] = {{5, {{3, 5}, {97, 2}, {93, 60}, {60, 97}, {8, 90}}},
                                   {4, {{40, 30}, {30, 55}, {65, 60}, {60, 35}}}};
 
-/* Strokes, so long for each area as the shade asks for: their length times their distance where it is darkest, for each
- * area, is how dark the face is. */
+/* Strokes are as long for each area as the shade asks for: their length times their distance where it is darkest, for
+ * each area, is how dark the face is. Nested strokes are not equally far apart. So where few of them cross the region,
+ * one of them more or less counts for more than 5 %. */
 static void length_follows_shade(void **state)
 {
     rng r = {20240};
-    double worst = 0.0;
+    double worst[2] = {0.0, 0.0}; /* of even and of nested strokes */
     (void)state;
     for (int trial = 0; trial < 400; trial++) {
         given_region g;
@@ -232,13 +233,13 @@ static void length_follows_shade(void **state)
         g.region.level = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
         strokes s = strokes_of(&g.drawing, &options);
         const double ink = hatched_mm(&s) * options.hatching.spacing_mm / area_of(&g);
-        if (fabs(ink - dark) > 0.05 * dark + 0.005)
+        if (fabs(ink - dark) > 0.05 * dark + (options.hatching.nested ? 0.005 : 0.0))
             fail_msg("trial %d: %g of ink where %g was wanted (spacing %g, angle %g, cross %g)", trial, ink, dark,
                      options.hatching.spacing_mm, options.hatching.degrees, options.hatching.cross);
-        worst = fmax(worst, fabs(ink - dark) / dark);
+        worst[trial % 2] = fmax(worst[trial % 2], fabs(ink - dark) / dark);
         strokes_free(&s);
     }
-    print_message("off by %.2f %% at the most\n", 100.0 * worst);
+    print_message("off by %.2f %% at the most, nested strokes by %.2f %%\n", 100.0 * worst[0], 100.0 * worst[1]);
 }
 
 /* With levels, each tone is that of the nearest level, and no face is off by more than half a level. */

@@ -158,7 +158,7 @@ typedef struct allowance {
     bool by;      /* another solid may be named, among those that touch */
 } allowance;
 
-/* What rounding may move a point of the picture by: it grows with the picture, which is large near the eye. */
+/* How far rounding may move a point of the picture. It grows with the picture, which is large near the eye. */
 static double picture_bound(const roberts_drawing *d)
 {
     double size = d->scene_diameter;

@@ -43,8 +43,8 @@ static void add_block(blocks *b, const int low[3], const int high[3], bool cut)
     fill_cells(b, low, high);
 }
 
-/* An angle: along `axis` a prism over the square from low to high without the quarter beyond `notch`. It is not
- * convex, and two of its faces are not. */
+/* An L-shaped prism along `axis`: the box from low to high, without the quarter beyond `notch`. The body is not convex,
+ * nor are two of its faces. */
 static void add_angle(blocks *b, const int low[3], const int high[3], const int notch[3], int axis)
 {
     int next = (axis + 1) % 3, last = (axis + 2) % 3;

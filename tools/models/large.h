@@ -1,4 +1,4 @@
-/* large.h - shared by the scenes of any size: their arguments, and the meshes of meshes.c. */
+/* large.h - shared by the scenes of any size: their arguments, the meshes of meshes.c, and hard.c. */
 #ifndef MODELS_LARGE_H
 #define MODELS_LARGE_H
 
@@ -24,5 +24,16 @@ void balls_solid(body *b, const plan *p, uint64_t index);
 void crossing_solid(body *b, const plan *p, uint64_t index);
 void stars_solid(body *b, const plan *p, uint64_t index);
 void soup_solid(body *b, const plan *p, uint64_t index);
+
+/* ---- hard.c: scenes that are hard for a grid ------------------------------------------------------------------ */
+
+uint64_t crowd_count(uint64_t n);
+void boards_solid(body *b, const plan *p, uint64_t index);
+void diagonal_solid(body *b, const plan *p, uint64_t index);
+void crowd_solid(body *b, const plan *p, uint64_t index);
+void galaxy_solid(body *b, const plan *p, uint64_t index);
+void sheets_solid(body *b, const plan *p, uint64_t index);
+void floors_solid(body *b, const plan *p, uint64_t index);
+void spines_solid(body *b, const plan *p, uint64_t index);
 
 #endif
