@@ -13,7 +13,7 @@
 static const double line_off = 10.0; /* dimension line from the view */
 static const double extension_gap = 1.0, extension_over = 2.0;
 static const double arrow_length = 3.0, arrow_half = 0.8;
-static const double text_off = 1.2;
+static const double text_off = 1.2, text_apart = 1.0; /* from the dimension line, from extension lines */
 
 void dimension_text(double value, const char *unit, char *text, size_t size)
 {
@@ -99,8 +99,12 @@ bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
         l->extension[i][0] = along(d->corner[i], d->off, extension_gap);
         l->extension[i][1] = along(d->end[i], d->off, extension_over);
     }
-    l->text =
-        (text_line){d->text, along(along(middle, l->along, d->shift), text_upward(read), text_off), height, 0.5, read};
+    const roberts_vec2 up = text_upward(read);
+    const double beyond = extension_over + text_apart; /* no extension line is beside the text there */
+    const bool is_outward = up.x * d->off.x + up.y * d->off.y > 0.0;
+    const bool fits = d->shift != 0.0 || 2.0 * (half + text_apart) < length;
+    const double base = fits ? text_off : is_outward ? beyond : -beyond - height;
+    l->text = (text_line){d->text, along(along(middle, l->along, d->shift), up, base), height, 0.5, read};
     return true;
 }
 

@@ -139,6 +139,27 @@ static void nothing_collides(void **state)
         }
 }
 
+/* Text about as wide as what it measures, or wider, lies on no extension line. */
+static void wide_text(void **state)
+{
+    (void)state;
+    for (int angle = ROBERTS_FIRST_ANGLE; angle <= ROBERTS_THIRD_ANGLE; angle++)
+        for (int height = 30; height <= 60; height += 5) {
+            views v;
+            strokes s;
+            roberts_draw_options options = lettered(1);
+            hide_views(&v, "chair", (roberts_sheet_angle)angle);
+            options.placement.scale = 0.05;
+            options.placement.unit_mm = 10.0;
+            options.lettering.unit = "cm";
+            options.lettering.height_mm = height / 10.0;
+            assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+            check_collisions(&s, "chair");
+            strokes_free(&s);
+            free_views(&v);
+        }
+}
+
 static bool says(const strokes *s, const char *text)
 {
     for (size_t i = 0; i < s->notes.count; i++)
@@ -250,8 +271,8 @@ static void numbers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(what_it_says),
-                                       cmocka_unit_test(extensions_reach_corners), cmocka_unit_test(small_pages),
-                                       cmocka_unit_test(numbers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(wide_text),
+                                       cmocka_unit_test(what_it_says),     cmocka_unit_test(extensions_reach_corners),
+                                       cmocka_unit_test(small_pages),      cmocka_unit_test(numbers)};
     return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
 }
