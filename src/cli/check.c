@@ -179,11 +179,15 @@ static void warn_useless(const cli_options *options, const options_given *given,
 static const char no_text[] =
     "there is no text without --label, --labels, --title, --field, --dimensions or --frame=zones";
 
+static bool has_labels(const options_given *given)
+{
+    return options_is_given(given, "label") || options_is_given(given, "labels");
+}
+
 static bool has_text(const cli_options *options, const options_given *given)
 {
-    return options->draw.lettering.zones || options_is_given(given, "label") || options_is_given(given, "labels") ||
-           options_is_given(given, "title") || options_is_given(given, "field") ||
-           options_is_given(given, "dimensions");
+    return options->draw.lettering.zones || has_labels(given) || options_is_given(given, "title") ||
+           options_is_given(given, "field") || options_is_given(given, "dimensions");
 }
 
 /* Why lines of a class are not on the page, or NULL. */
@@ -198,10 +202,9 @@ static const char *missing(const cli_options *options, const options_given *give
         return "it is not drawn without --sheet";
     if (pen == PEN_HATCH && !draw->hatching.on)
         return "faces are not hatched without --hatch";
-    const bool labels = options_is_given(given, "label") || options_is_given(given, "labels");
     if (pen == PEN_TEXT && !has_text(options, given))
         return no_text;
-    if (pen == PEN_HIDDEN_TEXT && !(labels && draw->hidden != ROBERTS_HIDDEN_NONE))
+    if (pen == PEN_HIDDEN_TEXT && !(has_labels(given) && draw->hidden != ROBERTS_HIDDEN_NONE))
         return "hidden things have labels only with --hidden and --label or --labels";
     return NULL;
 }
@@ -268,8 +271,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--id-prefix", "only svg has ids");
     if (options_is_given(given, "text") && !has_text(options, given))
         warn("--text", no_text);
-    if (options_is_given(given, "label-size") && !options_is_given(given, "label") &&
-        !options_is_given(given, "labels") && !options_is_given(given, "dimensions"))
+    if (options_is_given(given, "label-size") && !has_labels(given) && !options_is_given(given, "dimensions"))
         warn("--label-size", "there are no labels without --label or --labels, and no --dimensions");
     if (draw->lettering.native && draw->format != ROBERTS_SVG && draw->format != ROBERTS_PDF &&
         draw->format != ROBERTS_TIKZ && draw->format != ROBERTS_DXF)

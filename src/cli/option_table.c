@@ -517,8 +517,7 @@ static const option rows[] = {
      .manual =
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
-         "as "
-         "v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
+         "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
          "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
          "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
          "Edges that are not drawn have none."},
