@@ -347,8 +347,10 @@ static void visit_cell(map_search *s, const map_grid *g, size_t column, size_t r
     const size_t cell = row * g->columns + column, first = g->start[cell], end = g->start[cell + 1];
     map_box box = {{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
     bool new = false;
-    for (size_t i = first; i < end && !new; i++)
-        new = g->entry[i] < s->m->line_count ? !s->old[g->entry[i]] : g->entry[i] - s->m->line_count >= s->old_nodes;
+    for (size_t i = first; i < end && !new; i++) {
+        const map_item p = item_of(s, g->entry[i]);
+        new = !is_old(s, &p);
+    }
     if (!new)
         return;
     if (!array_reserve(&s->item, &s->room, end - first, sizeof *s->item)) {
