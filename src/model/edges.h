@@ -24,13 +24,13 @@ typedef enum edge_pairing {
     EDGES_NO_MEMORY,
 } edge_pairing;
 
-/* Does Euler's formula V - E + F = 2 hold, as for a closed surface like a sphere? Otherwise two solids share a vertex,
- * or the surface has holes. */
-static inline bool edges_like_a_sphere(const roberts_scene *scene, uint32_t s)
+/* Euler's V - E + F, if each edge of solid s has two faces. It is 2 for a closed surface like a sphere, less if the
+ * surface has holes, and more if parts share vertices. */
+static inline int64_t edges_euler(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *first = scene->solid + s;
-    uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
-    return vertices + faces == scene_corners(scene, s) / 2 + (uint64_t)2;
+    int64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
+    return vertices - (int64_t)(scene_corners(scene, s) / 2) + faces;
 }
 
 /* Writes the edges of solid s to scratch->edge, sorted, in the form that a scene stores. Their number is half the

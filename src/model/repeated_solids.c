@@ -110,7 +110,7 @@ static bool store_both(repeated_solid *p, roberts_scene *scene, edge_scratch *sc
 {
     const scene_solid *first = scene->solid + p->solid;
     uint32_t edges = scene_corners(scene, p->solid) / 2, faces = first[1].face - first->face;
-    edge_pairing pairing = edges_like_a_sphere(scene, p->solid) ? edges_pair(scene, p->solid, scratch) : EDGES_OPEN;
+    edge_pairing pairing = edges_euler(scene, p->solid) == 2 ? edges_pair(scene, p->solid, scratch) : EDGES_OPEN;
     answer whole = pairing == EDGES_PAIRED ? is_connected(scratch->edge, edges, faces) : NO;
     if (pairing == EDGES_NO_MEMORY || whole == NO_MEMORY)
         return false;

@@ -500,16 +500,12 @@ static bool is_stored(const roberts_scene *scene, uint32_t s)
     return scene->solid[s].stored < scene->shared;
 }
 
-/* If each edge has two faces, then V + F = E + 2 for a sphere. The sum is smaller if the surface has holes, and larger
- * if parts share vertices. */
 static opening find_opening(const roberts_scene *scene, uint32_t s, edge_pairing pairing)
 {
-    const scene_solid *first = scene->solid + s;
-    uint64_t vertices = first[1].vertex - first->vertex, faces = first[1].face - first->face;
-    uint64_t sum = vertices + faces, sphere = scene_corners(scene, s) / 2 + (uint64_t)2;
+    const int64_t euler = edges_euler(scene, s);
     if (pairing == EDGES_OPEN)
         return OPENING_EDGES;
-    return sum == sphere ? OPENING_NONE : sum < sphere ? OPENING_HOLES : OPENING_VERTICES;
+    return euler == 2 ? OPENING_NONE : euler < 2 ? OPENING_HOLES : OPENING_VERTICES;
 }
 
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
@@ -580,7 +576,6 @@ static roberts_status refuse_turned(const roberts_scene *scene, const solid_fram
 build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const solid_rules *rules,
                          roberts_error *error)
 {
-    const bool sphere = edges_like_a_sphere(scene, s);
     edge_pairing pairing;
     roberts_status status = frame_enter(&work->frame, scene, s, rules->tolerance);
     work->frame.mesh = rules->mesh;
@@ -594,13 +589,13 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     work->opening = find_opening(scene, s, pairing);
-    if (pairing == EDGES_OPEN || (!rules->must_close && !sphere))
+    if (pairing == EDGES_OPEN || (!rules->must_close && work->opening != OPENING_NONE))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
     if (solid_check(scene, &work->frame, error) != ROBERTS_OK)
         return BUILD_REFUSED;
-    if (!sphere)
+    if (work->opening != OPENING_NONE)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",
                          s - source_of_solid(scene, s, rules->mesh).solid),
                BUILD_REFUSED;
