@@ -66,24 +66,6 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
     return ROBERTS_OK;
 }
 
-/* Names the vertices as regroup() does: in components with open edges, by the first vertex at each position. False: no
- * memory. */
-static bool weld_open(assembly *a, const uint8_t *open)
-{
-    const roberts_scene *scene = a->scene;
-    uint32_t *listed = alloc_array(scene->vertex_count, sizeof *listed), count = 0;
-    a->name = alloc_array(a->mesh->vertex_count, sizeof *a->name);
-    bool enough = listed && a->name;
-    for (uint32_t v = 0; enough && v < a->mesh->vertex_count; v++)
-        a->name[v] = v;
-    for (uint32_t s = 0; enough && s < scene->solid_count; s++)
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s] == OPENING_EDGES; v++)
-            listed[count++] = scene_vertex_number(scene, v);
-    enough = enough && weld_vertices(a->name, listed, count, a->mesh->vertex);
-    free(listed);
-    return enough;
-}
-
 /* Frees what is not needed for components that will be laid out again. */
 static void drop_shapes(roberts_scene *scene)
 {
@@ -115,7 +97,8 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
         goto done;
     status = known && a->scene->solid_count == 1 ? ROBERTS_OK : find_kinds(a, open, convex, &any_open, error);
     if (status == ROBERTS_OK && any_open) {
-        status = weld_open(a, open) ? regroup(a->scene, open, &a->faces, a->mesh, true, error) : ROBERTS_NO_MEMORY;
+        status = weld_open(a->scene, open, a->mesh, &a->name) ? regroup(a->scene, open, &a->faces, a->mesh, true, error)
+                                                              : ROBERTS_NO_MEMORY;
         free(open);
         free(convex);
         convex = NULL;

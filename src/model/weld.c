@@ -151,31 +151,37 @@ static int compare_keys(const void *a, const void *b)
     return (p->face > q->face) - (p->face < q->face);
 }
 
-/* Gives each vertex of a component with open edges the name of the first one at its position; all others keep their
- * own. */
-static roberts_status weld_open(const roberts_scene *scene, const uint8_t *open, polygons *faces,
-                                const roberts_mesh *mesh, roberts_error *error)
+bool weld_open(const roberts_scene *scene, const uint8_t *open, const roberts_mesh *mesh, uint32_t **name)
 {
-    uint32_t *name = alloc_array(faces->vertex_count, sizeof *name);
     uint32_t *listed = alloc_array(scene->vertex_count, sizeof *listed), count = 0;
+    *name = alloc_array(mesh->vertex_count, sizeof **name);
+    bool enough = listed && *name;
+    for (uint32_t v = 0; enough && v < mesh->vertex_count; v++)
+        (*name)[v] = v;
+    for (uint32_t s = 0; enough && s < scene->solid_count; s++)
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s] == OPENING_EDGES; v++)
+            listed[count++] = scene_vertex_number(scene, v);
+    enough = enough && weld_vertices(*name, listed, count, mesh->vertex);
+    free(listed);
+    return enough;
+}
+
+/* Cleans the faces after welding. Refuses vertices of components that are not closed if they are no positions. */
+static roberts_status clean_welded(const roberts_scene *scene, const uint8_t *open, polygons *faces,
+                                   const roberts_mesh *mesh, roberts_error *error)
+{
+    uint32_t *name = NULL;
     roberts_status status = ROBERTS_OK;
-    bool enough = name && listed;
-    for (uint32_t v = 0; v < faces->vertex_count && enough; v++)
-        name[v] = v;
-    for (uint32_t s = 0; s < scene->solid_count && enough; s++)
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++) {
-            if (open[s] == OPENING_EDGES)
-                listed[count++] = scene_vertex_number(scene, v);
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && open[s]; v++)
             if (!mesh_position(scene->point[v]))
                 status = error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %u is not a finite number up to 1e150",
                                    scene_vertex_number(scene, v));
-        }
-    if (status == ROBERTS_OK &&
-        !(enough && weld_vertices(name, listed, count, mesh->vertex) && polygons_clean(faces, name)))
-        status = error_no_memory(error);
+    if (status != ROBERTS_OK)
+        return status;
+    bool enough = weld_open(scene, open, mesh, &name) && polygons_clean(faces, name);
     free(name);
-    free(listed);
-    return status;
+    return enough ? ROBERTS_OK : error_no_memory(error);
 }
 
 /* Sets of[f], and returns the number of faces that need splitting. loose_of[f] is 0 for those and ROBERTS_NONE for
@@ -337,7 +343,7 @@ static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const p
 roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
                        bool keep_open, roberts_error *error)
 {
-    roberts_status status = weld_open(scene, open, faces, mesh, error);
+    roberts_status status = clean_welded(scene, open, faces, mesh, error);
     regrouping g = {.keep_open = keep_open};
     uint32_t *loose_of;
     if (status != ROBERTS_OK)

@@ -20,6 +20,11 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
 
 /* Components that are not closed are welded and split, and numbered together with the others. */
 
+/* *name receives the name of each vertex of the mesh: in components with open edges the first vertex of them at its
+ * position, otherwise its own number. open[]: see regroup(). The caller frees it, also if false is returned: no memory.
+ */
+bool weld_open(const roberts_scene *scene, const uint8_t *open, const roberts_mesh *mesh, uint32_t **name);
+
 /* open[]: the kind of `opening` (model/solid.h) of each component of `scene`. Welds the components with open edges with
  * one another, and splits all that are not closed into solids. Then lays out all solids again, closed components and
  * split ones alike, numbered by their smallest vertex (several that share it, by their smallest face). `faces` is
