@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/labels.h"
-#include "view/picture.h"
+#include "view/points.h"
 
 enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
 
@@ -57,7 +57,7 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
         roberts_camera camera;
         roberts_vec3 p[2];
         roberts_sheet_camera(s->sheet->angle, s->view[i].place, &camera);
-        roberts_status status = picture_points(s->options->scene, &camera, end, 2, p, error);
+        roberts_status status = view_map_points(s->options->scene, &camera, end, 2, p, error);
         if (status != ROBERTS_OK)
             return status;
         const roberts_vec3 a = p[0], b = p[1];
@@ -191,7 +191,7 @@ static roberts_status add_distance(strokes *s, page_room *r, const roberts_dista
     char text[DIMENSION_TEXT];
     seen_distance seen;
     for (int i = 0; i < 2; i++)
-        if (!picture_vertex(s->options->scene, i ? of->v1 : of->v0, &end[i]))
+        if (!view_find_vertex(s->options->scene, i ? of->v1 : of->v0, &end[i]))
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                              "dimensions: no face has vertex %u (of vertices at one place the smallest number counts)",
                              (unsigned)(i ? of->v1 : of->v0));

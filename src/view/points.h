@@ -1,0 +1,15 @@
+/* points.h - where single points of a scene are in the picture, for rooms that know no views. */
+#ifndef ROBERTS_VIEW_POINTS_H
+#define ROBERTS_VIEW_POINTS_H
+
+#include "roberts.h"
+
+/* Finds the vertex with this number in the input. False: no face has it; of welded vertices only the smallest number
+ * counts. */
+bool view_find_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point);
+
+/* Maps `count` points of the model to the picture, in model units, z toward the viewer. Returns as view_prepare(). */
+roberts_status view_map_points(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P,
+                               size_t count, roberts_vec3 *out, roberts_error *error);
+
+#endif
