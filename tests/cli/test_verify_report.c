@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "build_scene.h"
 #include "cli/report.h"
 
 /* A cube of side 2 under a plate that hides all of it from above. */
@@ -19,11 +20,8 @@ static roberts_scene *make_scene(void)
                               "4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
                               "4 8 9 10 11\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     assert_int_equal(roberts_mesh_read_memory(&mesh, "cube", off, sizeof off - 1, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 /* Verifies with what is said caught in `text`. */

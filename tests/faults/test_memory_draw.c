@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "build_scene.h"
 #include "drawing.h"
 #include "memory.h"
 #include "temporary.h"
@@ -21,11 +22,8 @@ static roberts_scene *tetrahedron(void)
 {
     static const char text[] = "OFF 4 4 6  0 0 0  9 0 0  0 9 0  0 0 9  3 0 2 1  3 0 1 3  3 0 3 2  3 1 2 3";
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     assert_int_equal(roberts_mesh_read_memory(&mesh, "tetrahedron", text, sizeof text - 1, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 static void saving_survives(roberts_format format, bool sheet, roberts_grouping grouping)

@@ -9,58 +9,29 @@
 #include <cmocka.h>
 
 #include "draw/title_block.h"
-
-static const double pages[][2] = {{210, 297}, {420, 297}, {420, 594}, {841, 594}, {841, 1189}, {1189, 841}};
+#include "sheet_views.h"
 
 enum { LINES = 7 /* of a dimension: two extensions, then itself and two arrows of two */ };
 
-typedef struct views {
-    roberts_scene *scene;
-    roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
-    roberts_sheet sheet;
-    char warning[256];
-} views;
-
-static void hide_views(views *v, const char *model, roberts_sheet_angle angle)
-{
-    roberts_mesh mesh = {0};
-    char path[100];
-    snprintf(path, sizeof path, "models/%s.off", model);
-    *v = (views){.sheet = {.angle = angle}};
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &v->scene, NULL), ROBERTS_OK);
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
-        roberts_camera camera;
-        assert_true(roberts_sheet_camera(angle, i, &camera));
-        assert_int_equal(roberts_hide(v->scene, &camera, NULL, &v->drawing[i], NULL), ROBERTS_OK);
-        v->sheet.view[i] = &v->drawing[i];
-    }
-    roberts_mesh_free(&mesh);
-}
-
-static void free_views(views *v)
-{
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
-        roberts_drawing_free(&v->drawing[i]);
-    roberts_scene_free(v->scene);
-}
+static char warning[256]; /* the last one since with() */
 
 static void keep(void *context, const char *file, size_t line, const char *message)
 {
-    views *v = context;
+    (void)context;
     (void)file;
     (void)line;
-    snprintf(v->warning, sizeof v->warning, "%s", message);
+    snprintf(warning, sizeof warning, "%s", message);
 }
 
-static roberts_draw_options with(views *v, const roberts_distance *distance, size_t count)
+static roberts_draw_options with(const views *v, const roberts_distance *distance, size_t count)
 {
     roberts_draw_options options = roberts_draw_options_default();
     options.page = (roberts_page){420, 297, 10};
     options.scene = v->scene;
     options.lettering.distance = distance;
     options.lettering.distance_count = count;
-    options.lettering.warnings = (roberts_warnings){keep, v};
+    options.lettering.warnings = (roberts_warnings){keep, NULL};
+    warning[0] = '\0';
     return options;
 }
 
@@ -98,7 +69,7 @@ static void check_one(const char *model, roberts_distance of, int place, const c
     hide_views(&v, model, ROBERTS_THIRD_ANGLE);
     const roberts_draw_options options = with(&v, &of, 1);
     assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
-    assert_string_equal(v.warning, "");
+    assert_string_equal(warning, "");
     assert_int_equal(s.notes.count, 1);
     assert_int_equal(s.notes.lines.count, LINES);
     const text_line text = notes_line(&s.notes, 0);
@@ -236,10 +207,10 @@ static void refused(views *v, roberts_distance of, bool has_scene, const char *w
 static void left_out(views *v, const roberts_draw_options *options, const char *wanted)
 {
     strokes s;
-    v->warning[0] = '\0';
+    warning[0] = '\0';
     assert_int_equal(strokes_make_sheet(&s, &v->sheet, options, NULL), ROBERTS_OK);
     assert_int_equal(s.notes.count, 0);
-    assert_string_equal(v->warning, wanted);
+    assert_string_equal(warning, wanted);
     strokes_free(&s);
 }
 

@@ -12,44 +12,13 @@
 
 #include "draw/title_block.h"
 #include "drawing.h"
-
-static const double pages[][2] = {{210, 297}, {420, 297}, {420, 594}, {841, 594}, {841, 1189}, {1189, 841}};
+#include "sheet_views.h"
 
 static const roberts_field fields[] = {{"author", "É. Dvořák"},
                                        {"number", "R-17"},
                                        {"date", "2026-11-23"},
                                        {"sheet", "1/1"},
                                        {"owner", "A workshop with a name that is far too long"}};
-
-typedef struct views {
-    roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
-    roberts_sheet sheet;
-} views;
-
-static void hide_views(views *v, const char *model, roberts_sheet_angle angle)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    char path[100];
-    snprintf(path, sizeof path, "models/%s.off", model);
-    *v = (views){.sheet = {.angle = angle}};
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
-        roberts_camera camera;
-        assert_true(roberts_sheet_camera(angle, i, &camera));
-        assert_int_equal(roberts_hide(scene, &camera, NULL, &v->drawing[i], NULL), ROBERTS_OK);
-        v->sheet.view[i] = &v->drawing[i];
-    }
-    roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-}
-
-static void free_views(views *v)
-{
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
-        roberts_drawing_free(&v->drawing[i]);
-}
 
 static roberts_draw_options lettered(size_t page)
 {
