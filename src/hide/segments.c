@@ -62,6 +62,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
                                                          .z1 = R1.z * unit,
                                                          .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
                                                          .line = (uint8_t)row->class,
+                                                         .level = 0, /* no member is left out: clearing all costs */
                                                          .edge = row->edge};
 }
 
