@@ -294,7 +294,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
 }
 
 /* The fast walk is a local copy, so that the compiler can keep it in registers. */
-static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
+static BITS_PER_PROCESSOR bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
 {
     if (walk->slow)
         return take_some(job, w, walk, most, true);
