@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/vec.h"
 #include "draw/labels.h"
-#include "view/points.h"
+#include "view/camera.h"
 
 enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
 
