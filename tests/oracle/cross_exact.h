@@ -359,6 +359,29 @@ struct cross_finder {
         return (int)holds_beside(f, e, X, 1) - (int)holds_beside(f, e, X, -1);
     }
 
+    /* Does the face go on at both sides of X, where a side of it bounds something too? A border that winds once on one
+     * side of it and twice on the other has such a side. */
+    bool passes(size_t f, const carrier &e, const vec<rational> &X) const
+    {
+        long net = 0;
+        for (const auto &side : o.faces[f].side) {
+            const vec<rational> p = minus(place(side[0]), X), q = minus(place(side[1]), X);
+            if (parallel(e.d, p) && parallel(e.d, q))
+                net += (dot(e.d, q) > 0) - (dot(e.d, p) > 0);
+        }
+        return filled(net) && holds_beside(f, e, X, 1) && holds_beside(f, e, X, -1);
+    }
+
+    /* Does the face pass between two of these points of the edge? */
+    bool passes_somewhere(size_t f, const carrier &e, std::vector<rational> cut) const
+    {
+        std::sort(cut.begin(), cut.end());
+        for (size_t i = 0; i + 1 < cut.size(); i++)
+            if (cut[i] != cut[i + 1] && cut[i] >= 0 && cut[i + 1] <= 1 && passes(f, e, e.at((cut[i] + cut[i + 1]) / 2)))
+                return true;
+        return false;
+    }
+
     /* Are two faces flat to one another, to a tenth of a degree? */
     bool flat(size_t f, size_t g) const
     {
@@ -400,25 +423,27 @@ struct cross_finder {
         int left = 0, right = 0, count = 0;
         for (size_t f : group) {
             const int way = first[f] == f ? ends_at(f, e, X) : 0;
-            if (way == 0)
+            const bool both = first[f] == f && way == 0 && passes(f, e, X);
+            if (way == 0 && !both)
                 continue;
             const int side = way * sign_of(dot(cross(e.d, cross(o.newell<rational>(o.faces[f]), e.d)), v));
-            left += side > 0;
-            right += side < 0;
-            count++;
+            left += both || side > 0;
+            right += both || side < 0;
+            count += both ? 2 : 1;
             if (!flat(group[0], f))
                 return false;
         }
         return count > 1 && (left > 0) == (right > 0);
     }
 
-    /* The first of the faces that ends at X and does not lie in the plane of g; NONE: no such face. */
+    /* The first of the faces that ends at X, or passes it, and does not lie in the plane of g; NONE: no such face. */
     static constexpr size_t NONE = (size_t)-1;
 
     size_t first_across(const std::vector<size_t> &group, const carrier &e, const vec<rational> &X, size_t g) const
     {
         for (size_t f : group)
-            if (first[f] == f && !o.edge_on(o.faces[f]) && ends_at(f, e, X) != 0 && !in_one_plane(f, g))
+            if (first[f] == f && !o.edge_on(o.faces[f]) && (ends_at(f, e, X) != 0 || passes(f, e, X)) &&
+                !in_one_plane(f, g))
                 return f;
         return NONE;
     }
@@ -439,9 +464,10 @@ struct cross_finder {
         bool over = false, under = false;
         for (size_t f : group) {
             const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
-            const int side = ends_at(f, e, X) * sign_of(dot(o.newell<rational>(o.faces[g]), m));
-            over = over || side > 0;
-            under = under || side < 0;
+            const int lean = sign_of(dot(o.newell<rational>(o.faces[g]), m)), side = ends_at(f, e, X) * lean;
+            const bool both = lean != 0 && side == 0 && passes(f, e, X);
+            over = over || both || side > 0;
+            under = under || both || side < 0;
         }
         return over && under;
     }
@@ -475,6 +501,9 @@ struct cross_finder {
             if (other != key && on_line == 2)
                 along.push_back(other);
         }
+        for (size_t f : own) /* and so do the sides of a face whose border crosses itself */
+            if (passes_somewhere(f, e, cut))
+                add_cuts(f, e, divided);
         std::sort(cut.begin(), cut.end());
         const size_t begin = out.size();
         for (size_t i = 0; i + 1 < cut.size(); i++) {
@@ -487,7 +516,7 @@ struct cross_finder {
                 continue;
             for (size_t g : near)
                 if (std::find(group.begin(), group.end(), g) == group.end() && !o.edge_on(o.faces[g]) &&
-                    holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1))
+                    holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1) && !passes(g, e, X))
                     put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
             for (const auto &other : along) {
                 if (!(key < other) || !is_on(other, X) || (open && is_open(other)) || !speaks(other, along, X))

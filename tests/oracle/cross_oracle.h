@@ -5,9 +5,10 @@
  *   cross where a bounding side of one of them runs along the other's plane: there, that edge is the line.
  *   An intersection line is a maximal segment of such points of two faces. It runs from its end of smaller (x, y, z).
  *   An edge is left out if the angle between its faces is less than a tenth of a degree, and they lie on both sides of
- *   it in the picture. But where it lies inside another face, and its own faces lie on both sides of that face, it is
- *   an intersection line. So is the overlap of two edges that are left out, if the faces of each lie on both sides of
- *   the faces of the other. The faces of such a line are the other face, or the first one of the other edge, and the
+ *   it in the picture. So is a side that lies inside its own face, whose border winds once on one side of it and twice
+ *   on the other. But where such an edge lies inside another face, and its own faces lie on both sides of that face, it
+ *   is an intersection line. So is the overlap of two edges that are left out, if the faces of each lie on both sides
+ *   of the faces of the other. The faces of such a line are the other face, or the first one of the other edge, and the
  *   first of its own faces that is not in one plane with that. Faces hide points of these lines as they hide points of
  *   edges (mesh_oracle.h), but a line's own faces do not hide it.
  *

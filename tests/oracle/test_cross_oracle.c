@@ -305,6 +305,14 @@ static void test_on_edges(void **state)
          2,
          {0, 2, 0},
          {3, 2, 0}},
+        {"a wall whose border winds once under the floor and twice above it: the side between is flat, and left out",
+         "OFF\n12 2 0\n1 0 0 3 0 0 3 4 0 1 4 0 -1 2 -3 5 2 -3 5 2 3 -1 2 3 1 2 0 3 2 0 3 2 2 1 2 2\n"
+         "4 0 1 2 3\n10 4 5 6 7 4 8 9 10 11 8\n",
+         1,
+         0,
+         1,
+         {1, 2, 0},
+         {3, 2, 0}},
         {"a floor of one tile that ends there: its border is drawn",
          "OFF\n10 3 0\n0 0 0 4 0 0 4 2 0 0 2 0 -1 2 0 3 2 0 3 2 1 -1 2 1 -1 2 -1 3 2 -1\n"
          "4 0 1 2 3\n4 4 5 6 7\n4 4 5 9 8\n",
