@@ -8,10 +8,9 @@
 #include "base/box.h"
 #include "base/error.h"
 #include "model/convex.h"
-#include "model/edges.h"
+#include "model/solid_edges.h"
 #include "model/face_plane.h"
-#include "model/scene_arrays.h"
-#include "model/source.h"
+#include "model/scene.h"
 #include "read/mesh.h"
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */
