@@ -1,0 +1,173 @@
+/* crossing_filter.c - see crossing_filter.h. */
+#include "hide/crossing_filter.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+#include "base/array.h"
+
+/* ---- stars ------------------------------------------------------------------------------------------------------- */
+
+/* The star of a vertex is all faces at it. Let each of its edges there have one face on its left in the picture and one
+ * on its right, and let the faces go round the vertex once. Then no two of them lie over one another, and two of them
+ * have nothing in common in the picture but the vertex or a side. */
+
+/* What is known of a star: whether faces go round it once, or more often, or it is no sheet. */
+enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
+
+typedef struct stars {
+    const hide_fronts *fronts;
+    atomic_uchar *star; /* [vertices] */
+    bool alone;         /* there is one thread */
+} stars;
+
+/* Returns what was known before. */
+static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
+{
+    atomic_uchar *star = &s->star[vertex];
+    if (!s->alone)
+        return atomic_fetch_or_explicit(star, what, memory_order_relaxed);
+    unsigned char before = atomic_load_explicit(star, memory_order_relaxed);
+    atomic_store_explicit(star, (unsigned char)(before | what), memory_order_relaxed);
+    return before;
+}
+
+static void mark_folds(const stars *s, uint32_t body)
+{
+    const roberts_scene *scene = s->fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    const scene_edge *edge = scene->edge + own->stored;
+    const uint8_t *is = scene->surface->edge_is + own->edge;
+    for (uint32_t e = 0; e < own[1].edge - own->edge; e++)
+        if (!seen_joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
+            mark(s, own->vertex + edge[e].v[0], NO_SHEET);
+            mark(s, own->vertex + edge[e].v[1], NO_SHEET);
+        }
+}
+
+/* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
+static void mark_round(const stars *s, const uint32_t *corner)
+{
+    const roberts_vec3 *P = s->fronts->P;
+    double y[3] = {P[corner[0]].y, P[corner[1]].y, P[corner[2]].y};
+    for (int i = 0; i < 3; i++)
+        if (y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2] && mark(s, corner[i], ROUND_ONCE) & ROUND_ONCE)
+            mark(s, corner[i], ROUND_TWICE);
+}
+
+static void mark_front(const stars *s, uint32_t front)
+{
+    uint32_t turned[SEEN_TURNED];
+    const hide_face face = hide_outline(s->fronts, front, turned);
+    if (s->fronts->front[front].kind != HIDE_SURFACE_FACE)
+        return;
+    if (face.count == 3)
+        mark_round(s, face.corner);
+    for (uint32_t i = 0; face.count > 3 && i < face.count; i++)
+        mark(s, face.corner[i], NO_SHEET);
+}
+
+/* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 where it is one, else 0; NULL: none is known.
+ * False: no memory. Where the near plane has cut the scene, a border that it has made is no edge. */
+static bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
+{
+    const roberts_scene *scene = fronts->scene;
+    if (!scene->surface || fronts->seen->clip.clipped)
+        return true;
+    const stars s = {fronts, alloc_zeroed(scene->vertex_count, sizeof *s.star), threads == 1};
+    *sheet = alloc_array(scene->vertex_count, sizeof **sheet);
+    if (s.star && *sheet) {
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
+#endif
+        for (uint32_t body = 0; body < scene->solid_count; body++)
+            if (!scene_is_convex(scene, body) && !fronts->culled[body])
+                mark_folds(&s, body);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+        for (uint32_t k = 0; k < fronts->front_count; k++)
+            mark_front(&s, k);
+        for (uint32_t v = 0; v < scene->vertex_count; v++)
+            (*sheet)[v] = atomic_load_explicit(&s.star[v], memory_order_relaxed) == ROUND_ONCE;
+    }
+    bool found = s.star && *sheet;
+    free(s.star);
+    return found;
+}
+
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
+
+/* Solids this many touching distances apart do not touch. */
+#define WELL_APART 4.0
+
+bool filter_find_flat(const crossing_filter *p, uint32_t front)
+{
+    const roberts_scene *scene = p->fronts->scene;
+    const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
+    const scene_edge *edge = scene->edge + s->stored, *end = edge + (s[1].edge - s->edge);
+    while (edge < end && !seen_is_flat(scene->face_plane + s->face, edge, p->fronts->seen->rules.crease_chord))
+        edge++;
+    unsigned char flat = edge < end ? FLAT_SOMEWHERE : FLAT_NOWHERE;
+    atomic_store_explicit(&p->model[front].flat, flat, memory_order_relaxed);
+    return edge < end;
+}
+
+/* A box of at most two columns and two rows stands for its front: all its cells list the front. */
+static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
+{
+    double m = frame->margin + loose;
+    uint32_t column = scan_column(frame, (double)box->x0 - m), row = scan_row(frame, (double)box->y0 - m);
+    bool small = scan_column(frame, (double)box->x1 + m) - column < 2 && scan_row(frame, (double)box->y1 + m) - row < 2;
+    return (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
+}
+
+static void box_solid(const crossing_filter *p, uint32_t front)
+{
+    const roberts_scene *scene = p->fronts->scene;
+    const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
+    hide_bounds own = hide_no_bounds;
+    box_add_all(&own.low, &own.high, scene->point + s->vertex, s[1].vertex - s->vertex);
+    p->model[front] = (model_box){own, FLAT_UNKNOWN};
+}
+
+/* A point touches a face at the touching distance and the face's departure from its plane, or nearer. */
+static double touching_distance(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    float departure = 0.0f;
+    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
+        departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
+    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
+}
+
+/* If points have low parts, boxes of their high parts say nothing. */
+bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
+{
+    uint32_t count = fronts->front_count;
+    *p = (crossing_filter){.fronts = fronts};
+    while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
+        p->whole++;
+    p->touching = p->whole > 0 ? touching_distance(fronts) : 0.0;
+    p->first = alloc_array(count, sizeof *p->first);
+    p->model = alloc_array(p->whole, sizeof *p->model);
+    if (!p->first || !p->model)
+        return false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+    for (uint32_t k = 0; k < count; k++) {
+        p->first[k] = first_cell_of(&grid->frame, &fronts->front_box[k], hide_loose(fronts, k));
+        if (k < p->whole)
+            box_solid(p, k);
+    }
+    return stars_find(fronts, threads, &p->sheet);
+}
+
+void filter_end(crossing_filter *p)
+{
+    free(p->first);
+    free(p->model);
+    free(p->sheet);
+    *p = (crossing_filter){0};
+}
