@@ -33,7 +33,7 @@ typedef struct crossing_filter {
     unsigned char *sheet; /* [vertices] all faces about it are one sheet; NULL: nothing is known */
 } crossing_filter;
 
-/* False: no memory; filter_end() is due in any case. */
+/* False: no memory; call filter_end() in any case. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads);
 void filter_end(crossing_filter *p);
 

@@ -21,7 +21,7 @@ typedef struct crossings {
     united pieces; /* of the lines, where bodies are taken together as one */
 } crossings;
 
-/* Finds all lines, and their pieces if bodies are taken as one. False: no memory; crossings_free() is due in any case.
+/* Finds all lines, and their pieces if bodies are taken as one. False: no memory; call crossings_free() in any case.
  */
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads);
 void crossings_free(crossings *c);

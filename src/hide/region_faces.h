@@ -32,7 +32,7 @@ void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_regi
 /* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but what is
  * seen of a face ends there. */
 
-/* Sets the further lines of what is seen; cut_lines_free() is due in any case. False: no memory. */
+/* Sets the further lines of what is seen; call cut_lines_free() in any case. False: no memory. */
 bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);
 void cut_lines_free(seen_further *lines);
 

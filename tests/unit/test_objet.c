@@ -253,7 +253,7 @@ static void scan_forgets(void **state)
     scan_free(&used);
 }
 
-/* A window without width or height has cells of some size all the same, and its points are in them. */
+/* Even a window without width or height has cells of some size, and its points are in them. */
 static void windows_without_size(void **state)
 {
     static const struct {
@@ -515,7 +515,7 @@ static void lists_are_complete_and_in_order(void **state)
     }
 }
 
-/* With so many fronts that several threads fill the cells: the lists are the same. */
+/* With enough fronts for several threads, the lists are the same. */
 static void lists_by_threads(void **state)
 {
     roberts_camera camera = {.dir = {1, 2, 3}};
