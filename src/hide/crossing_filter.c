@@ -45,7 +45,8 @@ static void mark_folds(const stars *s, uint32_t body)
         }
 }
 
-/* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
+/* A triangle goes round one of its corners if it extends from there on both sides of the direction +x. It has at most
+ * one such corner. */
 static void mark_round(const stars *s, const uint32_t *corner)
 {
     const roberts_vec3 *P = s->fronts->P;
@@ -113,7 +114,7 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front)
     return edge < end;
 }
 
-/* A box of at most two columns and two rows stands for its front: all its cells list the front. */
+/* A box of at most two columns and two rows stands for its front, since all its cells list the front. */
 static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
 {
     double m = frame->margin + loose;

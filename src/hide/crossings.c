@@ -15,11 +15,12 @@
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
 #define WORTH_A_THREAD 8192
-/* What is kept of the faces of a cell, for so many of them. */
+/* How many faces of a cell are kept. */
 #define KEPT_FACES 512
-/* Faces of more corners are not tested in the picture. */
+/* Faces with more corners are not tested in the picture. */
 #define FEW_CORNERS 8
-/* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
+/* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
+ * outside. */
 #define LOOSE 4.0
 /* A corner this many touching distances off a plane does not touch it; roundings that a height may be off by. */
 #define TOUCHING 4.0
@@ -145,17 +146,17 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
         return true;
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return add_pair(t, f->first, g->first);
-    /* always in the same order, so that the result is the same */
+    /* in a fixed order, so that the result is the same */
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
-/* The same of pieces of which nothing is known yet. */
+/* The same for pieces of which nothing is known yet. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
     if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
-    /* Of a face in several pieces the first one is enough: meet_pairs() looks at the rest, once. */
+    /* For a face in several pieces, the first one is enough: meet_pairs() looks at the rest, once. */
     uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
     if (crossing_in_pieces(&t->last) || first != pair->piece[1])
         return first == t->last.first || add_pair(t, t->last.first, first);
@@ -246,7 +247,7 @@ typedef struct cell_list {
     uint32_t column, row;
 } cell_list;
 
-/* Has an earlier cell tested the pair? False also where that is not known. */
+/* Has an earlier cell tested the pair? False if that is not known. */
 static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
     const first_cell *f = &t->filter->first[a], *g = &t->filter->first[b];

@@ -804,7 +804,7 @@ static void reports_what_cannot_be_read(void **state)
     assert_int_equal(roberts_mesh_read_file(&mesh, "/dev/null", NULL, &error), ROBERTS_BAD_SYNTAX);
     assert_string_equal(error.message, "the input is empty");
     snprintf(name, sizeof name, "reading failed: %s", strerror(EIO));
-    for (size_t length = 0; length < sizeof text; length++) { /* a disk that fails after so many bytes */
+    for (size_t length = 0; length < sizeof text; length++) { /* a disk that fails after this many bytes */
         feed source = {.bytes = text, .left = length, .step = 7, .error = EIO};
         if (roberts_mesh_read(&mesh, "test.off", read_feed, &source, NULL, &error) != ROBERTS_IO)
             fail_msg("failure after %zu bytes unnoticed", length);
