@@ -174,8 +174,7 @@ static void completions_of_fish(void **state)
     assert_int_equal(found, 0); /* no others */
 }
 
-/* Every long option that the README gives for this program exists: in commands, after "roberts ", in rows of the table,
- * and in the text, behind a backquote. */
+/* Every long option that the README gives for this program exists: in commands, after "roberts ", and in the table. */
 static void options_of_the_readme(void **state)
 {
     static char text[TEXT];
@@ -183,9 +182,10 @@ static void options_of_the_readme(void **state)
     (void)state;
     read_file("README.md", text);
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
-        const char *from = strncmp(line, "| `-", 4) == 0 ? line : strstr(line, "roberts ");
-        for (const char *at = line; (at = strstr(at, "--")); at += 2)
-            if (at > line && at[-1] != '-' && isalpha((unsigned char)at[2]) && ((from && at > from) || at[-1] == '`')) {
+        const bool row = strncmp(line, "| `-", 4) == 0;
+        const char *from = row ? line : strstr(line, "roberts ");
+        for (const char *at = from; at && (at = strstr(at, "--")); at += 2)
+            if (at[-1] != '-' && isalpha((unsigned char)at[2])) {
                 checked++;
                 if (!is_option(at, word_length(at)))
                     fail_msg("%.*s is no option: %s", (int)word_length(at), at, line);
