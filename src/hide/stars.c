@@ -26,17 +26,41 @@ static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
     return before;
 }
 
+/* Marks those ends of an edge that are not corners of both its faces. */
+static void mark_divided(const stars *s, const scene_solid *own, const scene_edge *edge)
+{
+    const roberts_scene *scene = s->fronts->scene;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2 && edge->f[k] != ROBERTS_NONE; k++) {
+            uint32_t f = own->face + edge->f[k], v = own->vertex + edge->v[i], c = scene->face_start[f];
+            while (c < scene->face_start[f + 1] && scene->corner[c] != v)
+                c++;
+            if (c == scene->face_start[f + 1])
+                mark(s, v, NO_SHEET);
+        }
+}
+
+/* If no edge is divided, each side of a face is one side of an edge. Where vertices lie on a side of a face, that side
+ * belongs to several edges, and does not end at these vertices. */
 static void mark_folds(const stars *s, uint32_t body)
 {
     const roberts_scene *scene = s->fronts->scene;
     const scene_solid *own = &scene->solid[body];
     const scene_edge *edge = scene->edge + own->stored;
     const uint8_t *is = scene->surface->edge_is + own->edge;
-    for (uint32_t e = 0; e < own[1].edge - own->edge; e++)
+    uint32_t count = own[1].edge - own->edge, sides = 0;
+    bool many = false;
+    for (uint32_t e = 0; e < count; e++) {
+        sides += (edge[e].f[0] != ROBERTS_NONE) + (edge[e].f[1] != ROBERTS_NONE);
+        many = many || is[e] & EDGE_MANY;
         if (!seen_joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
             mark(s, own->vertex + edge[e].v[0], NO_SHEET);
             mark(s, own->vertex + edge[e].v[1], NO_SHEET);
         }
+    }
+    if (many || sides != scene->face_start[own[1].face] - scene->face_start[own->face])
+        for (uint32_t e = 0; e < count; e++)
+            mark_divided(s, own, &edge[e]);
 }
 
 /* A triangle goes round that corner of it, if any, from which it extends on both sides of the direction +x. */
