@@ -423,6 +423,7 @@ typedef struct roberts_hide_options {
     bool all_edges;        /**< draw them all the same */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     bool levels;           /**< with keep_hidden: fill in `level` */
+    bool nameless;         /**< with keep_hidden: leave out `by`, which takes time; it is ROBERTS_NONE */
     /** Draw all closed bodies as one. An edge keeps the parts where the angle that the bodies fill together about it is
      * neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is inside is gone. Its
      * class follows from the sides of what they fill; so does that of a line in which faces cross, which is an outline

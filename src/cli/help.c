@@ -11,15 +11,14 @@ enum { INDENT = 23, WIDTH = 110, MANUAL_WIDTH = 100 };
 
 static const char usage[] =
     "Usage: roberts [OPTION]... [FILE]...\n"
-    "Draws polyhedra of any kind without their hidden lines, by Roberts' method. Several files share "
-    "one space; - or\n"
-    "nothing is standard input.\n";
+    "Draws polyhedra of any kind without their hidden lines, by Roberts' method. Several files make one scene.\n"
+    "- or no file at all is standard input.\n";
 
 static const char closing[] =
     "\n"
     "A model is a file in OFF, STL, OBJ or PLY; its content decides, not its name.\n"
-    "Of an option given twice the last counts, unless it may be given several times (--style, --pick). The program\n"
-    "warns of an option that has no effect.\n"
+    "If an option is given twice, the last one counts, unless it may be given several times (--style, --pick).\n"
+    "The program warns of an option that has no effect.\n"
     "Exit status: 0 done, 1 the input or the work failed, 2 misuse.\n"
     "\n"
     "Examples\n"

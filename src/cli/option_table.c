@@ -36,7 +36,7 @@ static const option rows[] = {
      .set = values_set_text,
      TO(output),
      .brief = "where to",
-     .help = "where to (default: -, standard output)",
+     .help = "the file to write (default: -, standard output)",
      .manual = "The file to write. Default: -, standard output. A file appears whole or not at all: it gets its name "
                "when all of it is written."},
     {.group = GROUP_OUTPUT,
@@ -78,7 +78,7 @@ static const option rows[] = {
      TO(hide.merge_regions),
      .needs = "regions",
      .brief = "one region for coplanar neighbours",
-     .help = "neighbours in one plane with one colour are one region; with --union of several bodies, too",
+     .help = "join neighbouring regions that have one plane and one colour; with --union, those of several bodies too",
      .manual = "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
                "the number of the first of them. With --union faces of several bodies do so, too. This is for "
                "--regions; fills are joined by colour anyway."},
@@ -171,18 +171,19 @@ static const option rows[] = {
      .set = values_set_flag,
      TO(hide.all_edges),
      .brief = "draw flat edges too",
-     .help = "draw all edges, those that --crease leaves out too",
-     .manual = "Draws all edges, also those that --crease leaves out."},
+     .help = "draw all edges, even those that --crease leaves out",
+     .manual = "Draws all edges, even those that --crease leaves out."},
     {.group = GROUP_OUTPUT,
      .name = "solids",
      .flags = OPTION_DRAWS,
      .set = values_set_flag,
      TO(scene.solids),
      .excludes = "hull",
-     .brief = "refuse what is no convex solid",
-     .help = "refuse what is no closed convex solid",
-     .manual = "Refuses a file with a body that is no closed, planar, convex solid, and says which and why. Otherwise "
-               "bodies of any kind are drawn."},
+     .brief = "refuse all but convex solids",
+     .help = "refuse any body that is not a closed convex solid",
+     .manual =
+         "Refuses a file with a body that is not a closed, planar, convex solid, and says which and why. Otherwise "
+         "bodies of any kind are drawn."},
     {.group = GROUP_OUTPUT,
      .name = "fill-rule",
      .flags = OPTION_DRAWS,
@@ -203,8 +204,8 @@ static const option rows[] = {
      .brief = "draw all bodies as one",
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
-         "Draws all closed bodies as one. Parts that are flush show no seam. What is inside of a body is not drawn, "
-         "not as a hidden line either. A line where bodies meet has the class that it has in the whole: the foot of a "
+         "Draws all closed bodies as one. Parts that are flush show no seam. Nothing inside a body is drawn, "
+         "not even as a hidden line. A line where bodies meet has the class that it has in the whole: the foot of a "
          "leg on a slab is a crease, and so is mostly a line in which faces cross. Open surfaces and wires are drawn "
          "as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
          "number is drawn. --verify then checks what is drawn, and not what is left out.\n"
@@ -218,14 +219,14 @@ static const option rows[] = {
      TO(scene.hull),
      .brief = "convex hulls of what is not convex, and of points",
      .help = "draw the convex hulls of solids that are not closed, planar and convex, and of points without faces; a "
-             "warning says how many, -v which; what is flat is left out",
+             "warning says how many, -v which; flat ones are left out",
      .manual =
          "Draws the convex hull of each body that is not a closed, planar, convex solid, instead of the body. Sound "
          "solids stay as they are. What is open is taken together as far as it shares vertices. A file of points "
          "without faces becomes the hull of all its points. A warning counts the solids that were replaced and says "
          "why; -v names them by their numbers.\n"
-         "What is flat, such as a stray triangle or a whole file, is left out with a warning. It is refused where "
-         "there is nothing else."},
+         "Flat bodies, such as a stray triangle, are left out with a warning. A file that holds nothing else is "
+         "refused."},
 
     /* ---- page ---- */
     {.group = GROUP_PAGE,
@@ -322,8 +323,9 @@ static const option rows[] = {
      .words = values_backgrounds,
      .set = values_set_background,
      .brief = "below the lines",
-     .help = "what lies below the lines, all over the page: a name such as red, #rrggbb or #rgb (default: none; png is "
-             "white)",
+     .help =
+         "the colour below the lines, all over the page: a name such as red, #rrggbb or #rgb (default: none; png is "
+         "white)",
      .manual = "The colour below the lines, all over the page: black, white, gray, red, green, blue, cyan, brown, "
                "magenta, yellow, orange, purple, #rrggbb or #rgb. Default: none, which in png is white. In svg it is a "
                "rectangle that is in no layer. It is meant for the web, where the page round a drawing may be dark. "
@@ -500,9 +502,9 @@ static const option rows[] = {
      .value = "TEXT",
      .set = values_set_id_prefix,
      .brief = "what ids of svg begin with",
-     .help = "ids of svg begin with this, so that several drawings can be in one page of the web",
-     .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. So several "
-               "drawings can be in one page of the web, where an id may be used only once."},
+     .help = "begin the ids of svg with this, so that one web page can hold several drawings",
+     .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. One "
+               "web page can then hold several drawings: in a page an id may be used only once."},
 
     /* ---- text ---- */
     {.group = GROUP_TEXT,
@@ -519,8 +521,8 @@ static const option rows[] = {
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
          "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
          "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
-         "What is hidden has no label; with --hidden its vertices and edges have grey ones, in the class hidden-text. "
-         "Edges that are not drawn have none."},
+         "Hidden things have no label; with --hidden, hidden vertices and edges have grey ones, in the class "
+         "hidden-text. Edges that are not drawn have none."},
     {.group = GROUP_TEXT,
      .name = "labels",
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_FILE,
@@ -530,8 +532,8 @@ static const option rows[] = {
      .brief = "names in place of numbers",
      .help = "names for labels: lines such as vertex,4,A and edge,4-17,a and face,3,base and body,0,leg",
      .manual = "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
-               "face,3,base or body,0,leg, in UTF-8. Lines that begin with # are skipped. What has a name is labelled; "
-               "with --label, what has none is labelled by its numbers. An empty name is no label."},
+               "face,3,base or body,0,leg, in UTF-8. Lines that begin with # are skipped. Everything with a name is "
+               "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -689,12 +691,12 @@ static const option rows[] = {
      TO(camera.near_distance),
      RANGE(0, DBL_MAX),
      .needs = "eye",
-     .brief = "cut off what is nearer",
-     .help = "with --eye: cut off what is nearer than this (default: a thousandth of the way to look-at)",
+     .brief = "cut off nearer things",
+     .help = "with --eye: cut off everything nearer than this (default: a thousandth of the way to look-at)",
      .manual =
-         "Cuts off what is nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
-         "the way to the look-at point, and at least 1e-5 of the scene's diameter. What is nearer than 1e-6 of the "
-         "diameter is cut off in any case."},
+         "Cuts off everything nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
+         "the way to the look-at point, and at least 1e-5 of the scene's diameter. Anything nearer than 1e-6 of "
+         "the diameter is always cut off."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,
@@ -702,8 +704,10 @@ static const option rows[] = {
      .set = values_set_direction,
      TO(up),
      .brief = "what points up",
-     .help = "what points up in the drawing (default: 0,0,1; where parallel to the view, 0,1,0)",
-     .manual = "What points up in the drawing. Default: 0,0,1, or 0,1,0 where that is parallel to the view."},
+     .help =
+         "the direction that points up in the drawing (default: 0,0,1, or 0,1,0 where that is parallel to the view)",
+     .manual =
+         "The direction that points up in the drawing. Default: 0,0,1, or 0,1,0 where that is parallel to the view."},
     {.group = GROUP_VIEW,
      .name = "roll",
      .flags = OPTION_DRAWS,
@@ -745,9 +749,9 @@ static const option rows[] = {
      TO(hide.epsilon),
      RANGE(0, 1e150),
      .brief = "touching distance",
-     .help = "what is nearer than this touches, model units (default: 0, 1e-11 of the scene's diameter)",
+     .help = "points nearer than this touch, in model units (default: 0, 1e-11 of the scene's diameter)",
      .manual =
-         "The touching distance, in model units, at most a hundredth of the scene: what is nearer than this touches. "
+         "The touching distance, in model units, at most a hundredth of the scene: points nearer than this touch. "
          "Default: 0, which is 1e-11 of the scene's diameter, at least 16 units in the last place of the largest "
          "coordinate, and at least 2 such units of 32-bit floats if the file holds these. --stats says what it is "
          "and why."},
@@ -800,7 +804,7 @@ static const option rows[] = {
      .value = "X,Y",
      .set = values_set_pick,
      .brief = "what is seen there",
-     .help = "say which body and face is seen there (x, y as in tables) and what lies behind it; may be given several "
+     .help = "say which body and face are seen there (x, y as in tables) and what lies behind; may be given several "
              "times",
      .manual =
          "Says what is seen at this point of the picture, and what lies behind it, nearest first: body, face, depth, "

@@ -180,6 +180,18 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
+static bool is_table(const cli_options *options)
+{
+    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
+}
+
+/* Whether anything that is written or checked says which body hides a part of a line. */
+static bool names_hiders(const cli_options *options)
+{
+    return is_table(options) || options->verify ||
+           (options->draw.format == ROBERTS_SVG && options->draw.grouping == ROBERTS_GROUP_ELEMENT);
+}
+
 /* Whether segments need only be counted: none is written, no ray asks for them, and a page would only be empty if there
  * were none. The drawing then holds no segments. */
 static bool is_counted_only(const cli_options *options)
@@ -194,9 +206,11 @@ static roberts_status hide_and_count(const cli_options *options, const roberts_s
                                      run_stats *run, roberts_error *error)
 {
     const roberts_receiver counter = {report_count, run};
+    roberts_hide_options hide = options->hide;
+    hide.nameless = !names_hiders(options);
     if (is_counted_only(options))
-        return roberts_hide_each(scene, &options->camera, &options->hide, &counter, drawing, error);
-    roberts_status status = roberts_hide(scene, &options->camera, &options->hide, drawing, error);
+        return roberts_hide_each(scene, &options->camera, &hide, &counter, drawing, error);
+    roberts_status status = roberts_hide(scene, &options->camera, &hide, drawing, error);
     for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
         report_count(run, &drawing->segment[i]);
     return status;
@@ -219,11 +233,6 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
         status = report_picks(options, scene, error);
     run->verify = report_sum(run->verify, report_since(start));
     return status;
-}
-
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
 }
 
 /* Whether what is drawn needs the visible regions of faces. */

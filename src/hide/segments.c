@@ -12,7 +12,7 @@ typedef struct line_writer {
     hide_chunk *out;
     uint32_t body;
     double unit;
-    bool all, perspective; /* all: hidden parts are wanted too */
+    bool all, nameless, perspective; /* all: hidden parts are wanted too; nameless: without the body seen there */
 } line_writer;
 
 /* What all segments of a line share. */
@@ -53,7 +53,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
     w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
                                                          .v0 = row->v[0],
                                                          .v1 = row->v[1],
-                                                         .by = by,
+                                                         .by = w->nameless ? ROBERTS_NONE : by,
                                                          .t0 = t0,
                                                          .t1 = t1,
                                                          .p0 = {R0.x * unit, R0.y * unit},
@@ -232,7 +232,8 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
 static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     const view *v = &job->seen.view;
-    line_writer writer = {&job->seen, out, body, v->unit, job->options->keep_hidden, v->perspective};
+    line_writer writer = {&job->seen,    out, body, v->unit, job->options->keep_hidden, job->options->nameless,
+                          v->perspective};
     bool levels = writer.all && job->options->levels;
     for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
         const size_t first = out->count;
@@ -343,7 +344,8 @@ static bool hide_lines(const hide_job *job, hide_worker *w)
         return true;
     if (job->seen.edges.first && !split_at_pieces(job, w))
         return false;
-    name_hiders(job, w);
+    if (!job->options->nameless)
+        name_hiders(job, w);
     return true;
 }
 
@@ -422,7 +424,8 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
 {
     const crossings *c = &job->crossings;
     const view *v = &job->seen.view;
-    line_writer writer = {&job->seen, out, 0, v->unit, job->options->keep_hidden, v->perspective};
+    line_writer writer = {&job->seen,    out, 0, v->unit, job->options->keep_hidden, job->options->nameless,
+                          v->perspective};
     bool levels = writer.all && job->options->levels;
     for (size_t k = first; k < end;) {
         hide_worker_begin(w, ROBERTS_NONE);

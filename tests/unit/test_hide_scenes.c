@@ -592,6 +592,34 @@ static void border_that_runs_nearly_along(void **state)
     assert_int_equal(rows, 8);
 }
 
+/* Without names the same parts are hidden. */
+static void names_left_out(void **state)
+{
+    roberts_camera camera;
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    size_t hidden = 0;
+    (void)state;
+    assert_true(roberts_camera_preset("iso", &camera));
+    for (int k = 0; k < 9; k++)
+        model_box(&m, (roberts_vec3){k % 3, k / 3, 0}, (roberts_vec3){k % 3 + 0.8, k / 3 + 0.7, 1 + k * k % 5});
+    roberts_drawing named = model_draw(&m, &camera, &options);
+    options.nameless = true;
+    roberts_drawing nameless = model_draw(&m, &camera, &options);
+    assert_int_equal(named.count, nameless.count);
+    for (size_t i = 0; i < named.count; i++) {
+        const roberts_segment *a = &named.segment[i], *b = &nameless.segment[i];
+        assert_int_equal(b->by, ROBERTS_NONE);
+        assert_true(a->solid == b->solid && a->edge == b->edge && a->state == b->state);
+        assert_true(a->t0 == b->t0 && a->t1 == b->t1);
+        hidden += a->state == ROBERTS_HIDDEN && a->by != ROBERTS_NONE && a->by != a->solid;
+    }
+    assert_true(hidden > 10);
+    roberts_drawing_free(&named);
+    roberts_drawing_free(&nameless);
+    model_free(&m);
+}
+
 /* From an eye at (0, 0, 10) the upper face of a box, at z = 5, hides what lies within |x|, |y| <= (10 - z) / 5. */
 static void perspective_by_hand(void **state)
 {
@@ -1194,6 +1222,7 @@ int main(void)
         cmocka_unit_test(outlines_stay),
         cmocka_unit_test(counts_and_lines),
         cmocka_unit_test(more_groups_than_stamps),
+        cmocka_unit_test(names_left_out),
         cmocka_unit_test(culled_solids_are_those_hidden),
         cmocka_unit_test(picture_coordinates),
         cmocka_unit_test(nothing_to_draw),
