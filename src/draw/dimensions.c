@@ -1,13 +1,20 @@
-/* dimensions.c - width, height and depth of a sheet's scene after ISO 129-1.
+/* dimensions.c - dimensions on a sheet after ISO 129-1: how one is drawn; width, height and depth of the scene;
+ * distances between two vertices.
  *
- * The dimension lines are on the outer sides of the views: width and depth in one line beyond front and side view,
- * height at the left of the front view. sheet_lay() has kept room for them. */
+ * The dimension lines of the whole scene are on the outer sides of the views: width and depth in one line beyond front
+ * and side view, height at the left of the front view. sheet_lay() has kept room for them. */
+#include "draw/dimensions.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
+#include "base/vec.h"
+#include "draw/labels.h"
 #include "draw/output.h"
 #include "draw/title_block.h"
+#include "view/camera.h"
 
 /* mm */
 static const double line_off = 10.0; /* dimension line from the view */
@@ -176,4 +183,227 @@ bool dimensions_add(strokes *s)
             return false;
     }
     return true;
+}
+
+/* ---- distances between two vertices ------------------------------------------------------------------------------ */
+
+/* A distance is seen in true length where both vertices are equally deep. It is drawn once, in one such view: if there
+ * are several, in the first one that shows both vertices. The dimension line may stand on either side, nearer or
+ * farther, with its text in the middle or beyond an end. Each of these places has a cost: what lies there already, and
+ * how far it is. The cheapest place on which the text is free is taken. */
+
+enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
+
+/* mm */
+static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure */
+static const double beyond_mm = 8.0;                  /* text beyond an end, from that end */
+static const double margin_mm = 0.6;                  /* kept free round text and lines */
+static const double step_mm = 2.0;                    /* parts in which a line is looked at */
+
+/* Depth of a distance seen in true length, as a part of it: what rounding to five digits leaves. */
+static const double level_part = 1e-5;
+
+/* Costs, in mm of lines that a dimension line lies on. */
+static const double per_ring = 1.0, inward = 3.0, text_beyond = 1.5, extension_part = 0.3;
+
+/* A distance in one view. */
+typedef struct seen_distance {
+    const page_view *view;
+    roberts_vec2 at[2]; /* mm on the page */
+} seen_distance;
+
+/* Whether an end of a drawn line, not hidden, is this vertex. */
+static bool shows(const strokes *s, const page_view *view, uint32_t number)
+{
+    for (size_t i = 0; i < view->drawing->count; i++) {
+        const roberts_segment *segment = &view->drawing->segment[i];
+        roberts_line line;
+        if (segment->state == ROBERTS_VISIBLE && strokes_is_drawn(s->options, segment, &line) &&
+            ((segment->v0 == number && segment->t0 == 0.0) || (segment->v1 == number && segment->t1 == 1.0)))
+            return true;
+    }
+    return false;
+}
+
+/* Finds the view that shows a distance best. `best->view` is NULL where none shows it in true length. */
+static roberts_status find_view(const strokes *s, const roberts_distance *of, const roberts_vec3 end[2],
+                                seen_distance *best, roberts_error *error)
+{
+    bool best_shows = false;
+    *best = (seen_distance){0};
+    for (size_t i = 0; i < s->views; i++) {
+        roberts_camera camera;
+        roberts_vec3 p[2];
+        roberts_sheet_camera(s->sheet->angle, s->view[i].place, &camera);
+        roberts_status status = view_map_points(s->options->scene, &camera, end, 2, p, error);
+        if (status != ROBERTS_OK)
+            return status;
+        const roberts_vec3 a = p[0], b = p[1];
+        if (!(fabs(b.z - a.z) <= level_part * hypot(b.x - a.x, b.y - a.y)))
+            continue;
+        const bool both = shows(s, &s->view[i], of->v0) && shows(s, &s->view[i], of->v1);
+        if (best->view && (best_shows || !both))
+            continue;
+        best_shows = both;
+        best->view = &s->view[i];
+        best->at[0] = page_place(&s->view[i].map, (roberts_vec2){a.x, a.y});
+        best->at[1] = page_place(&s->view[i].map, (roberts_vec2){b.x, b.y});
+    }
+    return ROBERTS_OK;
+}
+
+/* ---- where it goes ---- */
+
+/* What lies in a box with `margin_mm` round it; infinite on other text, or beyond the frame. */
+static double box_cost(const strokes *s, const page_room *r, room_box box)
+{
+    box = (room_box){{box.min.x - margin_mm, box.min.y - margin_mm}, {box.max.x + margin_mm, box.max.y + margin_mm}};
+    const bool outside = box.min.x < s->frame_mm[0].x || box.min.y < s->frame_mm[0].y || box.max.x > s->frame_mm[1].x ||
+                         box.max.y > s->frame_mm[1].y;
+    return outside || room_is_on_box(r, &box, UINT32_MAX) ? INFINITY : room_taken(r, &box, UINT32_MAX);
+}
+
+static double line_cost(const strokes *s, const page_room *r, roberts_vec2 a, roberts_vec2 b)
+{
+    const double length = hypot(b.x - a.x, b.y - a.y);
+    const uint32_t parts = (uint32_t)fmin(fmax(ceil(length / step_mm), 1.0), PARTS_MOST);
+    double cost = 0.0;
+    for (uint32_t i = 0; i < parts; i++) {
+        const double t = (double)i / parts, u = (i + 1.0) / parts;
+        const roberts_vec2 p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+        const roberts_vec2 q = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
+        cost += box_cost(s, r, (room_box){{fmin(p.x, q.x), fmin(p.y, q.y)}, {fmax(p.x, q.x), fmax(p.y, q.y)}});
+    }
+    return cost;
+}
+
+/* The cost of what is drawn; infinite where the text is not free. */
+static double drawn_cost(const strokes *s, const page_room *r, const dimension *d)
+{
+    dimension_lines l;
+    room_box box[DIMENSION_BOXES];
+    double cost = 0.0;
+    if (!dimension_lay(s, d, &l))
+        return INFINITY;
+    for (size_t i = 0, count = dimension_text_boxes(&l.text, box); i < count; i++)
+        if (box_cost(s, r, box[i]) > 0.0)
+            return INFINITY;
+    cost += line_cost(s, r, l.line[0], l.line[1]);
+    for (int i = 0; i < 2; i++) { /* other lines end at the vertex, too */
+        const double from = 2.0 * margin_mm;
+        const roberts_vec2 a = {l.extension[i][0].x + from * d->off.x, l.extension[i][0].y + from * d->off.y};
+        cost += extension_part * line_cost(s, r, a, l.extension[i][1]);
+    }
+    return cost;
+}
+
+/* Place number `i` of a distance; false: the text has no room between its ends. `*cost` receives how far it is. */
+static bool nth_place(const strokes *s, const seen_distance *seen, size_t i, dimension *d, double *cost)
+{
+    const roberts_vec2 a = seen->at[0], b = seen->at[1];
+    const double length = hypot(b.x - a.x, b.y - a.y), side = i % 2 ? -1.0 : 1.0;
+    const size_t shift = i / 2 % SHIFTS;
+    const double ring = (double)(i / 2 / SHIFTS), off_mm = nearest_mm + ring * ring_mm;
+    const double half = letters_width(d->text, strokes_text_height(s->options)) / 2.0;
+    const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
+    const roberts_vec2 low = page_place(&seen->view->map, seen->view->drawing->window_min);
+    const roberts_vec2 high = page_place(&seen->view->map, seen->view->drawing->window_max);
+    d->off = (roberts_vec2){side * -(b.y - a.y) / length, side * (b.x - a.x) / length};
+    d->shift = shift == 0 ? 0.0 : (shift == 1 ? 1.0 : -1.0) * (length / 2.0 + beyond_mm + half);
+    for (int k = 0; k < 2; k++) {
+        d->corner[k] = seen->at[k];
+        d->end[k] = (roberts_vec2){seen->at[k].x + off_mm * d->off.x, seen->at[k].y + off_mm * d->off.y};
+    }
+    const roberts_vec2 centre = {(low.x + high.x) / 2.0 - middle.x, (low.y + high.y) / 2.0 - middle.y};
+    *cost = per_ring * ring + (shift ? text_beyond : 0.0) +
+            (d->off.x * centre.x + d->off.y * centre.y > 1e-6 ? inward : 0.0);
+    return shift != 0 || 2.0 * (half + 2.0 * margin_mm) < length;
+}
+
+/* Finds the cheapest place, the first of several. False: there is none. */
+static bool find_place(const strokes *s, const page_room *r, const seen_distance *seen, dimension *best)
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < 2 * SHIFTS * RINGS; i++) {
+        dimension d = {.text = best->text};
+        double cost;
+        if (!nth_place(s, seen, i, &d, &cost) || cost >= least)
+            continue;
+        cost += drawn_cost(s, r, &d);
+        if (cost < least) {
+            least = cost;
+            *best = d;
+        }
+    }
+    return least < INFINITY;
+}
+
+/* Draws a dimension, and keeps its place free. */
+static bool add_to_page(strokes *s, page_room *r, const dimension *d)
+{
+    const size_t lines = s->notes.lines.count, boxes = s->taken_count;
+    uint32_t number;
+    bool done = dimension_draw(s, d);
+    for (size_t i = lines; done && i < s->notes.lines.count; i++)
+        done = room_add_polyline(r, &s->notes.lines, i, s->units_per_mm);
+    for (size_t i = boxes; done && i < s->taken_count; i++)
+        done = room_add_box(r, &s->taken[i], &number);
+    return done;
+}
+
+/* ---- all of them ---- */
+
+static void tell(const strokes *s, const roberts_distance *of, const char *why)
+{
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    char text[200];
+    if (!to->warn)
+        return;
+    snprintf(text, sizeof text, "the distance v%u-v%u is left out: %s", (unsigned)of->v0, (unsigned)of->v1, why);
+    to->warn(to->context, "", 0, text);
+}
+
+static roberts_status add_distance(strokes *s, page_room *r, const roberts_distance *of, roberts_error *error)
+{
+    roberts_vec3 end[2];
+    char text[DIMENSION_TEXT];
+    seen_distance seen;
+    for (int i = 0; i < 2; i++)
+        if (!view_find_vertex(s->options->scene, i ? of->v1 : of->v0, &end[i]))
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                             "dimensions: no face has vertex %u (of vertices at one place the smallest number counts)",
+                             (unsigned)(i ? of->v1 : of->v0));
+    const double length = vec3_length(vec3_sub(end[1], end[0]));
+    if (!(length > 0.0))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "dimensions: vertices %u and %u are at one place",
+                         (unsigned)of->v0, (unsigned)of->v1);
+    roberts_status status = find_view(s, of, end, &seen, error);
+    if (status != ROBERTS_OK)
+        return status;
+    if (!seen.view) {
+        tell(s, of, "no view shows it in true length");
+        return ROBERTS_OK;
+    }
+    dimension_text(length, s->options->lettering.unit, text, sizeof text);
+    dimension best = {.text = text};
+    if (!find_place(s, r, &seen, &best)) {
+        tell(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
+        return ROBERTS_OK;
+    }
+    return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);
+}
+
+roberts_status distances_add(strokes *s, roberts_error *error)
+{
+    const roberts_lettering *lettering = &s->options->lettering;
+    if (!s->sheet || lettering->distance_count == 0)
+        return ROBERTS_OK;
+    if (!s->options->scene)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "dimensions: distances between vertices need the scene");
+    page_room *r = labels_room(s);
+    roberts_status status = r ? ROBERTS_OK : error_no_memory(error);
+    for (size_t i = 0; i < lettering->distance_count && status == ROBERTS_OK; i++)
+        status = add_distance(s, r, &lettering->distance[i], error);
+    room_free(r);
+    return status;
 }

@@ -13,7 +13,6 @@
 
 #include "base/array.h"
 #include "base/vec.h"
-#include "draw/pole.h"
 #include "draw/room.h"
 
 enum {

@@ -1,8 +1,10 @@
-/* room.h - where there is room on the page: lines and boxes that text must keep away from, in a grid. */
+/* room.h - where there is room on the page: lines and boxes that text must keep away from, in a
+ * grid; and which point of a region has most room round it. */
 #ifndef ROBERTS_DRAW_ROOM_H
 #define ROBERTS_DRAW_ROOM_H
 
 #include "draw/chain.h"
+#include "roberts.h"
 
 /* A rectangle with sides along those of the page; mm. */
 typedef struct room_box {
@@ -28,5 +30,16 @@ double room_taken(const page_room *r, const room_box *box, uint32_t own);
 
 /* Whether it shares more than a line with another box. */
 bool room_is_on_box(const page_room *r, const room_box *box, uint32_t own);
+
+/* ---- the middle of a region -------------------------------------------------------------------------------------- */
+
+/* A point within a region, and how far its border is; model units of the picture. */
+typedef struct pole {
+    roberts_vec2 at;
+    double distance;
+} pole;
+
+/* The pole of inaccessibility, to about a hundredth of the region's size. */
+pole pole_find(const roberts_region_list *list, const roberts_region *region);
 
 #endif

@@ -29,7 +29,6 @@
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
-#include "draw/region_table.h"
 #include "draw/sheet.h"
 #include "draw/strokes.h"
 #include "draw/table.h"

@@ -12,6 +12,7 @@
 
 #include "base/vec.h"
 #include "base/error.h"
+#include "draw/dimensions.h"
 #include "draw/title_block.h"
 
 /* mm */

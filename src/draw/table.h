@@ -1,4 +1,4 @@
-/* table.h - segments as tables: CSV and JSON. */
+/* table.h - segments and visible regions as tables: CSV and JSON. */
 #ifndef ROBERTS_DRAW_TABLE_H
 #define ROBERTS_DRAW_TABLE_H
 
@@ -15,5 +15,11 @@ typedef struct table_view {
  * finishes `out`. */
 void table_write_csv(const table_view *view, size_t count, const roberts_draw_options *options, output *out);
 void table_write_json(const table_view *view, size_t count, const roberts_draw_options *options, output *out);
+
+/* ---- visible regions --------------------------------------------------------------------------------------------- */
+
+/* Write one object or one row for each region. All numbers are finite. The caller finishes `out`. */
+void region_table_write_json(const roberts_region_list *regions, output *out);
+void region_table_write_csv(const roberts_region_list *regions, output *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* title_block.h - what is written on a sheet: its title block, dimensions, and the zones of its frame. */
+/* title_block.h - what is written on a sheet: its title block, and the zones of its frame. */
 #ifndef ROBERTS_DRAW_TITLE_BLOCK_H
 #define ROBERTS_DRAW_TITLE_BLOCK_H
 
@@ -8,50 +8,15 @@
 #define BLOCK_WIDTH 180.0
 #define BLOCK_HEIGHT 27.0
 
-/* What dimensions need beside a view, mm. */
-#define DIMENSION_ROOM 18.0
-
 /* Whether the sheet has a title block: there is a title or a field. */
 bool title_block_is_wanted(const roberts_draw_options *options);
 
 /* Each adds lines and text to s->notes, and what labels keep away from to s->taken. The sheet has been laid. False: no
  * memory. */
 bool title_block_add(strokes *s);
-bool dimensions_add(strokes *s);
 bool zones_add(strokes *s); /* also of a single drawing */
 
 /* Where the symbol lies in a title block: its lower right corner, from that of the block, and its size. */
 roberts_vec2 title_block_symbol(double *size);
-
-/* A dimension on its way to the page; mm. */
-typedef struct dimension {
-    roberts_vec2 corner[2]; /* what is measured; an extension line runs from each to its end of the dimension line */
-    roberts_vec2 end[2];    /* of the dimension line */
-    roberts_vec2 off;       /* direction of extension lines, a unit vector */
-    const char *text;
-    double shift; /* of the text toward end[1], from the middle of the dimension line */
-} dimension;
-
-/* Its lines, and its text as a line that is read from below or from the right. */
-typedef struct dimension_lines {
-    roberts_vec2 extension[2][2], line[2];
-    roberts_vec2 along; /* from end[0] to end[1] */
-    bool is_narrow;     /* the arrows stand outside */
-    text_line text;
-} dimension_lines;
-
-enum { DIMENSION_BOXES = 32, DIMENSION_TEXT = 100 };
-
-/* Finds them. False: the dimension has no length. */
-bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l);
-
-/* Boxes that hold the text together, along its base line if it is turned. Returns how many. */
-size_t dimension_text_boxes(const text_line *line, room_box box[DIMENSION_BOXES]);
-
-/* Adds it to s->notes, and its text to s->taken. False: no memory. */
-bool dimension_draw(strokes *s, const dimension *d);
-
-/* Writes a number rounded to five digits, or to a whole one if that has more, with a comma (ISO 129-1). */
-void dimension_text(double value, const char *unit, char *text, size_t size);
 
 #endif

@@ -10,7 +10,7 @@
 #include "base/threads.h"
 #include "hide/edge_crossings.h"
 #include "hide/face_pairs.h"
-#include "hide/places.h"
+#include "hide/crossing_filter.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
@@ -25,8 +25,8 @@
 #define TOUCHING 4.0
 #define HEIGHT_ROUNDINGS 64.0
 
-/* The corners of a triangle about which all faces are one sheet (see stars.h). Each other corner has a number that no
- * vertex has, and that no other entry has. */
+/* The corners of a triangle about which all faces are one sheet (see crossing_filter.c). Each other corner has a number
+ * that no vertex has, and that no other entry has. */
 typedef struct star_corners {
     uint32_t v[4]; /* v[3] is none */
     float z1;      /* nearest depth of the face */
@@ -36,7 +36,7 @@ typedef struct star_corners {
 typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
-    const places *places;
+    const crossing_filter *filter;
     const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not asked */
     crossing_rules rules;
     crossing_list found;
@@ -249,7 +249,7 @@ typedef struct cell_list {
 /* Has an earlier cell tested the pair? False also where that is not known. */
 static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
-    const first_cell *f = &t->places->first[a], *g = &t->places->first[b];
+    const first_cell *f = &t->filter->first[a], *g = &t->filter->first[b];
     if (f->column == NO_CELL || g->column == NO_CELL)
         return false;
     uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
@@ -273,7 +273,7 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
         star_corners *star = &t->star[k];
         bool triangle = front->kind == HIDE_SURFACE_FACE && F.count == 3;
         for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = triangle && t->places->sheet[F.corner[i]] ? F.corner[i] : none--;
+            star->v[i] = triangle && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
         star->v[3] = none--;
         star->z1 = fronts->front_box[list[k].front].z1;
     }
@@ -325,7 +325,7 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
             const hide_box *box = &fronts->front_box[grid->entry[at].front];
             if (box->z1 < own->z0)
                 return true;
-            if (!places_apart(t->places, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
+            if (!filter_apart(t->filter, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
                 !is_met_before(t, c, c->list[i].front, grid->entry[at].front) &&
                 !meet_entries(t, c->list, i, at - first))
                 return false;
@@ -505,17 +505,17 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
 }
 
 static bool finders_init(finder *finders, int threads, const hide_fronts *fronts, const objet *grid,
-                         const places *where)
+                         const crossing_filter *filter)
 {
     for (int i = 0; i < threads; i++) {
         finders[i].fronts = fronts;
         finders[i].grid = grid;
-        finders[i].places = where;
+        finders[i].filter = filter;
         finders[i].nearest = grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        finders[i].star = where->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
-        if (!finders[i].face || (where->sheet && !finders[i].star))
+        finders[i].star = filter->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
+        if (!finders[i].face || (filter->sheet && !finders[i].star))
             return false;
     }
     return true;
@@ -600,10 +600,10 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
 {
     int count = threads_for(threads, 1 + grid->start[scan_cells(&grid->frame)] / WORTH_A_THREAD);
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
-    places where = {0};
+    crossing_filter filter = {0};
     bool hidden = fronts->seen->rules.hidden;
-    bool enough = finders && (hidden || places_find(&where, fronts, grid, count)) &&
-                  finders_init(finders, count, fronts, grid, &where) &&
+    bool enough = finders && (hidden || filter_begin(&filter, fronts, grid, count)) &&
+                  finders_init(finders, count, fronts, grid, &filter) &&
                   (hidden ? face_pairs_find(fronts, count, meet_pair, finders) : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
@@ -616,7 +616,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].list[1].item);
     }
     free(finders);
-    places_free(&where);
+    filter_end(&filter);
     return enough;
 }
 

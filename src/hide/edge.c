@@ -110,7 +110,7 @@ static inline bool is_confined(const hide_worker *w, const hide_box *box, const 
 /* Shrinks the box of a line that is hidden at one end to the box of the rest, which begins at P. Fronts extend at most
  * a margin beyond their boxes. So a front whose box is more than the margin away from the new box hides nothing of the
  * rest and does not touch it. The box keeps the line's other end. */
-static void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
+BITS_INLINE void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 {
     const hide_edge *e = &w->line[n].e;
     hide_lanes *l = &w->lanes;
@@ -179,7 +179,8 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
 
 /* Tests lines against a front that may be nearer somewhere. Bit i of `bits` stands for line first[i]. The lines lie
  * within `box`. False: no memory. */
-static bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box, uint32_t index)
+static BITS_PER_PROCESSOR bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box,
+                                    uint32_t index)
 {
     const hide_fronts *fronts = w->fronts;
     const hide_front *front = &fronts->front[index];
@@ -284,7 +285,7 @@ static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint3
 
 /* Tests the lines against the entries first .. end - 1, from the last to the first, four at a time. False: no
  * memory. */
-static bool meet_backward(hide_worker *w, const line_set *p, uint32_t first, uint32_t end, uint32_t sides)
+BITS_INLINE bool meet_backward(hide_worker *w, const line_set *p, uint32_t first, uint32_t end, uint32_t sides)
 {
     while (end > first && w->live) {
         uint32_t k = end - first < 4 ? first : end - 4;
@@ -298,7 +299,7 @@ static bool meet_backward(hide_worker *w, const line_set *p, uint32_t first, uin
 
 /* Tests the lines against the entries k .. end - 1, nearest fronts first. far: the farthest depth of the lines there.
  * False: no memory. */
-static bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t end, uint32_t sides, float far)
+BITS_INLINE bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t end, uint32_t sides, float far)
 {
     const objet *grid = w->grid;
     const hide_fronts *fronts = w->fronts;
@@ -325,7 +326,7 @@ static bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uint32_t
  * all lines come first, the farthest of them first: in a row or a pile, the adjacent solid hides more than a distant
  * one. The other fronts follow. Four fronts are examined at a time. (Prefetching the boxes of the next fronts gains
  * nothing, not even in scenes too large for any cache.) False: no memory. */
-static bool meet_cell(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
+static BITS_PER_PROCESSOR bool meet_cell(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
     size_t cell = (size_t)column * grid->frame.ny + row;

@@ -19,7 +19,7 @@
 #include "base/bits.h"
 #include "base/threads.h"
 #include "hide/cells.h"
-#include "hide/cut_lines.h"
+#include "hide/region_faces.h"
 #include "hide/segments.h"
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */

@@ -25,4 +25,55 @@ bool planar_map_divide(planar_map *m, double touching);
 
 void planar_map_free(planar_map *m);
 
+/* ---- cells: what the lines part the picture into ---------------------------------------------------------------
+ *
+ * Each line is two half-edges: 2 i runs from line[i][0] to line[i][1], and 2 i + 1 runs back. The cell of a half-edge
+ * is the one on its left. A cell has one cycle round it, counter-clockwise, and one for each group of lines that lies
+ * in it, clockwise. Cell 0 is what is outside of all. */
+
+/* Half-edges in the order round their nodes. */
+typedef struct map_stars {
+    uint32_t *start; /* [nodes + 1] node n begins half[start[n]] .. half[start[n + 1] - 1], counter-clockwise */
+    uint32_t *half;  /* [2 lines] */
+    uint32_t *place; /* [2 lines] of each half-edge in half[] */
+} map_stars;
+
+typedef struct map_cells {
+    map_stars stars;
+    uint32_t *cycle; /* [2 lines] of each half-edge */
+    uint32_t *first; /* [cycle_count] a half-edge of each cycle */
+    double *area;    /* [cycle_count] > 0: it runs counter-clockwise */
+    uint32_t *cell;  /* [cycle_count] */
+    size_t cycle_count, cell_count;
+} map_cells;
+
+/* Finds the cells. Lines that lead nowhere are taken from the map first. False: no memory; map_cells_free() is due in
+ * any case. */
+bool map_cells_find(map_cells *c, planar_map *m);
+void map_cells_free(map_cells *c);
+
+static inline uint32_t map_from(const planar_map *m, uint32_t half)
+{
+    return m->line[half >> 1][half & 1];
+}
+
+static inline uint32_t map_cell_of(const map_cells *c, uint32_t half)
+{
+    return c->cell[c->cycle[half]];
+}
+
+/* The half-edge that follows on the same cycle. gone: [lines] 1: the line is taken away; NULL: none is. */
+static inline uint32_t map_next(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone)
+{
+    const map_stars *s = &c->stars;
+    uint32_t node = map_from(m, half ^ 1), at = s->place[half ^ 1];
+    do
+        at = (at > s->start[node] ? at : s->start[node + 1]) - 1;
+    while (gone && gone[s->half[at] >> 1]);
+    return s->half[at];
+}
+
+/* The area within a cycle, > 0 if it runs counter-clockwise; the sign is right. */
+double map_area(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone);
+
 #endif

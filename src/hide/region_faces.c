@@ -1,12 +1,15 @@
-/* region_faces.c - what regions take from their faces: colours; which neighbours lie in one plane. */
+/* region_faces.c - what regions take from their faces. See region_faces.h. */
 #include "hide/region_faces.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "base/vec.h"
 #include "hide/tolerance.h"
 
-/* ---- colours ---- */
+/* ---- colours ----------------------------------------------------------------------------------------------------- */
 
 /* The first piece of a face of the input, in the scene before the near plane cuts it; ROBERTS_NONE: there is none. */
 static uint32_t source_face(const roberts_scene *source, uint32_t solid, uint32_t number)
@@ -60,7 +63,7 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
     return source->vertex_color ? corners_color(source, solid, face) : none;
 }
 
-/* ---- neighbours in one plane ---- */
+/* ---- neighbours in one plane ------------------------------------------------------------------------------------- */
 
 /* Whether the corners of one face lie in the plane of another, as far as both are planar. */
 static bool is_in_plane(const hide_job *job, uint32_t face, uint32_t other)
@@ -89,4 +92,153 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g)
     const roberts_color a = region_color(job, f);
     const roberts_color b = region_color(job, g);
     return is_one_color(&a, &b);
+}
+
+/* ---- directions -------------------------------------------------------------------------------------------------- */
+
+/* The steepest line and the level line go through the foot: the point of the face's plane that is nearest to the middle
+ * of the scene. So they depend on the plane alone, and what is drawn along them goes on from face to face. */
+
+/* Sine of the least angle from the horizontal at which a plane is steep anywhere. */
+static const double least_slope = 1e-6;
+/* In perspective a foot that is nearer to the eye than this part of the distance to the look-at point, or behind the
+ * eye, is not used. */
+static const double nearest_foot = 0.01;
+
+/* Along the axes of the viewer. */
+static roberts_vec3 to_viewer(const view *v, roberts_vec3 u)
+{
+    return (roberts_vec3){vec3_dot(u, v->right), vec3_dot(u, v->up), vec3_dot(u, v->dir)};
+}
+
+/* How far the eye is before P, as a part of its distance from the look-at point; 1 in the orthographic view. */
+static double weight(const view *v, roberts_vec3 P)
+{
+    return 1.0 - vec3_dot(v->dir, vec3_sub(P, v->origin)) * v->per_unit * v->inverse_distance;
+}
+
+/* The derivative of the picture of P + h u by h. */
+static roberts_vec2 moves(const view *v, roberts_vec3 P, roberts_vec3 u)
+{
+    const roberts_vec3 q = to_viewer(v, u), p = view_point(v, P); /* p is divided by the weight */
+    const double w = weight(v, P), toward = q.z * v->inverse_distance;
+    return (roberts_vec2){(q.x - v->oblique.x * q.z + p.x * toward) / w, (q.y - v->oblique.y * q.z + p.y * toward) / w};
+}
+
+/* The steepest direction in a plane with unit normal n. Where it is level, that is +y for an upright +z. */
+static roberts_vec3 steepest(roberts_vec3 n, roberts_vec3 upright)
+{
+    const roberts_vec3 choices[] = {upright, {0, 1, 0}, {1, 0, 0}};
+    roberts_vec3 best = {0, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const roberts_vec3 own = vec3_sub(choices[i], vec3_scale(vec3_dot(choices[i], n), n));
+        const double length = vec3_length(own);
+        if (length > least_slope)
+            return vec3_scale(1.0 / length, own);
+        best = own;
+    }
+    return best;
+}
+
+static int sign(double x)
+{
+    return (x > 0.0) - (x < 0.0);
+}
+
+roberts_vec3 slope_upright(const roberts_camera *camera)
+{
+    const roberts_vec3 up = {sign(camera->up.x), sign(camera->up.y), sign(camera->up.z)};
+    const bool from_above = camera->dir.x == 0.0 && camera->dir.y == 0.0 && camera->dir.z != 0.0;
+    const bool along_axis = fabs(up.x) + fabs(up.y) + fabs(up.z) == 1.0;
+    return along_axis && !from_above ? up : (roberts_vec3){0, 0, 1};
+}
+
+void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region)
+{
+    const view *v = &s->view;
+    const plane F = scene_plane(s->scene, face);
+    const roberts_vec3 inward = {F.a, F.b, F.c};
+    const double length = vec3_length(inward);
+    const roberts_vec3 n = vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / length, inward);
+    roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / (length * length), inward));
+    if (weight(v, foot) < nearest_foot)
+        foot = s->scene->point[s->scene->corner[s->scene->face_start[face]]];
+    const roberts_vec3 steep = steepest(n, upright), p = view_point(v, foot);
+    region->normal = to_viewer(v, n);
+    region->steep = moves(v, foot, steep);
+    region->level = moves(v, foot, vec3_cross(steep, n));
+    region->foot = (roberts_vec2){p.x * v->unit, p.y * v->unit};
+}
+
+/* ---- where the near plane cuts ----------------------------------------------------------------------------------- */
+
+/* The near plane is a plane of one depth in view space, and nothing is nearer. So the lines are the sides of faces with
+ * both ends at the greatest depth of all. */
+
+static bool is_mapped(const hide_fronts *fronts, uint32_t body)
+{
+    return !fronts->culled[body];
+}
+
+static double greatest_depth(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    double most = -INFINITY;
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t v = scene->solid[s].vertex; is_mapped(fronts, s) && v < scene->solid[s + 1].vertex; v++)
+            most = greater(most, fronts->P[v].z);
+    return most;
+}
+
+typedef struct line_list {
+    seen_line *line; /* [count] */
+    size_t count, room;
+} line_list;
+
+/* Adds the sides of a face that lie at the depth `least` or nearer. False: no memory. */
+static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, double least, line_list *to)
+{
+    const roberts_scene *scene = fronts->scene;
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
+    for (uint32_t k = first; k < end; k++) {
+        uint32_t v[2] = {scene->corner[k], scene->corner[k + 1 < end ? k + 1 : first]};
+        if (fronts->P[v[0]].z < least || fronts->P[v[1]].z < least)
+            continue;
+        if (!array_reserve(&to->line, &to->room, to->count + 1, sizeof *to->line))
+            return false;
+        to->line[to->count++] = (seen_line){.edge = ROBERTS_NONE,
+                                            .v = {v[0], v[1]},
+                                            .own = {{seen_face_key(scene, body, face), ROBERTS_NONE}, NULL},
+                                            .t1 = 1.0,
+                                            .class = ROBERTS_CREASE};
+    }
+    return true;
+}
+
+bool cut_lines_find(const hide_fronts *fronts, seen_further *lines)
+{
+    const roberts_scene *scene = fronts->scene;
+    double least = greatest_depth(fronts) - CUT_TOUCHING * (fronts->space.epsilon + fronts->space.depth_rounding);
+    line_list found = {0};
+    uint32_t *first = alloc_array((size_t)scene->solid_count + 1, sizeof *first);
+    bool enough = first != NULL;
+    for (uint32_t s = 0; enough && s < scene->solid_count; s++) {
+        bool convex = scene_is_convex(scene, s);
+        first[s] = (uint32_t)found.count;
+        for (uint32_t f = scene->solid[s].face; enough && is_mapped(fronts, s) && f < scene->solid[s + 1].face; f++)
+            if (fronts->seen->facing[f] == VIEW_FRONT || (!convex && fronts->seen->facing[f] == VIEW_BACK))
+                enough = add_sides(fronts, s, f, least, &found);
+    }
+    if (enough)
+        first[scene->solid_count] = (uint32_t)found.count;
+    lines->line = found.line;
+    lines->first = first;
+    return enough;
+}
+
+void cut_lines_free(seen_further *lines)
+{
+    free((void *)lines->line);
+    free((void *)lines->first);
+    *lines = (seen_further){0};
 }

@@ -1,9 +1,13 @@
-/* region_faces.h - what regions take from their faces. Faces are those of job->fronts.scene; of several pieces, the
- * first. */
+/* region_faces.h - what regions take from their faces: colours, directions, which neighbours lie in one plane, and
+ * where the near plane cuts. */
 #ifndef ROBERTS_HIDE_REGION_FACES_H
 #define ROBERTS_HIDE_REGION_FACES_H
 
+#include "hide/fronts.h"
 #include "hide/segments.h"
+#include "view/seen.h"
+
+/* Faces are those of job->fronts.scene; of several pieces, the first. */
 
 /* The colour that the input gives a face; if none, the mean of those of its corners; none if one of them has none. */
 roberts_color region_color(const hide_job *job, uint32_t piece);
@@ -11,5 +15,24 @@ roberts_color region_color(const hide_job *job, uint32_t piece);
 /* Whether the regions of two neighbours may be one: they lie in one plane, as far as both are planar, have one colour,
  * and are of one body or of bodies that are taken as one. */
 bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
+
+/* ---- directions ---- */
+
+/* What points up in the model: +z, or the axis along which the camera's `up` lies. A camera that looks along z has any
+ * such `up`, so there it is +z. */
+roberts_vec3 slope_upright(const roberts_camera *camera);
+
+/* Fills the normal, steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
+ * that are seen from the same side get the same, to within rounding. */
+void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region);
+
+/* ---- where the near plane cuts ---- */
+
+/* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but what is
+ * seen of a face ends there. */
+
+/* Sets the further lines of what is seen; cut_lines_free() is due in any case. False: no memory. */
+bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);
+void cut_lines_free(seen_further *lines);
 
 #endif

@@ -3,7 +3,7 @@
  *   1. All edges are hidden, flat ones too, and what is visible of them becomes a planar map (planar_map.c). Visible
  *      lines meet in their ends, one ends on another where it passes behind it, or they lie on one another. Only where
  *      faces touch do they cross.
- *   2. The lines part the picture into cells (map_cells.c). Nothing that bounds what is seen of a face lies within a
+ *   2. The lines part the picture into cells (planar_map.c). Nothing that bounds what is seen of a face lies within a
  *      cell, so one point of it tells which face is seen in all of it.
  *   3. Lines with the same face on both sides are taken away. The cycles that are left bound the regions.
  *
@@ -15,10 +15,9 @@
 #include "base/error.h"
 #include "base/sets.h"
 #include "base/threads.h"
-#include "hide/map_cells.h"
+#include "hide/planar_map.h"
 #include "hide/region_faces.h"
 #include "hide/segments.h"
-#include "hide/slope.h"
 
 /* Part of a stretch: where a point in it is taken. */
 #define ASIDE 0.4557

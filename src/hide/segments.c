@@ -62,6 +62,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
                                                          .z1 = R1.z * unit,
                                                          .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
                                                          .line = (uint8_t)row->class,
+                                                         .level = 0, /* no member is left out: clearing all costs */
                                                          .edge = row->edge};
 }
 
@@ -294,7 +295,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
 }
 
 /* The fast walk is a local copy, so that the compiler can keep it in registers. */
-static bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
+static BITS_PER_PROCESSOR bool take_lines(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most)
 {
     if (walk->slow)
         return take_some(job, w, walk, most, true);

@@ -19,7 +19,7 @@
 #define ROBERTS_HIDE_TESTS_H
 
 #include "hide/tests_fast.h"
-#include "hide/reach.h"
+#include "hide/intervals.h"
 #include "hide/tolerance.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;

@@ -9,7 +9,7 @@
 
 #include "base/bits.h"
 #include "base/lanes.h"
-#include "hide/reach.h"
+#include "hide/intervals.h"
 
 /* A copy of an outline, laid out for SIMD. An odd number of sides is made even by repeating the last side and the first
  * corner. */

@@ -43,7 +43,7 @@ typedef struct hide_edge {
 } hide_edge;
 
 /* The part t0 .. t1 of an edge hidden by one face or solid: parameters along the edge's picture. From r0 to r1 the edge
- * is within epsilon of what hides it (see reach.h); r0 <= t0 and r1 >= t1. */
+ * is within epsilon of what hides it (see intervals.h); r0 <= t0 and r1 >= t1. */
 typedef struct hide_interval {
     double t0, t1;
     double r0, r1;

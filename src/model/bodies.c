@@ -18,7 +18,7 @@
 #include "model/body_edges.h"
 #include "model/components.h"
 #include "model/plain_bodies.h"
-#include "model/scene_arrays.h"
+#include "model/scene.h"
 #include "model/solid.h"
 #include "model/surface.h"
 #include "model/weld.h"

@@ -15,7 +15,7 @@
 #include "base/box.h"
 #include "base/error.h"
 #include "base/sets.h"
-#include "model/scene_arrays.h"
+#include "model/scene.h"
 
 /* One number for each vertex. It has three meanings, one after the other:
  * 1. its parent: an earlier vertex of its component, or itself; ROBERTS_NONE: no face uses it (join_corners())

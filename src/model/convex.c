@@ -9,7 +9,7 @@
 #include "base/sort.h"
 #include "base/vec.h"
 #include "model/face_plane.h"
-#include "model/source.h"
+#include "model/scene.h"
 
 /* ---- is a face convex? ----------------------------------------------------------------------------------------- */
 

@@ -9,7 +9,188 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "model/crossing_face.h"
+
+/* ---- planes and signs -------------------------------------------------------------------------------------------- */
+
+/* The largest error of a decision, as a part of the touching distance. */
+#define TRUSTED 0.125
+
+static double greatest_coordinate(roberts_vec3 d)
+{
+    return greater(fabs(d.x), greater(fabs(d.y), fabs(d.z)));
+}
+
+/* Vertex v as seen from a point, in the scene's unit. */
+static roberts_vec3 seen_from(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
+{
+    const roberts_scene *scene = rules->scene;
+    roberts_vec3 d = vec3_sub(scene->point[v], point);
+    if (scene->low)
+        d = vec3_add(d, vec3_sub(scene->low[v], low));
+    return vec3_scale(1.0 / scene->unit, d);
+}
+
+/* The same in double-double numbers. */
+static dd3 exactly_seen_from(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
+{
+    const roberts_scene *scene = rules->scene;
+    double k = 1.0 / scene->unit; /* a power of two: scaling is exact */
+    dd3 d = dd3_between(vec3_scale(k, scene->point[v]), vec3_scale(k, point));
+    if (!scene->low)
+        return d;
+    return dd3_add(d, dd3_between(vec3_scale(k, scene->low[v]), vec3_scale(k, low)));
+}
+
+/* Adds one piece's part of the normal, of the sum of the corners, and of the error. */
+static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
+{
+    const roberts_scene *scene = rules->scene;
+    uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
+    roberts_vec3 P = seen_from(rules, scene->corner[end - 1], f->origin, f->low);
+    for (uint32_t k = first; k < end; k++) {
+        roberts_vec3 Q = seen_from(rules, scene->corner[k], f->origin, f->low);
+        f->n = vec3_add(f->n, vec3_cross(P, Q));
+        f->error += greatest_coordinate(P) * greatest_coordinate(Q);
+        f->chord = greater(f->chord, greatest_coordinate(Q));
+        *sum = vec3_add(*sum, Q);
+        P = Q;
+    }
+}
+
+static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
+{
+    return rules->scene->face_start[f->end] - rules->scene->face_start[f->first];
+}
+
+crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
+{
+    const roberts_scene *scene = rules->scene;
+    crossing_face f = {.body = body, .first = scene_first_piece(scene, body, piece), .end = piece + 1};
+    roberts_vec3 sum = {0.0, 0.0, 0.0};
+    if (!scene_is_convex(scene, body))
+        while (f.end < scene->solid[body + 1].face &&
+               scene_plane_number(scene, f.end) == scene_plane_number(scene, piece))
+            f.end++;
+    uint32_t origin = scene->corner[scene->face_start[f.first]], count = corners_of(rules, &f);
+    f.origin = scene->point[origin];
+    if (scene->low)
+        f.low = scene->low[origin];
+    for (uint32_t k = f.first; k < f.end; k++)
+        add_piece(rules, &f, k, &sum);
+    /* A coordinate of n is off by 6 + count halves of an ulp of the sum of its terms, at most twice f.error. A height
+     * adds three such products and their sum. */
+    f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;
+    f.mean = count > 3 ? vec3_dot(f.n, sum) / count : 0.0;
+    f.length = vec3_length(f.n);
+    f.touch = f.length * (rules->touching + scene_deviation(scene, f.first)) / scene->unit;
+    return f;
+}
+
+/* Fills in the normal in double-double numbers, once. */
+static void refine_face(const crossing_rules *rules, crossing_face *f)
+{
+    const roberts_scene *scene = rules->scene;
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n;
+    uint32_t count = corners_of(rules, f);
+    for (uint32_t piece = f->first; piece < f->end; piece++) {
+        uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
+        dd3 P = exactly_seen_from(rules, scene->corner[end - 1], f->origin, f->low);
+        for (uint32_t k = first; k < end; k++) {
+            dd3 Q = exactly_seen_from(rules, scene->corner[k], f->origin, f->low);
+            if (k > first || piece > f->first) /* else Q is the origin; P is handled likewise */
+                n = dd3_add(n, dd3_cross(P, Q));
+            if (count > 3)
+                sum = dd3_add(sum, Q);
+            P = Q;
+        }
+    }
+    f->exact_n = n;
+    f->exact_mean = count > 3 ? dd_div(dd3_dot(n, sum), (dd){count, 0.0}) : (dd){0.0, 0.0};
+    f->refined = true;
+}
+
+/* Vertex v over the plane of f, in lengths of its n. */
+static dd exact_height(const crossing_rules *rules, crossing_face *f, uint32_t v)
+{
+    if (!f->refined)
+        refine_face(rules, f);
+    return dd_sub(dd3_dot(f->exact_n, exactly_seen_from(rules, v, f->origin, f->low)), f->exact_mean);
+}
+
+static bool has_corner(const crossing_rules *rules, const crossing_face *f, uint32_t v)
+{
+    const roberts_scene *scene = rules->scene;
+    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end]; k++)
+        if (scene->corner[k] == v)
+            return true;
+    return false;
+}
+
+/* A corner's height over a plane. */
+typedef struct corner_height {
+    double h, error; /* in lengths of the plane's n */
+    int sign;        /* 0: on it */
+} corner_height;
+
+/* Vertex v, of `body`, over the plane of f. */
+static corner_height height_of(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v)
+{
+    corner_height at = {0.0, 0.0, 0};
+    if (body == f->body && has_corner(rules, f, v))
+        return at;
+    roberts_vec3 d = seen_from(rules, v, f->origin, f->low);
+    at.h = vec3_dot(f->n, d) - f->mean;
+    at.error = f->error * (greatest_coordinate(d) + f->chord);
+    if (at.error > TRUSTED * f->touch && !(fabs(at.h) > at.error + f->touch)) {
+        at.h = exact_height(rules, f, v).hi;
+        at.error = 0x1p-52 * fabs(at.h);
+    }
+    at.sign = (at.h > f->touch) - (at.h < -f->touch);
+    return at;
+}
+
+/* Is pq, of `body`, a side of g? If g has several pieces, pq may be a cut between them: then the answer is false. */
+static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
+{
+    const roberts_scene *scene = rules->scene;
+    uint32_t first = scene->face_start[g->first], end = scene->face_start[g->first + 1], a = scene->corner[end - 1];
+    for (uint32_t k = first; k < end && body == g->body && !crossing_in_pieces(g); k++) {
+        uint32_t b = scene->corner[k];
+        if ((a == p && b == q) || (a == q && b == p))
+            return true;
+        a = b;
+    }
+    return false;
+}
+
+/* Adds the position of one piece of f. */
+static void add_lie(const crossing_rules *rules, const crossing_face *f, uint32_t piece, crossing_face *g,
+                    crossing_lie *to)
+{
+    const roberts_scene *scene = rules->scene;
+    uint32_t first = scene->face_start[piece], count = scene->face_start[piece + 1] - first;
+    const uint32_t *corner = scene->corner + first;
+    bool whole = !crossing_in_pieces(f), begins = false, before = false; /* the first and the last corner are on it */
+    for (uint32_t k = 0; k < count && !(whole && to->over && to->under); k++) {
+        int sign = height_of(rules, g, f->body, corner[k]).sign;
+        bool ends = begins && k + 1 == count && sign == 0; /* the side back to the first corner, too */
+        to->over = to->over || sign > 0;
+        to->under = to->under || sign < 0;
+        if (sign == 0 && !to->side)
+            to->side = (before && !is_side_of(rules, g, f->body, corner[k - 1], corner[k])) ||
+                       (ends && !is_side_of(rules, g, f->body, corner[k], corner[0]));
+        before = sign == 0;
+        begins = k == 0 ? before : begins;
+    }
+}
+
+crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+{
+    crossing_lie lie = {false, false, false};
+    for (uint32_t piece = f->first; piece < f->end; piece++)
+        add_lie(rules, f, piece, g, &lie);
+    return lie;
+}
 
 /* ---- places on the line ---------------------------------------------------------------------------------------- */
 
@@ -50,9 +231,9 @@ static pair pair_of(const crossing_rules *rules, crossing_face *f, crossing_face
     double length = vec3_length(d);
     if (!(length > 1e-6 * f->length * g->length)) {
         if (!f->refined)
-            crossing_refine(rules, f);
+            refine_face(rules, f);
         if (!g->refined)
-            crossing_refine(rules, g);
+            refine_face(rules, g);
         dd3 e = dd3_cross(f->exact_n, g->exact_n);
         d = (roberts_vec3){e.x.hi, e.y.hi, e.z.hi};
         length = vec3_length(d);
@@ -73,24 +254,24 @@ static bool is_before(const roberts_scene *scene, uint32_t p, uint32_t q)
 
 static cut corner_cut(const pair *w, uint32_t v)
 {
-    double s = along(crossing_from(w->rules, v, w->face[0]->origin, w->face[0]->low), w->axis);
+    double s = along(seen_from(w->rules, v, w->face[0]->origin, w->face[0]->low), w->axis);
     return (cut){.p = v, .q = ROBERTS_NONE, .s = s, .error = 0x1p-50 * fabs(s)};
 }
 
 /* Where the side between p and q, at heights a and b of different signs, pierces the plane. */
-static cut side_cut(const pair *w, uint32_t p, uint32_t q, crossing_height a, crossing_height b)
+static cut side_cut(const pair *w, uint32_t p, uint32_t q, corner_height a, corner_height b)
 {
     if (!is_before(w->rules->scene, p, q)) {
         uint32_t v = p;
-        crossing_height h = a;
+        corner_height h = a;
         p = q;
         q = v;
         a = b;
         b = h;
     }
     const crossing_face *base = w->face[0];
-    double from = along(crossing_from(w->rules, p, base->origin, base->low), w->axis);
-    double to = along(crossing_from(w->rules, q, base->origin, base->low), w->axis);
+    double from = along(seen_from(w->rules, p, base->origin, base->low), w->axis);
+    double to = along(seen_from(w->rules, q, base->origin, base->low), w->axis);
     double t = a.h / (a.h - b.h), off = (a.error + b.error) / fabs(a.h - b.h) + 0x1p-50;
     return (cut){.p = p,
                  .q = q,
@@ -107,12 +288,11 @@ static void refine_cut(const pair *w, cut *c, crossing_face *other)
     double k = 1.0 / rules->scene->unit;
     if (c->exact)
         return;
-    c->at = crossing_exactly_from(rules, c->p, none, none);
+    c->at = exactly_seen_from(rules, c->p, none, none);
     if (c->q != ROBERTS_NONE) {
-        dd a = crossing_exact_height(rules, other, c->p),
-           t = dd_div(a, dd_sub(a, crossing_exact_height(rules, other, c->q)));
+        dd a = exact_height(rules, other, c->p), t = dd_div(a, dd_sub(a, exact_height(rules, other, c->q)));
         roberts_vec3 low = rules->scene->low ? rules->scene->low[c->p] : none;
-        dd3 way = crossing_exactly_from(rules, c->q, rules->scene->point[c->p], low);
+        dd3 way = exactly_seen_from(rules, c->q, rules->scene->point[c->p], low);
         c->at = dd3_add(c->at, (dd3){dd_mul(t, way.x), dd_mul(t, way.y), dd_mul(t, way.z)});
     }
     dd s = dd_sub(exactly_along(c->at, w->axis), (dd){k * along(base->origin, w->axis), 0.0});
@@ -127,7 +307,7 @@ static void refine_cut(const pair *w, cut *c, crossing_face *other)
 static double after(const pair *w, cut *a, int i, cut *b, int j)
 {
     double error = a->error + b->error;
-    if (error > CROSSING_TRUSTED * w->slack && !(fabs(a->s - b->s) > w->slack + error)) {
+    if (error > TRUSTED * w->slack && !(fabs(a->s - b->s) > w->slack + error)) {
         refine_cut(w, a, w->face[1 - i]);
         refine_cut(w, b, w->face[1 - j]);
     }
@@ -169,10 +349,10 @@ static contact contact_of(const pair *w, int i, uint32_t piece)
     crossing_face *other = w->face[1 - i];
     uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1], p = scene->corner[end - 1];
     contact c = {0};
-    crossing_height a = crossing_height_of(w->rules, other, w->face[i]->body, p);
+    corner_height a = height_of(w->rules, other, w->face[i]->body, p);
     for (uint32_t k = first; k < end; k++) {
         uint32_t q = scene->corner[k];
-        crossing_height b = crossing_height_of(w->rules, other, w->face[i]->body, q);
+        corner_height b = height_of(w->rules, other, w->face[i]->body, q);
         c.over = c.over || b.sign > 0;
         c.under = c.under || b.sign < 0;
         c.corners += b.sign == 0;
@@ -331,8 +511,8 @@ static bool add_edges(const pair *w, int i, span_list *to)
         const scene_edge *edge = scene_edge_stored(scene, f->body, e);
         uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1];
         if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, edge, f) ||
-            crossing_height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
-            crossing_height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
+            height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
+            height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
             continue;
         cut at[2] = {corner_cut(w, a), corner_cut(w, b)};
         bool back = at[0].s > at[1].s;
@@ -449,7 +629,7 @@ static span edge_span(const pair *w, const uint32_t v[2])
 
 static bool is_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
 {
-    return crossing_height_of(rules, g, body, v[0]).sign == 0 && crossing_height_of(rules, g, body, v[1]).sign == 0;
+    return height_of(rules, g, body, v[0]).sign == 0 && height_of(rules, g, body, v[1]).sign == 0;
 }
 
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,

@@ -2,6 +2,7 @@
 #ifndef ROBERTS_MODEL_FACE_PLANE_H
 #define ROBERTS_MODEL_FACE_PLANE_H
 
+#include "base/bits.h"
 #include "base/lanes.h"
 #include "base/vec.h"
 
@@ -91,7 +92,7 @@ static inline two_planes two_planes_of(two_vec3 n, two length, two chord_squared
 }
 
 /* Triangles 0, a, b. */
-static inline two_planes two_planes_of_triangles(two_vec3 a, two_vec3 b)
+BITS_INLINE two_planes two_planes_of_triangles(two_vec3 a, two_vec3 b)
 {
     two_vec3 sum = two_vec3_cross(a, b), n;
     two length = two_sqrt(two_square(sum)), ha, hb;
@@ -104,7 +105,7 @@ static inline two_planes two_planes_of_triangles(two_vec3 a, two_vec3 b)
 }
 
 /* Quadrilaterals 0, a, b, c. */
-static inline two_planes two_planes_of_quadrilaterals(two_vec3 a, two_vec3 b, two_vec3 c)
+BITS_INLINE two_planes two_planes_of_quadrilaterals(two_vec3 a, two_vec3 b, two_vec3 c)
 {
     two_vec3 ab = two_vec3_cross(a, b), bc = two_vec3_cross(b, c), sum = two_vec3_add(ab, bc), n;
     two length = two_sqrt(two_square(sum)), ha, hb, hc, at_a, at_c, at_origin, at_b, zero = two_all(0.0);

@@ -16,8 +16,6 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/scene_arrays.h"
-#include "model/source.h"
 #include "model/components.h"
 #include "model/qhull.h"
 #include "model/scene.h"

@@ -10,7 +10,7 @@
 #include "model/body_edges.h"
 #include "model/face_pieces.h"
 #include "model/point_grid.h"
-#include "model/scene_arrays.h"
+#include "model/scene.h"
 #include "model/surface.h"
 #include "model/weld.h"
 #include "read/mesh.h"

@@ -8,8 +8,8 @@
 
 #include <stdbool.h>
 
-#include "model/edges.h"
-#include "model/scene_arrays.h"
+#include "model/solid_edges.h"
+#include "model/scene.h"
 
 enum { REPEATED_RECENT = 4 }; /* how many patterns a solid is compared with; few files alternate among more */
 

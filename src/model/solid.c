@@ -4,13 +4,13 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/box.h"
 #include "base/error.h"
 #include "model/convex.h"
-#include "model/edges.h"
+#include "model/solid_edges.h"
 #include "model/face_plane.h"
-#include "model/scene_arrays.h"
-#include "model/source.h"
+#include "model/scene.h"
 #include "read/mesh.h"
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */
@@ -198,8 +198,8 @@ static inline two_vec3 corners_at(const solid_frame *frame, const two_faces *t, 
     return two_vec3_of(&point[t->c[k] - frame->vertex_first], &point[t->d[k] - frame->vertex_first]);
 }
 
-static inline two_faces take_two(const solid_frame *frame, const roberts_scene *scene, uint32_t f, uint32_t g,
-                                 uint32_t corners)
+BITS_INLINE two_faces take_two(const solid_frame *frame, const roberts_scene *scene, uint32_t f, uint32_t g,
+                               uint32_t corners)
 {
     two_faces t = {.f = f, .g = g};
     t.c = scene->corner + scene->face_start[frame->face_first + f];
@@ -259,7 +259,8 @@ static void store_empty(solid_frame *frame, roberts_scene *scene, uint32_t f)
 }
 
 /* Fits faces f and g, which both have `corners` corners, 3 or 4; f and g may be the same. */
-static void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g, uint32_t corners)
+static BITS_PER_PROCESSOR void fit_two(solid_frame *frame, roberts_scene *scene, uint32_t f, uint32_t g,
+                                       uint32_t corners)
 {
     two_faces t = take_two(frame, scene, f, g, corners);
     two depth = two_sub(two_vec3_dot(t.fit.n, two_vec3_sub(two_vec3_all(frame->barycentre), t.origin)), t.fit.mean);

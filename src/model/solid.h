@@ -2,7 +2,7 @@
 #ifndef ROBERTS_MODEL_SOLID_H
 #define ROBERTS_MODEL_SOLID_H
 
-#include "model/edges.h"
+#include "model/solid_edges.h"
 #include "model/scene.h"
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */

@@ -1,8 +1,13 @@
-/* camera.c - cameras: the named views, views by angles, and turning round the scene. */
+/* camera.c - cameras: the named views, views by angles, and turning round the scene; the part of the picture plane that
+ * a drawing covers; where single points are in the picture. */
+#include "view/camera.h"
+
 #include <string.h>
 
 #include "base/vec.h"
 #include "model/scene.h"
+#include "view/clip.h"
+#include "view/view.h"
 
 bool roberts_camera_preset(const char *name, roberts_camera *camera)
 {
@@ -78,4 +83,73 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
     camera->up = turned(camera->up, by);
     camera->eye = turned_about(centre, camera->eye, by);
     camera->look_at = turned_about(centre, camera->look_at, by);
+}
+
+/* ---- the part of the picture plane that is drawn ----------------------------------------------------------------- */
+
+/* Degrees: the field of view for a scene that the near plane cuts. */
+#define FOV_OF_CLIPPED 60.0
+
+bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half)
+{
+    double fov = camera->fov_degrees;
+    if (fov == 0.0 && clipped)
+        fov = FOV_OF_CLIPPED;
+    if (!v->perspective || fov == 0.0)
+        return false;
+    *half = v->unit / v->inverse_distance * tan(fov * 3.14159265358979323846 / 360.0);
+    return true;
+}
+
+roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
+                              roberts_vec2 *max, bool *framed, roberts_error *error)
+{
+    view v;
+    view_clip clip;
+    double half;
+    roberts_status status = view_clip_scene(&clip, scene, camera, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const roberts_scene *seen = clip.clipped ? &clip.scene : scene;
+    if ((status = view_prepare(&v, seen, camera, 0.0, error)) != ROBERTS_OK)
+        goto done;
+    *min = (roberts_vec2){INFINITY, INFINITY};
+    *max = (roberts_vec2){-INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < seen->vertex_count; i++) {
+        roberts_vec3 p = vec3_scale(v.unit, view_point(&v, seen->point[i]));
+        *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
+        *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
+    }
+    bool field = view_frame(&v, camera, clip.clipped, &half);
+    if (framed)
+        *framed = field;
+    if (field) {
+        *min = (roberts_vec2){-half, -half};
+        *max = (roberts_vec2){half, half};
+    }
+done:
+    view_clip_free(&clip);
+    return status;
+}
+
+/* ---- single points ----------------------------------------------------------------------------------------------- */
+
+bool view_find_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point)
+{
+    for (uint32_t v = 0; v < scene->vertex_count; v++)
+        if (scene_vertex_number(scene, v) == number) {
+            *point = scene->point[v];
+            return true;
+        }
+    return false;
+}
+
+roberts_status view_map_points(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P,
+                               size_t count, roberts_vec3 *out, roberts_error *error)
+{
+    view v;
+    roberts_status status = view_prepare(&v, scene, camera, 0.0, error);
+    for (size_t i = 0; i < count && status == ROBERTS_OK; i++)
+        out[i] = vec3_scale(v.unit, view_point(&v, P[i]));
+    return status;
 }

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "draw/title_block.h"
+#include "draw/dimensions.h"
 #include "sheet_views.h"
 
 enum { LINES = 7 /* of a dimension: two extensions, then itself and two arrows of two */ };

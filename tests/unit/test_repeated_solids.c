@@ -2,7 +2,6 @@
  * follow one another are found as the definition has it. */
 #include "base/box.h"
 #include "model/components.h"
-#include "model/scene_arrays.h"
 #include "model/scene.h"
 #include "scenes.h"
 

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "draw/tikz_text.h"
+#include "draw/tikz.h"
 
 static char written[200];
 static size_t used;

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "draw/title_block.h"
+#include "draw/dimensions.h"
 #include "drawing.h"
 #include "sheet_views.h"
 

@@ -1,6 +1,7 @@
-/* points.h - where single points of a scene are in the picture, for rooms that know no views. */
-#ifndef ROBERTS_VIEW_POINTS_H
-#define ROBERTS_VIEW_POINTS_H
+/* camera.h - where single points of a scene are in the picture, for rooms that know no views. The functions on cameras
+ * are in roberts.h. */
+#ifndef ROBERTS_VIEW_CAMERA_H
+#define ROBERTS_VIEW_CAMERA_H
 
 #include "roberts.h"
 

@@ -1,17 +1,15 @@
-/* scene_arrays.c - the scene's arrays: allocated, filled solid by solid, freed.
- *
- * To fill them, faces are sorted by solid, and the vertices of each solid get compact numbers. If the numbers of a
- * solid's vertices are close together, a table translates them; otherwise they are sorted and searched. */
-#include "model/scene_arrays.h"
+/* scene.c - the scene's arrays: allocated, filled solid by solid, freed; what callers may ask of a scene; which file a
+ * solid comes from. */
+#include "model/scene.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/sort.h"
 #include "base/array.h"
 #include "base/box.h"
 #include "base/error.h"
+#include "base/sort.h"
 #include "read/mesh.h"
 
 /* ---- faces with every corner once ------------------------------------------------------------------------------ */
@@ -71,6 +69,9 @@ void polygons_free(polygons *faces)
 }
 
 /* ---- the arrays ------------------------------------------------------------------------------------------------ */
+
+/* To fill them, faces are sorted by solid, and the vertices of each solid get compact numbers. If the numbers of a
+ * solid's vertices are close together, a table translates them; otherwise they are sorted and searched. */
 
 enum { LEAST_EXPONENT = -1000 }; /* of the unit: 1 / 2^-1074 would overflow */
 
@@ -298,4 +299,185 @@ bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *
     scene_set_box(scene, lo, hi);
     trim(scene);
     return true;
+}
+
+/* ---- questions --------------------------------------------------------------------------------------------------- */
+
+uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].face <= face)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge)
+{
+    uint32_t low = 0, high = scene->solid_count;
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (scene->solid[middle].edge <= edge)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+size_t roberts_scene_solid_count(const roberts_scene *scene)
+{
+    return scene->solid_count;
+}
+
+/* The pieces of a face are consecutive, so a change of number is a new face. */
+size_t roberts_scene_face_count(const roberts_scene *scene)
+{
+    size_t count = scene->face_count;
+    if (scene->surface)
+        for (uint32_t f = 1; f < scene->face_count; f++)
+            count -= scene_face_number(scene, f) != ROBERTS_NONE &&
+                     scene_face_number(scene, f) == scene_face_number(scene, f - 1);
+    return count;
+}
+
+size_t roberts_scene_piece_count(const roberts_scene *scene)
+{
+    return scene->face_count;
+}
+
+/* The parts of an edge are consecutive too. */
+size_t roberts_scene_edge_count(const roberts_scene *scene)
+{
+    const scene_surface *surface = scene->surface;
+    size_t count = scene->edge_count;
+    if (!surface)
+        return count;
+    for (uint32_t e = 0; e < scene->edge_count; e++)
+        count -= (surface->edge_is[e] & EDGE_CUT) != 0;
+    for (uint32_t i = 1; i < surface->part_count; i++) {
+        const scene_part *before = surface->part + i - 1, *part = surface->part + i;
+        count -= part->v[0] == before->v[0] && part->v[1] == before->v[1];
+    }
+    return count;
+}
+
+size_t roberts_scene_vertex_count(const roberts_scene *scene)
+{
+    size_t count = scene->vertex_count;
+    if (scene->surface)
+        for (uint32_t v = 0; v < scene->vertex_count; v++)
+            count -= scene_vertex_number(scene, v) == ROBERTS_NONE;
+    return count;
+}
+
+roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body)
+{
+    if (body >= scene->solid_count)
+        return ROBERTS_OPEN;
+    return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
+}
+
+bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
+{
+    return scene->surface && body < scene->solid_count && scene->surface->smooth[body];
+}
+
+/* A hull is the only body whose faces have no numbers. */
+bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid)
+{
+    return solid < scene->solid_count && scene->solid[solid].face < scene->solid[solid + 1].face &&
+           scene_face_number(scene, scene->solid[solid].face) == ROBERTS_NONE;
+}
+
+/* Returns the name of the last group that begins at or before the solid's first face. */
+const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
+{
+    size_t low = 0, high = scene->group_count;
+    if (solid >= scene->solid_count || scene->solid[solid].face == scene->solid[solid + 1].face)
+        return "";
+    const uint32_t face = scene_face_number(scene, scene->solid[solid].face);
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (scene->group[middle].first_face <= face)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return face != ROBERTS_NONE && low > 0 ? scene->group[low - 1].name : "";
+}
+
+/* ---- files ------------------------------------------------------------------------------------------------------- */
+
+/* In a mesh the inputs follow one another, and solids are numbered by their smallest vertex, so the solids of a file
+ * have consecutive numbers. A solid whose faces or welded vertices come from several files has no file; its numbers
+ * count over all files. */
+
+/* Returns the last source that begins at or before the vertex and the face. An empty source contains nothing. */
+static size_t source_of_vertex(const roberts_mesh *mesh, uint32_t v)
+{
+    size_t i = mesh->source_count;
+    while (i-- > 1 && mesh->source[i].first_vertex > v)
+        continue;
+    return i;
+}
+
+static size_t source_of_face(const roberts_mesh *mesh, uint32_t f)
+{
+    size_t i = mesh->source_count;
+    while (i-- > 1 && mesh->source[i].first_face > f)
+        continue;
+    return i;
+}
+
+solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, uint32_t f_least, uint32_t f_most)
+{
+    const solid_source none = {.file = ""};
+    if (mesh->source_count == 0)
+        return none;
+    size_t i = source_of_face(mesh, f_least);
+    if (source_of_face(mesh, f_most) != i || source_of_vertex(mesh, v_least) != i ||
+        source_of_vertex(mesh, v_most) != i || !mesh->source[i].name)
+        return none;
+    return (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
+}
+
+/* Sets the number of the file's first solid. The first vertices of solids ascend. */
+static solid_source count_solids(const roberts_scene *scene, uint32_t s, solid_source at)
+{
+    for (uint32_t end = s; at.solid < end;) {
+        uint32_t middle = at.solid + (end - at.solid) / 2;
+        if (scene_vertex_number(scene, scene->solid[middle].vertex) < at.vertex)
+            at.solid = middle + 1;
+        else
+            end = middle;
+    }
+    return at;
+}
+
+/* The vertices and faces of a solid ascend. */
+solid_source source_of_solid(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
+{
+    const scene_solid *first = scene->solid + s;
+    return count_solids(
+        scene, s,
+        source_find(mesh, scene_vertex_number(scene, first->vertex), scene_vertex_number(scene, first[1].vertex - 1),
+                    scene_face_number(scene, first->face), scene_face_number(scene, first[1].face - 1)));
+}
+
+solid_source source_of_points(const roberts_scene *scene, uint32_t s, const roberts_mesh *mesh)
+{
+    const solid_source none = {.file = ""};
+    const scene_solid *first = scene->solid + s;
+    if (mesh->source_count == 0)
+        return none;
+    size_t i = source_of_vertex(mesh, scene_vertex_number(scene, first->vertex));
+    if (source_of_vertex(mesh, scene_vertex_number(scene, first[1].vertex - 1)) != i || !mesh->source[i].name)
+        return none;
+    return count_solids(
+        scene, s, (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex});
 }

@@ -1,10 +1,10 @@
-/* edges.c - the edges of one solid and the two faces of each, sorted.
+/* solid_edges.c - the edges of one solid and the two faces of each, sorted.
  *
  * Every side of a face is a half-edge. For a small solid, a table gives the face that passes from one vertex to
  * another, and the edges are read from it in order. All other half-edges, and those of small solids that are open or
  * inconsistently wound, are sorted: first into buckets by their smaller vertex, then by the larger one. For solids with
  * up to a dozen edges, the table takes a third of the instructions. */
-#include "model/edges.h"
+#include "model/solid_edges.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,16 @@
-/* stars.c - see stars.h. */
-#include "hide/stars.h"
+/* crossing_filter.c - see crossing_filter.h. */
+#include "hide/crossing_filter.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
 
 #include "base/array.h"
+
+/* ---- stars ------------------------------------------------------------------------------------------------------- */
+
+/* The star of a vertex is all faces at it. Let each of its edges there have one face on its left in the picture and one
+ * on its right, let the faces go round the vertex once, and let no side of a face run through it. Then no two of them
+ * lie over one another, and two of them have nothing in common in the picture but the vertex or a side. */
 
 /* What is known of a star: whether faces go round it once, or more often, or it is no sheet. */
 enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
@@ -85,8 +91,9 @@ static void mark_front(const stars *s, uint32_t front)
         mark(s, face.corner[i], NO_SHEET);
 }
 
-/* Where the near plane has cut the scene, a border that it has made is no edge. */
-bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
+/* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 where it is one, else 0; NULL: none is known.
+ * False: no memory. Where the near plane has cut the scene, a border that it has made is no edge. */
+static bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
 {
     const roberts_scene *scene = fronts->scene;
     if (!scene->surface || fronts->seen->clip.clipped)
@@ -111,4 +118,80 @@ bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
     bool found = s.star && *sheet;
     free(s.star);
     return found;
+}
+
+/* ---- boxes ------------------------------------------------------------------------------------------------------- */
+
+/* Solids this many touching distances apart do not touch. */
+#define WELL_APART 4.0
+
+bool filter_find_flat(const crossing_filter *p, uint32_t front)
+{
+    const roberts_scene *scene = p->fronts->scene;
+    const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
+    const scene_edge *edge = scene->edge + s->stored, *end = edge + (s[1].edge - s->edge);
+    while (edge < end && !seen_is_flat(scene->face_plane + s->face, edge, p->fronts->seen->rules.crease_chord))
+        edge++;
+    unsigned char flat = edge < end ? FLAT_SOMEWHERE : FLAT_NOWHERE;
+    atomic_store_explicit(&p->model[front].flat, flat, memory_order_relaxed);
+    return edge < end;
+}
+
+/* A box of at most two columns and two rows stands for its front: all its cells list the front. */
+static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
+{
+    double m = frame->margin + loose;
+    uint32_t column = scan_column(frame, (double)box->x0 - m), row = scan_row(frame, (double)box->y0 - m);
+    bool small = scan_column(frame, (double)box->x1 + m) - column < 2 && scan_row(frame, (double)box->y1 + m) - row < 2;
+    return (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
+}
+
+static void box_solid(const crossing_filter *p, uint32_t front)
+{
+    const roberts_scene *scene = p->fronts->scene;
+    const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
+    hide_bounds own = hide_no_bounds;
+    box_add_all(&own.low, &own.high, scene->point + s->vertex, s[1].vertex - s->vertex);
+    p->model[front] = (model_box){own, FLAT_UNKNOWN};
+}
+
+/* A point touches a face at the touching distance and the face's departure from its plane, or nearer. */
+static double touching_distance(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    float departure = 0.0f;
+    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
+        departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
+    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
+}
+
+/* If points have low parts, boxes of their high parts say nothing. */
+bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
+{
+    uint32_t count = fronts->front_count;
+    *p = (crossing_filter){.fronts = fronts};
+    while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
+        p->whole++;
+    p->touching = p->whole > 0 ? touching_distance(fronts) : 0.0;
+    p->first = alloc_array(count, sizeof *p->first);
+    p->model = alloc_array(p->whole, sizeof *p->model);
+    if (!p->first || !p->model)
+        return false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+    for (uint32_t k = 0; k < count; k++) {
+        p->first[k] = first_cell_of(&grid->frame, &fronts->front_box[k], hide_loose(fronts, k));
+        if (k < p->whole)
+            box_solid(p, k);
+    }
+    return stars_find(fronts, threads, &p->sheet);
+}
+
+void filter_end(crossing_filter *p)
+{
+    free(p->first);
+    free(p->model);
+    free(p->sheet);
+    *p = (crossing_filter){0};
 }

@@ -1,6 +1,6 @@
-/* tikz_text.h - text for LaTeX. */
-#ifndef ROBERTS_DRAW_TIKZ_TEXT_H
-#define ROBERTS_DRAW_TIKZ_TEXT_H
+/* tikz.h - text for LaTeX; tikz_write() is in formats.h. */
+#ifndef ROBERTS_DRAW_TIKZ_H
+#define ROBERTS_DRAW_TIKZ_H
 
 #include "draw/output.h"
 

@@ -1,6 +1,7 @@
-/* places.h - where fronts lie, for the search for crossings: what decides quickly that two of them do not cross. */
-#ifndef ROBERTS_HIDE_PLACES_H
-#define ROBERTS_HIDE_PLACES_H
+/* crossing_filter.h - what decides quickly that two fronts do not cross: where they lie, and vertices about which all
+ * faces are one sheet in the picture. */
+#ifndef ROBERTS_HIDE_CROSSING_FILTER_H
+#define ROBERTS_HIDE_CROSSING_FILTER_H
 
 #include <stdatomic.h>
 
@@ -23,31 +24,31 @@ typedef struct model_box {
 /* Has a solid an edge that is not drawn because it is flat? */
 typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 
-typedef struct places {
+typedef struct crossing_filter {
     const hide_fronts *fronts;
     first_cell *first;    /* [front_count] */
     model_box *model;     /* [whole] */
     uint32_t whole;       /* number of whole solids, which come before single faces */
     double touching;      /* model units; whole solids farther apart do not touch */
-    unsigned char *sheet; /* [vertices] of stars_find(); NULL: nothing is known */
-} places;
+    unsigned char *sheet; /* [vertices] all faces about it are one sheet; NULL: nothing is known */
+} crossing_filter;
 
-/* False: no memory; places_free() is due in any case. */
-bool places_find(places *p, const hide_fronts *fronts, const objet *grid, int threads);
-void places_free(places *p);
+/* False: no memory; filter_end() is due in any case. */
+bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads);
+void filter_end(crossing_filter *p);
 
 /* Finds model[front].flat. */
-bool places_find_flat(const places *p, uint32_t front);
+bool filter_find_flat(const crossing_filter *p, uint32_t front);
 
-static inline bool places_flat(const places *p, uint32_t front)
+static inline bool filter_flat(const crossing_filter *p, uint32_t front)
 {
     unsigned char known = atomic_load_explicit(&p->model[front].flat, memory_order_relaxed);
-    return known == FLAT_UNKNOWN ? places_find_flat(p, front) : known == FLAT_SOMEWHERE;
+    return known == FLAT_UNKNOWN ? filter_find_flat(p, front) : known == FLAT_SOMEWHERE;
 }
 
 /* Do the boxes of two whole solids in the model keep them apart? Boxes that touch do, unless a flat edge of one solid
  * may lie in a face of the other. */
-static inline bool places_apart(const places *p, uint32_t a, uint32_t b)
+static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 {
     if (a >= p->whole || b >= p->whole)
         return false;
@@ -55,7 +56,7 @@ static inline bool places_apart(const places *p, uint32_t a, uint32_t b)
     double x = greater(f->low.x - g->high.x, g->low.x - f->high.x);
     double y = greater(f->low.y - g->high.y, g->low.y - f->high.y);
     double z = greater(f->low.z - g->high.z, g->low.z - f->high.z), gap = greater(greater(x, y), z);
-    return gap > p->touching || (gap >= 0.0 && !places_flat(p, a) && !places_flat(p, b));
+    return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
 }
 
 #endif

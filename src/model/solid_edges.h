@@ -1,6 +1,6 @@
-/* edges.h - the edges of one solid and the two faces of each. */
-#ifndef ROBERTS_MODEL_EDGES_H
-#define ROBERTS_MODEL_EDGES_H
+/* solid_edges.h - the edges of one solid and the two faces of each. */
+#ifndef ROBERTS_MODEL_SOLID_EDGES_H
+#define ROBERTS_MODEL_SOLID_EDGES_H
 
 #include "model/scene.h"
 
