@@ -165,6 +165,38 @@ static inline four_plain four_plain_mul(four_plain a, four_plain b)
     return (four_plain){{a.v[0] * b.v[0], a.v[1] * b.v[1], a.v[2] * b.v[2], a.v[3] * b.v[3]}};
 }
 
+static inline four_plain four_plain_add(four_plain a, four_plain b)
+{
+    return (four_plain){{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], a.v[3] + b.v[3]}};
+}
+
+static inline four_plain four_plain_div(four_plain a, four_plain b)
+{
+    return (four_plain){{a.v[0] / b.v[0], a.v[1] / b.v[1], a.v[2] / b.v[2], a.v[3] / b.v[3]}};
+}
+
+/* Returns the lesser, or the greater, of a[i] and b[i]; b[i] if one of them is NaN. */
+static inline four_plain four_plain_lesser(four_plain a, four_plain b)
+{
+    for (int i = 0; i < 4; i++)
+        a.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
+    return a;
+}
+
+static inline four_plain four_plain_greater(four_plain a, four_plain b)
+{
+    for (int i = 0; i < 4; i++)
+        a.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
+    return a;
+}
+
+/* Bit i: a[i] <= b[i]. */
+static inline unsigned four_plain_at_most(four_plain a, four_plain b)
+{
+    return (a.v[0] <= b.v[0] ? 1u : 0u) | (a.v[1] <= b.v[1] ? 2u : 0u) | (a.v[2] <= b.v[2] ? 4u : 0u) |
+           (a.v[3] <= b.v[3] ? 8u : 0u);
+}
+
 /* Byte i: a[i] clamped to 0 .. 255 and rounded down; 0 for NaN. */
 static inline uint32_t four_plain_bytes(four_plain a)
 {
@@ -341,6 +373,31 @@ static inline four four_mul(four a, four b)
     return _mm_mul_ps(a, b);
 }
 
+static inline four four_add(four a, four b)
+{
+    return _mm_add_ps(a, b);
+}
+
+static inline four four_div(four a, four b)
+{
+    return _mm_div_ps(a, b);
+}
+
+static inline four four_lesser(four a, four b)
+{
+    return _mm_min_ps(a, b);
+}
+
+static inline four four_greater(four a, four b)
+{
+    return _mm_max_ps(a, b);
+}
+
+static inline unsigned four_at_most(four a, four b)
+{
+    return (unsigned)_mm_movemask_ps(_mm_cmple_ps(a, b));
+}
+
 static inline uint32_t four_bytes(four a)
 {
     __m128i whole = _mm_cvttps_epi32(_mm_min_ps(_mm_max_ps(a, _mm_setzero_ps()), _mm_set1_ps(255.0f)));
@@ -398,6 +455,11 @@ typedef four_plain four;
 #define four_signs four_plain_signs
 #define four_sub four_plain_sub
 #define four_mul four_plain_mul
+#define four_add four_plain_add
+#define four_div four_plain_div
+#define four_lesser four_plain_lesser
+#define four_greater four_plain_greater
+#define four_at_most four_plain_at_most
 #define four_bytes four_plain_bytes
 #define four_bytes_at_most four_plain_bytes_at_most
 #define four_same four_plain_same

@@ -41,7 +41,7 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
 /* Does --style set pens of classes that none of the drawings has? Then `text` says which. */
 bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size);
 
-/* Has no face that is seen a colour, so that --fill model fills none? */
+/* Do all visible faces lack a colour, so that --fill model fills none? */
 bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
 /* Is no body closed, so that --union changes nothing? */

@@ -12,12 +12,6 @@
  * do not count. */
 #define ENTRIES_PER_BOX 12.0
 #define ENTRIES_FREE 4096.0
-/* Polygons are slender if they fill less than this part of their boxes, and more boxes than this lie over a point. */
-#define SLENDER_FILLED 0.125
-#define SLENDER_DEPTH 64.0
-/* The most list entries per slender polygon. What it costs to make an entry, as a number of entries passed over. */
-#define ENTRIES_PER_SLENDER 64.0
-#define COST_OF_ENTRY 16.0
 /* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
 /* The more boxes lie over one another, the more is gained by smaller cells. So they shrink from this depth on. */
@@ -33,7 +27,7 @@
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
-/* Boxes are measured in this many pieces; and up to how many boxes one thread measures them all. */
+/* Boxes are measured in this many pieces. Up to this many boxes are measured by one thread. */
 #define PIECES 64
 #define MEASURED_BY_ONE 50000
 
@@ -96,29 +90,9 @@ static void divide(const sizes *s, uint32_t count, double boxes, double most, do
 }
 
 /* Estimates the entries of the lists of nx * ny cells. A polygon has as many as its border and its area have cells. */
-static double entries(const sizes *s, uint32_t count, double filled, double nx, double ny)
+static double entries(const sizes *s, uint32_t count, double nx, double ny)
 {
-    return count + nx * s->w + ny * s->h + nx * ny * s->area * filled;
-}
-
-/* Finds more columns and rows for slender polygons. The cost is that of the entries, and that of the edges: suppose
- * that there are as many edges as polygons, that they cross as many cells, and pass over the list in each. */
-static void divide_slender(const sizes *s, uint32_t boxes, double filled, double *nx, double *ny)
-{
-    double count = boxes, least = INFINITY, shape = s->width > 0.0 && s->height > 0.0 ? s->width / s->height : 1.0;
-    double side = sqrt(*nx * *ny);
-    while (side * side <= CELLS_PER_BOX * count) {
-        double x = greater(1.0, side * sqrt(shape)), y = greater(1.0, side / sqrt(shape));
-        double all = entries(s, boxes, filled, x, y), cost = all * (COST_OF_ENTRY + all / (x * y));
-        if (all > ENTRIES_PER_SLENDER * count || x > SIDE_MOST || y > SIDE_MOST)
-            return;
-        if (cost < least) {
-            least = cost;
-            *nx = x;
-            *ny = y;
-        }
-        side *= 1.25;
-    }
+    return count + nx * s->w + ny * s->h + nx * ny * s->area;
 }
 
 static uint32_t whole(double n)
@@ -126,7 +100,7 @@ static uint32_t whole(double n)
     return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
 }
 
-scan_frame cells_for_lists(const cells_boxes *b, double filled, uint32_t n, double *depth)
+scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
     uint32_t count = b->count;
@@ -136,12 +110,10 @@ scan_frame cells_for_lists(const cells_boxes *b, double filled, uint32_t n, doub
         return scan_frame_over(b->low, b->high, n, n, b->margin);
     if (count) {
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
-        while (nx * ny > 1.0 && entries(&s, count, 1.0, nx, ny) > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
+        while (nx * ny > 1.0 && entries(&s, count, nx, ny) > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
             nx = greater(1.0, 0.9 * nx);
             ny = greater(1.0, 0.9 * ny);
         }
-        if (filled < SLENDER_FILLED && s.area > SLENDER_DEPTH)
-            divide_slender(&s, count, filled, &nx, &ny);
     }
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

@@ -9,7 +9,7 @@
 #include "base/lanes.h"
 #include "hide/fronts.h"
 
-/* Cells that are filled at a time; and up to how many one thread fills all of them. */
+/* Cells that are filled at a time. Up to this many cells are all filled by one thread. */
 #define FILL 1024
 #define FILLED_BY_ONE 500000
 

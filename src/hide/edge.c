@@ -19,6 +19,8 @@
 #define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
+/* How many hidden parts of a line are asked whether they hold what a node of a tree may hide. */
+#define KNOWN_PARTS 8
 /* Single faces that a worker keeps, a power of two. The next lines mostly meet the same ones. */
 #define KEPT_SINGLES 512u
 
@@ -33,9 +35,10 @@ bool hide_worker_reserve(hide_worker *w, size_t lines)
     return true;
 }
 
-bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all)
+bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all, bool named)
 {
-    *w = (hide_worker){.fronts = fronts, .grid = grid, .margin = hide_margin(&fronts->space), .all = all};
+    *w = (hide_worker){
+        .fronts = fronts, .grid = grid, .margin = hide_margin(&fronts->space), .all = all, .named = named};
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
     w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
@@ -322,17 +325,15 @@ BITS_INLINE bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uin
     return true;
 }
 
-/* Tests the lines against the fronts of one cell until all lines are completely hidden. Fronts that begin in front of
+/* Tests the lines against the list of one cell until all lines are completely hidden. Fronts that begin in front of
  * all lines come first, the farthest of them first: in a row or a pile, the adjacent solid hides more than a distant
  * one. The other fronts follow. Four fronts are examined at a time. (Prefetching the boxes of the next fronts gains
  * nothing, not even in scenes too large for any cache.) False: no memory. */
-static BITS_PER_PROCESSOR bool meet_cell(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
+static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
     size_t cell = (size_t)column * grid->frame.ny + row;
     const uint32_t *start = grid->start + cell;
-    if (grid->below && far > grid->below[cell])
-        return true; /* only edges of the sheet that fills the cell remain */
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = p->alone && grid->next; /* in every cell, a line of a fan would go back over all faces of the fan */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
@@ -341,6 +342,58 @@ static BITS_PER_PROCESSOR bool meet_cell(hide_worker *w, const line_set *p, uint
             return false;
     }
     return !w->live || meet_forward(w, p, k, start[1], sides, far);
+}
+
+/* Takes away from a part of a line, with everything it touches, what is known to be hidden at its ends. False: nothing
+ * is left. Only some of the hidden parts are asked. */
+static bool is_new(const hide_line *line, double *t0, double *t1)
+{
+    size_t count = line->intervals.count < KNOWN_PARTS ? line->intervals.count : KNOWN_PARTS;
+    for (size_t i = 0; i < count; i++) {
+        const hide_interval *part = &line->intervals.item[i].part;
+        bool first = part->t0 == 0.0 || part->t0 < *t0, last = part->t1 == 1.0 || *t1 < part->t1;
+        if (first && last)
+            return false;
+        if (first && *t0 < part->t1)
+            *t0 = part->t1;
+        if (last && part->t0 < *t1)
+            *t1 = part->t0;
+    }
+    return true;
+}
+
+/* Tests the part t0 .. t1 of a line against the fronts of a tree. False: no memory. */
+static bool meet_tree(hide_worker *w, const line_set *p, const front_tree *tree, double t0, double t1)
+{
+    const front_line line = front_line_of(p->first->e.A, p->first->e.B, w->margin);
+    front_visit stack[FRONT_TREE_WAITING] = {{0, hide_float_below(t0), hide_float_above(t1), 0.0f}};
+    uint32_t depth = 1;
+    while (depth > 0 && w->live) {
+        const front_visit v = stack[--depth];
+        const uint32_t front = v.child & ~FRONT_TREE_LEAF;
+        double from = (double)v.t0, to = (double)v.t1;
+        if (!w->named && !is_new(p->first, &from, &to))
+            continue;
+        if (front == v.child)
+            depth += front_node_meets(&tree->node[v.child], &line, hide_float_below(from), hide_float_above(to),
+                                      stack + depth);
+        else if (!meet_once(w, p, front))
+            return false;
+    }
+    return true;
+}
+
+/* Tests the lines against the fronts of one cell. Of a single line, only `part` lies in the cell. far: the farthest
+ * depth of the lines there. False: no memory. */
+static bool meet_cell(hide_worker *w, const line_set *p, const objet_stretch *part, float far)
+{
+    const objet *grid = w->grid;
+    const size_t cell = (size_t)part->column * grid->frame.ny + part->row;
+    if (grid->below && far > grid->below[cell])
+        return true; /* only edges of the sheet that fills the cell remain */
+    if (grid->tree && grid->tree[cell].node)
+        return meet_tree(w, p, &grid->tree[cell], part->t0, part->t1);
+    return meet_list(w, p, part->column, part->row, far);
 }
 
 /* Sets the limits that a front's box must reach to meet this box. */
@@ -379,7 +432,7 @@ static bool run_alone(hide_worker *w, hide_line *line)
     for (size_t i = 0; w->live && i < w->walk.count; i++) {
         objet_stretch s = w->walk.item[i];
         float far = hide_float_below(lesser(hide_edge_at(e, s.t0).z, hide_edge_at(e, s.t1).z) - w->margin);
-        if (!meet_cell(w, &p, s.column, s.row, far))
+        if (!meet_cell(w, &p, &s, far))
             return false;
     }
     return true;
@@ -390,7 +443,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
 {
     w->live = w->line_count;
     w->met = 0;
-    w->shrinks = !w->all;
+    w->shrinks = !w->named;
     for (size_t i = 0; w->all && i < w->line_count; i++) /* only then are there lines that their own body hides */
         if (w->line[i].hidden) {
             w->lanes.x0[i] = INFINITY;
@@ -403,7 +456,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
     set_reach(w, &w->box);
     for (uint32_t i = left; w->live && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (!meet_cell(w, &p, i, j, w->box.z0))
+            if (!meet_cell(w, &p, &(objet_stretch){i, j, 0.0, 1.0}, w->box.z0))
                 return false;
     return true;
 }
@@ -426,15 +479,25 @@ static void box_lines(hide_worker *w)
     w->box = all;
 }
 
+/* Has one of these cells a tree? Lines meet its fronts one by one. */
+static bool has_tree(const objet *grid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
+{
+    for (uint32_t i = left; grid->tree && i <= right; i++)
+        for (uint32_t j = low; j <= high; j++)
+            if (grid->tree[(size_t)i * grid->frame.ny + j].node)
+                return true;
+    return false;
+}
+
 /* Takes the lines through the cells, together or one by one, whichever costs less. False: no memory. */
-static bool run_lines(hide_worker *w)
+BITS_INLINE bool run_lines(hide_worker *w)
 {
     const scan_frame *f = &w->grid->frame;
     if (w->line_count <= HIDE_GROUP) {
         box_lines(w);
         uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
         uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
-        if (right - left < GROUP_CELLS && high - low < GROUP_CELLS)
+        if (right - left < GROUP_CELLS && high - low < GROUP_CELLS && !has_tree(w->grid, left, right, low, high))
             return run_together(w, left, right, low, high);
     }
     for (size_t i = 0; i < w->line_count; i++)
@@ -453,7 +516,7 @@ static BITS_RARE bool add_hulls(hide_line *line)
     return true;
 }
 
-bool hide_worker_run(hide_worker *w)
+BITS_PER_PROCESSOR bool hide_worker_run(hide_worker *w)
 {
     /* In a scene of one convex body, nothing hides its lines. (A fan lists all its triangles in the cell of its
      * tip.) */

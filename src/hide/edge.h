@@ -50,7 +50,8 @@ typedef struct hide_worker {
     hide_lanes whole;        /* the same before shrinking, needed if some solids are entered face by face */
     float least[4], most[4]; /* limits on x0, x1, y0, y1 of a front that meets the box of the current lines */
     float place[4];          /* objet_place() of the box */
-    bool all;                /* also find which solid hides each part */
+    bool all;                /* some lines may be hidden by their own body */
+    bool named;              /* also find which solid hides each part */
     bool shrinks;            /* the boxes of the current lines shrink as lines are hidden */
     uint32_t met;            /* fronts met by the current group, if boxes shrink */
     size_t live;             /* lines of the current group that are not completely hidden */
@@ -67,9 +68,9 @@ typedef struct hide_worker {
     char apart[THREADS_APART];
 } hide_worker;
 
-/* Prepares a worker. Call hide_worker_free() in any case. all: also find which solid hides each part. False: no
- * memory. */
-bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all);
+/* Prepares a worker. Call hide_worker_free() in any case. all: hidden parts are wanted too; named: also which solid
+ * hides each. False: no memory. */
+bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *grid, bool all, bool named);
 void hide_worker_free(hide_worker *w);
 
 /* Makes room for this many lines. False: no memory. */

@@ -19,9 +19,6 @@
 /* A box is prefetched this many solids before it is needed. */
 #define BOX_AHEAD 8
 
-/* About how many fronts hide_fronts_filled() looks at. */
-#define FRONTS_ASKED 1000
-
 /* Bits of a sieve for each front. With this many, one in ten of the fronts without a copy shares a bit with another. */
 #define BITS_PER_FRONT 8
 
@@ -96,7 +93,7 @@ static bool box_solids(hide_fronts *fronts, int threads)
     return true;
 }
 
-/* Has the near plane left nothing of the solid? */
+/* Did the near plane leave nothing of the solid? */
 static bool is_empty(const hide_fronts *fronts, uint32_t s)
 {
     return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
@@ -421,9 +418,8 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the whole fronts. Of several copies only the one with the smallest number is listed: a thousand
- * listed copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no
- * memory. */
+/* Sets `listed` of the whole fronts. Among copies, only the one with the smallest number is listed: a thousand listed
+ * copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;
@@ -540,23 +536,6 @@ bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hid
         return true;
     hide_fronts_free(fronts);
     return false;
-}
-
-double hide_fronts_filled(const hide_fronts *fronts)
-{
-    const roberts_vec3 *P = fronts->P;
-    double boxes = 0.0, twice = 0.0;
-    for (uint32_t k = 0, step = fronts->front_count / FRONTS_ASKED + 1; k < fronts->front_count; k += step) {
-        uint32_t turned[SEEN_TURNED];
-        const hide_box *box = &fronts->front_box[k];
-        const hide_face outline = hide_outline(fronts, k, turned);
-        boxes += (double)(box->x1 - box->x0) * (double)(box->y1 - box->y0);
-        for (uint32_t i = 0; i < outline.count; i++) {
-            roberts_vec3 A = P[outline.corner[i]], B = P[outline.corner[i + 1 < outline.count ? i + 1 : 0]];
-            twice += A.x * B.y - B.x * A.y;
-        }
-    }
-    return boxes > 0.0 ? 0.5 * twice / boxes : 1.0;
 }
 
 void hide_fronts_drop_boxes(hide_fronts *fronts)

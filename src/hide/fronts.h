@@ -84,9 +84,6 @@ void hide_fronts_free(hide_fronts *fronts);
 /* Frees the boxes of bodies, unless there are single faces: only these need them from now on. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);
 
-/* Estimates, from a sample, which part of their boxes in the picture the fronts fill. */
-double hide_fronts_filled(const hide_fronts *fronts);
-
 /* Prefetches what will soon be read or written of a solid, which may lie anywhere in memory. (Inlined: see
  * base/bits.h.) */
 BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)

@@ -88,7 +88,7 @@ static roberts_status list_fronts(hide_job *job)
     double depth;
     cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
                          hide_margin(&fronts->space)};
-    scan_frame frame = cells_for_lists(&boxes, hide_fronts_filled(fronts), job->options->grid, &depth);
+    scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth))
         return ROBERTS_NO_MEMORY;
     hide_fronts_drop_boxes(&job->fronts);
@@ -237,7 +237,8 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
     if (!worker || !chunks_init(&all, count, threads, drawing, job->each, job->context))
         goto done;
     for (int i = 0; i < threads; i++)
-        if (!hide_worker_init(&worker[i], &job->fronts, &job->grid, job->options->keep_hidden))
+        if (!hide_worker_init(&worker[i], &job->fronts, &job->grid, job->options->keep_hidden,
+                              job->options->keep_hidden && !job->options->nameless))
             goto done;
     if (!look_ahead_at_all(job, worker, threads))
         goto done;

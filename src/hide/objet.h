@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "base/lanes.h"
-#include "hide/fronts.h"
+#include "hide/front_tree.h"
 #include "hide/scan.h"
 
 /* A front in a cell's list. */
@@ -31,6 +31,8 @@ typedef struct objet {
      * pass over all of its own faces at once: a fan of very many triangles lists all of them in the cell of its tip.
      * NULL: no convex solid is listed face by face. */
     uint32_t *next;
+    front_tree *tree; /* [nx * ny] over the fronts of long lists; no nodes: the list is short. NULL: all are, or `next`
+                         is there */
     /* [nx * ny] found by layers.h; NULL: nothing is found */
     unsigned char *apart; /* 1: no two faces cross in the cell; unless hidden lines are wanted: none before the sheet */
     cover sheet;          /* everything deeper lies behind a sheet that fills the cell; `by` is not used */

@@ -190,6 +190,19 @@ static const char *fan(void)
     return text;
 }
 
+/* More sheets above one another than a list has without a tree. */
+static const char *pile(void)
+{
+    enum { SHEETS = 900 };
+    static char text[64000];
+    size_t n = (size_t)sprintf(text, "OFF %d %d 0\n", 3 * SHEETS, SHEETS);
+    for (int i = 0; i < SHEETS; i++)
+        n += (size_t)sprintf(text + n, "0 0 %d\n9 %d %d\n%d 9 %d\n", i, i % 7, i, i % 5, i);
+    for (int i = 0; i < SHEETS; i++)
+        n += (size_t)sprintf(text + n, "3 %d %d %d\n", 3 * i, 3 * i + 1, 3 * i + 2);
+    return text;
+}
+
 static const run_case cases[] = {
     {.name = "bodies as one", .file = "models/compound-of-three-cubes.off", .camera = ISO, .unite = true},
     {.name = "bodies as one, hidden lines, the near plane",
@@ -229,6 +242,7 @@ static void files(void **state)
         survives(&cases[i]);
     survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG, false, false});
     survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false, false});
+    survives(&(run_case){"a pile in one cell", NULL, pile(), ISO, false, 1, ROBERTS_SVG, false, false});
 }
 
 int main(void)

@@ -416,7 +416,7 @@ static void edge_under_a_corner_of_four(void **state)
 }
 
 /* Solids that are convex only within the tolerance, seen from the top: their outlines are not convex. A tetrahedron
- * below is hidden all the same. */
+ * below them is still hidden. */
 static void outlines_that_are_not_convex(void **state)
 {
     static const struct {
@@ -467,7 +467,7 @@ static void outlines_that_are_not_convex(void **state)
 }
 
 /* The upper face of a box has a dent of 1e-7 at 8, near to its corner 4, and the side below is not quite plane. A
- * tetrahedron under the box is hidden all the same. */
+ * tetrahedron under the box is still hidden. */
 static void face_with_a_dent(void **state)
 {
     static const roberts_vec3 corner[] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0},      {0, 0, 1},
@@ -498,8 +498,8 @@ static void face_with_a_dent(void **state)
 }
 
 /* Three plates meet at (0, 0) without a gap: x < 0, and for x > 0 what lies above and below the line y = x / 100. An
- * edge that ends above that line, nearer to it than epsilon, is hidden all the same: first one that passes (0, 0)
- * above, and then one that crosses the line a little beyond. */
+ * edge that ends above that line, nearer to it than epsilon, is still hidden: the first one passes above (0, 0), the
+ * second crosses the line a little beyond. */
 static void edges_that_end_in_a_sliver(void **state)
 {
     static const roberts_vec3 plate[][4] = {{{-8, -8, 0}, {0, -8, 0}, {0, 8, 0}, {-8, 8, 0}},
@@ -1060,9 +1060,9 @@ static void counts_and_lines(void **state)
     }
 }
 
-/* Edges that go together share a number of sixteen bits, which comes again after 65,535 of them. Here
- * it is a plate's again when the bar that reaches from under it has its turn: the upper edges of round solids in
- * between go one by one. Of each bar two edges are hidden by halves, and one wholly. */
+/* Each group of edges has a stamp of sixteen bits, which repeats after 65,535 groups. Here a bar reaches out from under
+ * a plate and gets the stamp of the plate, because the upper edges of the round solids in between are tested one by
+ * one. In each bar, two edges are half hidden and one is wholly hidden. */
 static void more_groups_than_stamps(void **state)
 {
     enum { BARS = 20, BETWEEN = 65535 - BARS, CORNERS = 125, ROUNDS = BETWEEN / CORNERS };

@@ -279,7 +279,7 @@ static void solids(void **state)
     }
 }
 
-/* Of several files each keeps its numbers: a hull is numbered by all its points. */
+/* With several files, each keeps its numbers: a hull is numbered by all its points. */
 static void several_files(void **state)
 {
     (void)state;

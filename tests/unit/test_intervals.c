@@ -169,9 +169,9 @@ static void union_by_table(void **state)
     free(intervals.item);
 }
 
-/* Many parts on a scale of 1/1024, every third time beginning at few places, every fifth so close together that
- * floats are all the same: what is covered stays covered, what is not is not, and between two parts of the union
- * there is something not covered. Every order gives the same bits. */
+/* Many parts on a scale of 1/1024. In every third round they begin at few places, in every fifth they are so close
+ * together that all floats are equal. What is covered stays covered, and nothing else. Between two parts of the union
+ * there is something that is not covered. Every order gives the same bits. */
 static void union_of_many(void **state)
 {
     enum { MANY = 1200, CELLS = 1024 };

@@ -110,7 +110,8 @@ static void check_apart(const strokes *s, const char *what)
     }
 }
 
-/* A dodecahedron has room for all: 17 vertices and 24 edges are seen in isometric view, or so many as segments say. */
+/* A dodecahedron has room for all labels: in isometric view 17 vertices and 24 edges are seen, as the segments confirm.
+ */
 static void all_of_a_dodecahedron(void **state)
 {
     (void)state;

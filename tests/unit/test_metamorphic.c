@@ -547,7 +547,7 @@ static void any_grid(void **state)
     for_each(check_grids);
 }
 
-/* So many solids that several threads have work. */
+/* Enough solids to keep several threads busy. */
 static void any_threads_any_run(void **state)
 {
     model m = {0};

@@ -253,7 +253,7 @@ static void scan_forgets(void **state)
     scan_free(&used);
 }
 
-/* A window without width or height has cells of some size all the same, and its points are in them. */
+/* Even a window without width or height has cells of some size, and its points are in them. */
 static void windows_without_size(void **state)
 {
     static const struct {
@@ -502,7 +502,7 @@ static void lists_are_complete_and_in_order(void **state)
             assert_int_equal(fronts.culled_count, 0);
             scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low,
                                                               fronts.high, hide_margin(&fronts.space)},
-                                               1.0, sides[i], &depth);
+                                               sides[i], &depth);
             assert_int_equal(objet_build(&grid, &fronts, frame, 1), ROBERTS_OK);
             expect_lists(&grid, &fronts);
             assert_true(listed_count(&fronts) > 10);
@@ -515,7 +515,7 @@ static void lists_are_complete_and_in_order(void **state)
     }
 }
 
-/* With so many fronts that several threads fill the cells: the lists are the same. */
+/* With enough fronts for several threads, the lists are the same. */
 static void lists_by_threads(void **state)
 {
     roberts_camera camera = {.dir = {1, 2, 3}};
@@ -532,8 +532,8 @@ static void lists_by_threads(void **state)
     assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
     assert_true(fronts.front_count > 40000);
     scan_frame frame = cells_for_lists(
-        &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space)}, 1.0,
-        150, &depth);
+        &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space)}, 150,
+        &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
     assert_int_equal(objet_build(&alone, &fronts, frame, 1), ROBERTS_OK);
@@ -828,34 +828,12 @@ static void cells_by_table(void **state)
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
-        scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1.0, 0, &depth);
+        scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 0, &depth);
         scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
     }
-    free(box);
-}
-
-/* Polygons that fill little of large boxes: there are more cells, but the polygons do not touch too many of them. */
-static void cells_of_slender(void **state)
-{
-    static const double filled[] = {0.5, 0.1, 1e-3, 1e-6, 0.0};
-    hide_box *box = malloc(BOXES * sizeof *box);
-    rng r = {80};
-    double depth, before = 1.0;
-    (void)state;
-    assert_non_null(box);
-    make_boxes(box, 0, 0.3, 0.4, &r);
-    for (size_t i = 0; i < sizeof filled / sizeof filled[0]; i++) {
-        scan_frame f =
-            cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, filled[i], 0, &depth);
-        double cells = (double)scan_cells(&f), touched = 1.0 + 0.3 * f.nx + 0.4 * f.ny + filled[i] * 0.12 * cells;
-        if (i > 0 && (cells < before || touched > 65.0 || f.dx > 1.5 * f.dy || f.dy > 1.5 * f.dx))
-            fail_msg("%g of the boxes: %g cells after %g, %g entries for each", filled[i], cells, before, touched);
-        before = cells;
-    }
-    assert_true(before > 1000.0);
     free(box);
 }
 
@@ -865,16 +843,16 @@ static void cells_given_or_few(void **state)
     roberts_vec2 upright = {window_low.x, window_high.y};
     double depth;
     (void)state;
-    scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 1.0, 17, &depth);
+    scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 17, &depth);
     assert_true(f.nx == 17 && f.ny == 17);
-    f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN}, 1.0, 0, &depth);
+    f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(f.nx == 1 && f.ny == 1);
-    f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 1.0, 0, &depth); /* no width */
+    f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 0, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
     f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 1);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
-    cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 1.0, 0, &depth);
+    cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(fabs(depth - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
 }
 
@@ -912,7 +890,6 @@ int main(void)
         cmocka_unit_test(what_covers_hide_is_hidden),
         cmocka_unit_test(no_covers),
         cmocka_unit_test(cells_by_table),
-        cmocka_unit_test(cells_of_slender),
         cmocka_unit_test(cells_given_or_few),
         cmocka_unit_test(cells_by_threads),
     };

@@ -175,7 +175,7 @@ static size_t add_number(char *text, uint64_t *seed)
     return (size_t)sprintf(text, format[chance(seed, 5)], value * 1.0000001234567);
 }
 
-/* A plain file, with some lines that are not where odd > 0: one in so many. Returns its length. */
+/* A plain file. If odd > 0, one line in `odd` is not plain. Returns its length. */
 static size_t make_text(char *text, uint32_t vertices, uint32_t faces, uint32_t odd, uint64_t *seed)
 {
     static const char *const odd_end[] = {"\r\n", "\n\n", " \n",    "\t\r\n",   " # 1\n",

@@ -92,8 +92,8 @@ static void solids_are_as_if_alone(void **state)
     }
 }
 
-/* Of a hundred cubes, the edges of one are stored, once each way round; of cubes of which some are wound inward, those
- * of two: their corners are not in the same order. Cubes whose own faces disagree have each their own. */
+/* A hundred equal cubes store the edges of one. If some cubes are wound inward, the edges of two are stored, since
+ * their corners are in another order. Cubes whose own faces disagree store their own edges each. */
 static void edges_are_stored_once(void **state)
 {
     static const struct {

@@ -16,7 +16,7 @@
 #define CHUNKS 3000
 #define THREADS_TRIED 5
 
-/* How many segments chunk k has: none, few, or so many that the drawing has to grow. */
+/* How many segments chunk k has: none, few, or enough to make the drawing grow. */
 static uint32_t size_of(uint32_t k)
 {
     return k % 7 == 3 ? 0 : k % 101 == 5 ? 2000 : k * 2654435761u >> 28;

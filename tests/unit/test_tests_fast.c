@@ -93,6 +93,22 @@ static void lanes_of_four_are_counted_in_bytes(void **state)
         }
         four_store(difference, four_sub(four_load(p), four_load(q)));
         four_store(product, four_mul(four_load(p), four_load(q)));
+        float own[5][4], plain[5][4];
+        four_store(own[0], four_add(four_load(p), four_load(q)));
+        four_store(own[1], four_div(four_load(p), four_load(q)));
+        four_store(own[2], four_lesser(four_load(p), four_load(q)));
+        four_store(own[3], four_greater(four_load(p), four_load(q)));
+        four_store(own[4], four_greater(four_load(q), four_load(p)));
+        four_plain_store(plain[0], four_plain_add(four_plain_load(p), four_plain_load(q)));
+        four_plain_store(plain[1], four_plain_div(four_plain_load(p), four_plain_load(q)));
+        four_plain_store(plain[2], four_plain_lesser(four_plain_load(p), four_plain_load(q)));
+        four_plain_store(plain[3], four_plain_greater(four_plain_load(p), four_plain_load(q)));
+        four_plain_store(plain[4], four_plain_greater(four_plain_load(q), four_plain_load(p)));
+        for (int k = 0; k < 20; k++)
+            assert_true(own[k / 4][k % 4] == plain[k / 4][k % 4] ||
+                        (isnan(own[k / 4][k % 4]) && isnan(plain[k / 4][k % 4])));
+        assert_int_equal(four_at_most(four_load(p), four_load(q)),
+                         four_plain_at_most(four_plain_load(p), four_plain_load(q)));
         uint32_t bytes = four_bytes(four_load(p));
         assert_int_equal(bytes, four_plain_bytes(four_plain_load(p)));
         for (int k = 0; k < 4; k++) {

@@ -650,8 +650,8 @@ static void facing_by_table(void **state)
     roberts_scene_free(scene);
 }
 
-/* A box 1 x 2^-21 x 1/2, its upper face 1 x 2^-21 = 4.8e-7: wherever it is seen from, its picture is that narrow at
- * the most, whichever way the needle lies. */
+/* A box 1 x 2^-21 x 1/2, its upper face 1 x 2^-21 = 4.8e-7: from wherever it is seen, and however the needle lies, its
+ * picture is at most that narrow. */
 static void facing_of_needles(void **state)
 {
     static const roberts_vec3 dirs[] = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {3, 4, 5}, {0, 0, -1}};

@@ -1,0 +1,386 @@
+/* front_tree.c - see front_tree.h. */
+#include "hide/front_tree.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+#include "base/bits.h"
+
+/* The second strip is along the longest side that makes an angle with the first whose sine is greater than this. */
+#define ASLANT 0.25
+/* Fronts with more corners or faces than this are bounded by their boxes alone. */
+#define MANY_CORNERS 24
+
+/* A line may meet a child if it is at most this many margins in front of the child's plane. They are many because a
+ * steep plane decides what is within a margin of an outline. */
+#define PLANE_MARGINS 1024.0
+
+/* A direction of the picture, and the length of the side that has it. */
+typedef struct direction {
+    double x, y, length;
+} direction;
+
+/* What is known of a front while a tree is built. */
+typedef struct item {
+    uint32_t front;
+    double middle[3];
+    direction side[2]; /* of its longest side, and of the longest one aslant to it */
+    roberts_vec3 up;   /* the outward normal of its largest face in the picture */
+    double area;       /* of that face */
+} item;
+
+typedef struct building {
+    const hide_fronts *fronts;
+    front_tree *tree;
+    item *item;
+} building;
+
+static double cross(const direction *a, const direction *b)
+{
+    return a->x * b->y - a->y * b->x;
+}
+
+/* Takes the side from P to Q if it is longer than the known ones. */
+static void take_direction(direction known[2], const direction *new)
+{
+    if (new->length > known[0].length) {
+        direction old = known[0];
+        known[0] = *new;
+        if (known[1].length > 0.0 && !(fabs(cross(&known[0], &known[1])) > ASLANT))
+            known[1] = (direction){0};
+        if (old.length > known[1].length && fabs(cross(&known[0], &old)) > ASLANT)
+            known[1] = old;
+    } else if (new->length > known[1].length && fabs(cross(&known[0], new)) > ASLANT) {
+        known[1] = *new;
+    }
+}
+
+static void measure_sides(const hide_fronts *fronts, item *of)
+{
+    uint32_t turned[SEEN_TURNED];
+    const hide_face outline = hide_outline(fronts, of->front, turned);
+    for (uint32_t i = 0; i < outline.count && outline.count <= MANY_CORNERS; i++) {
+        roberts_vec3 P = fronts->P[outline.corner[i]];
+        roberts_vec3 Q = fronts->P[outline.corner[i + 1 < outline.count ? i + 1 : 0]];
+        double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
+        if (length > 0.0)
+            take_direction(of->side, &(direction){dx / length, dy / length, length});
+    }
+}
+
+static double picture_area(const roberts_vec3 *P, const hide_face *F)
+{
+    double twice = 0.0;
+    for (uint32_t i = 0; i < F->count; i++) {
+        roberts_vec3 A = P[F->corner[i]], B = P[F->corner[i + 1 < F->count ? i + 1 : 0]];
+        twice += A.x * B.y - B.x * A.y;
+    }
+    return 0.5 * fabs(twice);
+}
+
+static item measure(const hide_fronts *fronts, uint32_t front)
+{
+    const hide_box *box = &fronts->front_box[front];
+    item of = {.front = front,
+               .middle = {0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1),
+                          0.5 * ((double)box->z0 + (double)box->z1)},
+               .up = {0, 0, 1}};
+    hide_single single = {.front = ROBERTS_NONE};
+    uint32_t count;
+    const hide_face *face = hide_faces(fronts, front, &count, &single);
+    measure_sides(fronts, &of);
+    for (uint32_t i = 0; i < count && count <= MANY_CORNERS; i++) {
+        double area = picture_area(fronts->P, &face[i]);
+        if (area > of.area) {
+            of.area = area;
+            of.up = (roberts_vec3){-face[i].F.a, -face[i].F.b, -face[i].F.c};
+        }
+    }
+    return of;
+}
+
+/* The bounds of one child. */
+typedef struct bounds {
+    hide_box box;
+    struct {
+        double x, y, low, high;
+    } strip[2];
+    roberts_vec3 up;
+    double high;
+} bounds;
+
+static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
+{
+    uint32_t turned[SEEN_TURNED];
+    const hide_face outline = hide_outline(fronts, of->front, turned);
+    const hide_box *box = &fronts->front_box[of->front];
+    const bool many = outline.count > MANY_CORNERS;
+    const double loose = hide_loose(fronts, of->front);
+    for (int k = 0; k < 2; k++) {
+        const double x = b->strip[k].x, y = b->strip[k].y;
+        double low = INFINITY, high = -INFINITY;
+        for (uint32_t i = 0; i < (many ? 4 : outline.count); i++) {
+            double px = (double)(i & 1 ? box->x1 : box->x0), py = (double)(i & 2 ? box->y1 : box->y0);
+            if (!many) {
+                px = fronts->P[outline.corner[i]].x;
+                py = fronts->P[outline.corner[i]].y;
+            }
+            low = lesser(low, x * px + y * py);
+            high = greater(high, x * px + y * py);
+        }
+        b->strip[k].low = lesser(b->strip[k].low, low - loose);
+        b->strip[k].high = greater(b->strip[k].high, high + loose);
+    }
+}
+
+/* Moves the plane in front of the front's faces. */
+static void raise_plane(bounds *b, const hide_fronts *fronts, const item *of)
+{
+    uint32_t count;
+    hide_single single = {.front = ROBERTS_NONE};
+    const hide_face *face = hide_faces(fronts, of->front, &count, &single);
+    const hide_box *box = &fronts->front_box[of->front];
+    if (count > MANY_CORNERS)
+        for (int i = 0; i < 4; i++) {
+            double x = (double)(i & 1 ? box->x1 : box->x0), y = (double)(i & 2 ? box->y1 : box->y0);
+            b->high = greater(b->high, b->up.x * x + b->up.y * y + b->up.z * (double)box->z1);
+        }
+    else
+        for (uint32_t k = 0; k < count; k++)
+            for (uint32_t i = 0; i < face[k].count; i++)
+                b->high = greater(b->high, vec3_dot(b->up, fronts->P[face[k].corner[i]]));
+}
+
+static void choose_directions(bounds *b, const item *first, uint32_t count)
+{
+    direction side[2] = {{.x = 0.0}, {.x = 0.0}};
+    double area = -1.0;
+    for (uint32_t i = 0; i < count; i++) {
+        take_direction(side, &first[i].side[0]);
+        take_direction(side, &first[i].side[1]);
+        if (first[i].area > area) {
+            area = first[i].area;
+            b->up = first[i].up;
+        }
+    }
+    /* as floats, which is how nodes keep them */
+    b->up = (roberts_vec3){(double)(float)b->up.x, (double)(float)b->up.y, (double)(float)b->up.z};
+    for (int k = 0; k < 2; k++) {
+        b->strip[k].x = (double)(float)-side[k].y;
+        b->strip[k].y = (double)(float)side[k].x;
+        b->strip[k].low = INFINITY;
+        b->strip[k].high = -INFINITY;
+    }
+}
+
+static void add_box(hide_box *all, const hide_box *box, float loose)
+{
+    all->x0 = box->x0 - loose < all->x0 ? box->x0 - loose : all->x0;
+    all->x1 = box->x1 + loose > all->x1 ? box->x1 + loose : all->x1;
+    all->y0 = box->y0 - loose < all->y0 ? box->y0 - loose : all->y0;
+    all->y1 = box->y1 + loose > all->y1 ? box->y1 + loose : all->y1;
+    all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
+}
+
+/* Sets the bounds of child k. */
+static void bound(const hide_fronts *fronts, front_node *n, int k, const item *first, uint32_t count)
+{
+    bounds b = {.box = {INFINITY, -INFINITY, INFINITY, -INFINITY, 0.0f, -INFINITY}, .high = -INFINITY};
+    choose_directions(&b, first, count);
+    for (uint32_t i = 0; i < count; i++) {
+        add_box(&b.box, &fronts->front_box[first[i].front], (float)hide_loose(fronts, first[i].front));
+        widen_strips(&b, fronts, &first[i]);
+        raise_plane(&b, fronts, &first[i]);
+    }
+    n->x0[k] = b.box.x0;
+    n->x1[k] = b.box.x1;
+    n->y0[k] = b.box.y0;
+    n->y1[k] = b.box.y1;
+    n->z1[k] = b.box.z1;
+    for (int i = 0; i < 2; i++) {
+        n->strip[i].x[k] = (float)b.strip[i].x;
+        n->strip[i].y[k] = (float)b.strip[i].y;
+        n->strip[i].low[k] = hide_float_below(b.strip[i].low);
+        n->strip[i].high[k] = hide_float_above(b.strip[i].high);
+    }
+    n->plane.x[k] = (float)b.up.x;
+    n->plane.y[k] = (float)b.up.y;
+    n->plane.z[k] = (float)b.up.z;
+    n->plane.high[k] = hide_float_above(b.high);
+}
+
+static int widest_axis(const item *first, uint32_t count)
+{
+    int widest = 0;
+    double most = -1.0;
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (uint32_t i = 0; i < count; i++) {
+            low = lesser(low, first[i].middle[k]);
+            high = greater(high, first[i].middle[k]);
+        }
+        if (high - low > most) {
+            most = high - low;
+            widest = k;
+        }
+    }
+    return widest;
+}
+
+static bool is_before(const item *a, const item *b, int axis)
+{
+    return a->middle[axis] < b->middle[axis] || (a->middle[axis] == b->middle[axis] && a->front < b->front);
+}
+
+/* Puts the lesser items along the axis of their widest spread first: `half` of them (Hoare's selection). */
+static void part_at(item *first, uint32_t count, uint32_t half)
+{
+    const int axis = widest_axis(first, count);
+    uint32_t low = 0, high = count > 0 ? count - 1 : 0;
+    while (low < high) {
+        item pivot = first[low + (high - low) / 2];
+        uint32_t i = low, j = high;
+        for (;;) {
+            while (is_before(&first[i], &pivot, axis))
+                i++;
+            while (is_before(&pivot, &first[j], axis))
+                j--;
+            if (i >= j)
+                break;
+            item swap = first[i];
+            first[i++] = first[j];
+            first[j--] = swap;
+        }
+        if (half <= j)
+            high = j;
+        else
+            low = j + 1;
+    }
+}
+
+/* Builds a node over at least one item, and what is below it. With four children to most nodes and two to four to the
+ * others, there are at most two nodes for three items. */
+static uint32_t build_node(building *b, item *first, uint32_t count)
+{
+    const uint32_t at = b->tree->count++;
+    uint32_t begin[5] = {0, count / 4, count / 2, count / 2 + (count - count / 2) / 2, count};
+    front_node *n = &b->tree->node[at];
+    *n = (front_node){.x0 = {INFINITY, INFINITY, INFINITY, INFINITY}, .x1 = {INFINITY, INFINITY, INFINITY, INFINITY}};
+    part_at(first, count, begin[2]);
+    part_at(first, begin[2], begin[1]);
+    part_at(first + begin[2], count - begin[2], begin[3] - begin[2]);
+    for (int k = 0; k < 4; k++) {
+        uint32_t size = begin[k + 1] - begin[k];
+        item *own = first + begin[k];
+        if (size == 0)
+            continue;
+        bound(b->fronts, n, k, own, size);
+        n->child[k] = size == 1 ? own->front | FRONT_TREE_LEAF : build_node(b, own, size);
+    }
+    return at;
+}
+
+bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count)
+{
+    building b = {fronts, tree, alloc_array(count, sizeof *b.item)};
+    *tree = (front_tree){.node = alloc_array(2 * (size_t)count / 3 + 1, sizeof *tree->node)}; /* see build_node() */
+    bool done = b.item && tree->node;
+    for (uint32_t i = 0; done && i < count; i++)
+        b.item[i] = measure(fronts, front[i]);
+    if (done)
+        build_node(&b, b.item, count);
+    free(b.item);
+    return done;
+}
+
+void front_tree_free(front_tree *tree)
+{
+    free(tree->node);
+    *tree = (front_tree){0};
+}
+
+/* Floats round each coordinate, product and sum by less than a 2^-23rd of the largest of them. ROUNDINGS is far more
+ * than all of them together. */
+#define ROUNDINGS 0x1p-19
+
+front_line front_line_of(roberts_vec3 A, roberts_vec3 B, double margin)
+{
+    double xy = fabs(A.x) + fabs(A.y) + fabs(B.x) + fabs(B.y), z = fabs(A.z) + fabs(B.z);
+    float dx = (float)(B.x - A.x), dy = (float)(B.y - A.y);
+    return (front_line){.Ax = four_all((float)A.x),
+                        .Ay = four_all((float)A.y),
+                        .Az = four_all((float)A.z),
+                        .dx = four_all(dx),
+                        .dy = four_all(dy),
+                        .dz = four_all((float)(B.z - A.z)),
+                        .per_dx = four_all(1.0f / dx),
+                        .per_dy = four_all(1.0f / dy),
+                        .margin = four_all((float)(2.0 * margin + ROUNDINGS * xy)),
+                        .margin_z = four_all((float)(2.0 * margin + ROUNDINGS * z)),
+                        .margin_plane = four_all((float)(PLANE_MARGINS * margin + ROUNDINGS * (xy + z)))};
+}
+
+/* Clips to low <= a + t d <= high. */
+static inline void clip_to(four from, four to, four *t0, four *t1)
+{
+    *t0 = four_greater(*t0, four_lesser(from, to));
+    *t1 = four_lesser(*t1, four_greater(from, to));
+}
+
+/* Has the line a point at t0 or t1 that is at most `high`? The line is a + t d. */
+static inline unsigned reaches(four a, four d, four t0, four t1, four high)
+{
+    return four_at_most(four_lesser(four_add(a, four_mul(t0, d)), four_add(a, four_mul(t1, d))), high);
+}
+
+/* Which children meet the part *t0 .. *t1 of the line? Clips the part to each. */
+static inline unsigned meets(const front_node *n, const front_line *line, four *t0, four *t1)
+{
+    const four m = line->margin;
+    clip_to(four_mul(four_sub(four_sub(four_load(n->x0), m), line->Ax), line->per_dx),
+            four_mul(four_sub(four_add(four_load(n->x1), m), line->Ax), line->per_dx), t0, t1);
+    clip_to(four_mul(four_sub(four_sub(four_load(n->y0), m), line->Ay), line->per_dy),
+            four_mul(four_sub(four_add(four_load(n->y1), m), line->Ay), line->per_dy), t0, t1);
+    if (!four_at_most(*t0, *t1))
+        return 0;
+    for (int k = 0; k < 2; k++) {
+        const four x = four_load(n->strip[k].x), y = four_load(n->strip[k].y);
+        const four a = four_add(four_mul(x, line->Ax), four_mul(y, line->Ay));
+        const four per = four_div(four_all(1.0f), four_add(four_mul(x, line->dx), four_mul(y, line->dy)));
+        clip_to(four_mul(four_sub(four_sub(four_load(n->strip[k].low), m), a), per),
+                four_mul(four_sub(four_add(four_load(n->strip[k].high), m), a), per), t0, t1);
+    }
+    const unsigned left = four_at_most(*t0, *t1);
+    if (!left)
+        return 0;
+    const four px = four_load(n->plane.x), py = four_load(n->plane.y), pz = four_load(n->plane.z);
+    const four a = four_add(four_add(four_mul(px, line->Ax), four_mul(py, line->Ay)), four_mul(pz, line->Az));
+    const four d = four_add(four_add(four_mul(px, line->dx), four_mul(py, line->dy)), four_mul(pz, line->dz));
+    return left & reaches(line->Az, line->dz, *t0, *t1, four_add(four_load(n->z1), line->margin_z)) &
+           reaches(a, d, *t0, *t1, four_add(four_load(n->plane.high), line->margin_plane));
+}
+
+static inline bool comes_first(const front_visit *a, const front_visit *b)
+{
+    const float more = (a->t1 - a->t0) - (b->t1 - b->t0);
+    return more > 0.0f || (more == 0.0f && a->z1 < b->z1);
+}
+
+uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4])
+{
+    four from = four_all(t0), to = four_all(t1);
+    float first[4], last[4];
+    uint32_t count = 0;
+    unsigned met = meets(n, line, &from, &to);
+    four_store(first, from);
+    four_store(last, to);
+    for (; met; met &= met - 1) {
+        const int k = bits_trailing_zeros(met);
+        const front_visit v = {n->child[k], first[k], last[k], n->z1[k]};
+        uint32_t at = count++;
+        for (; at > 0 && comes_first(&found[at - 1], &v); at--)
+            found[at] = found[at - 1];
+        found[at] = v;
+    }
+    return count;
+}

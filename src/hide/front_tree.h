@@ -1,0 +1,63 @@
+/* front_tree.h - a tree over the fronts of a cell, for cells that list very many.
+ *
+ * Each node has up to four children: nodes, or fronts. A child is bounded by half-spaces: the box of its fronts; two
+ * strips of the picture, along the longest sides of their outlines; and a plane in front of them, parallel to the
+ * largest of their faces. So long thin solids aslant, and piles of sheets seen nearly along, are parted as well as
+ * cubes are. A line is clipped to the half-spaces. The fronts hide and touch nothing of the rest of the line.
+ *
+ * The fronts are parted at the median of their middles, along the axis where these are spread farthest. */
+#ifndef ROBERTS_HIDE_FRONT_TREE_H
+#define ROBERTS_HIDE_FRONT_TREE_H
+
+#include "base/lanes.h"
+#include "hide/fronts.h"
+
+/* Most children that wait while a line goes through a tree. */
+#define FRONT_TREE_WAITING 64
+
+/* Of a child: this bit says that it is a front; without it, the child is a node. */
+#define FRONT_TREE_LEAF 0x80000000u
+
+/* Bounds of the children, one lane each. Unused children have no points. */
+typedef struct front_node {
+    float x0[4], x1[4], y0[4], y1[4], z1[4];
+    struct {
+        float x[4], y[4], low[4], high[4]; /* low <= x X.x + y X.y <= high */
+    } strip[2];
+    struct {
+        float x[4], y[4], z[4], high[4]; /* x X.x + y X.y + z X.z <= high */
+    } plane;
+    uint32_t child[4]; /* a node, or a front and FRONT_TREE_LEAF */
+} front_node;
+
+typedef struct front_tree {
+    front_node *node; /* the root first; NULL: there is no tree */
+    uint32_t count;
+} front_tree;
+
+/* Builds the tree over at least one front. Their order in `front` does not matter. False: no memory. */
+bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count);
+void front_tree_free(front_tree *tree);
+
+/* A line as the tree sees it: AB, and margins that make up for the rounding of floats. */
+typedef struct front_line {
+    four Ax, Ay, Az, dx, dy, dz; /* d: B - A */
+    four per_dx, per_dy;         /* 1 / dx, 1 / dy */
+    four margin, margin_z, margin_plane;
+} front_line;
+
+front_line front_line_of(roberts_vec3 A, roberts_vec3 B, double margin);
+
+/* What a line may meet in a tree: a child, and the part of the line that it may hide or touch. */
+typedef struct front_visit {
+    uint32_t child;
+    float t0, t1;
+    float z1; /* the nearest depth of the child */
+} front_visit;
+
+/* Finds the children of a node that may hide or touch anything of the part t0 .. t1 of the line, and which part.
+ * Returns their number. The longest part comes last; of equal ones, that of the child which is farther from the viewer:
+ * this is mostly the next in front of the line. */
+uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
+
+#endif
