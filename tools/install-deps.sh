@@ -63,6 +63,7 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
+            need assimp-utils has_command assimp
             need librsvg2-bin has_command rsvg-convert
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;

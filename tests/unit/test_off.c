@@ -354,8 +354,8 @@ static const struct {
     {"a word that only begins like a format", "plywood\n", ROBERTS_BAD_SYNTAX, 1,
      "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"plywood\""},
     {"ZIP", "PK\x03\x04", ROBERTS_BAD_SYNTAX, 1,
-     "this is a ZIP archive (as 3MF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export "
-     "model.3mf model.stl"},
+     "this is a ZIP archive (as 3MF is), but only OFF, STL, OBJ and PLY can be read; to convert it: echo "
+     "'import(\"model.3mf\");' | openscad -o model.stl -"},
     {"UTF-16", "\xff\xfeO", ROBERTS_BAD_SYNTAX, 1,
      "this is text in UTF-16 (to be saved as UTF-8), but only OFF, STL, OBJ and PLY can be read"},
     {"gzip", "\x1f\x8b\x08", ROBERTS_BAD_SYNTAX, 1,
