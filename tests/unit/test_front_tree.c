@@ -120,6 +120,7 @@ static void nothing_hidden_is_left_out(void **state)
 /* One cell lists all fronts; forty cells a side list few each. */
 static void the_same_lines_as_by_lists(void **state)
 {
+    size_t crossed = 0;
     (void)state;
     for (uint64_t seed = 0; seed < SEEDS; seed++)
         for (int hidden = 0; hidden < 3; hidden++) {
@@ -137,6 +138,7 @@ static void the_same_lines_as_by_lists(void **state)
             assert_int_equal(one.count, many.count);
             for (size_t i = 0; i < one.count; i++) {
                 const roberts_segment *a = &one.segment[i], *b = &many.segment[i];
+                crossed += a->line == ROBERTS_INTERSECTION;
                 if (a->solid != b->solid || a->v0 != b->v0 || a->v1 != b->v1 || a->t0 != b->t0 || a->t1 != b->t1 ||
                     a->state != b->state || a->by != b->by)
                     fail_msg("scene %d, hidden %d: row %zu, %u-%u: %.17g %.17g (%u) and %.17g %.17g (%u)", (int)seed,
@@ -146,6 +148,7 @@ static void the_same_lines_as_by_lists(void **state)
             roberts_drawing_free(&many);
             model_free(&m);
         }
+    assert_true(crossed > 1000);
 }
 
 int main(void)
