@@ -172,8 +172,8 @@ typedef struct roberts_scene_options {
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
     bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
-    /** Of a face whose border crosses itself: true: the points that it winds round an odd number of times belong to the
-     * face; false: all points that it winds round do. */
+    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times
+     * (true), or any number of times but 0 (false). */
     bool even_odd;
 } roberts_scene_options;
 
@@ -296,9 +296,8 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
 /**
  * Finds the window that roberts_hide() would give the drawing of `scene` seen by `camera`, but much faster. `framed`,
  * unless NULL, is filled as in the drawing.
- * It serves to draw pictures from several sides at one scale: set window_min and window_max of every drawing to the box
- * of all their windows, `windowed` to true, and `framed` to true if one of them is framed. Each page is then laid out
- * by that box.
+ * To draw pictures from several sides at one scale, set window_min and window_max of every drawing to the box of all
+ * their windows, `windowed` to true, and `framed` to true if one of them is framed.
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW.
  */
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
@@ -332,9 +331,9 @@ typedef struct roberts_segment {
     /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
      * clipped). */
     roberts_vec2 p0, p1;
-    /** How near the viewer p0 and p1 are, model units: greater is nearer, 0 is where p0 and p1 are counted from. Linear
-     * along the line in the picture: in perspective e / (1 - e / D), where the end is nearer than the look-at point by
-     * e, along the axis of sight, and the eye nearer by D. */
+    /** How near the viewer p0 and p1 are, model units: greater is nearer, and 0 is the depth of the scene's centre or
+     * of the look-at point. Linear along the line in the picture, so in perspective e / (1 - e / D), where e and D tell
+     * how much nearer than the look-at point the end and the eye are, along the axis of sight. */
     double z0, z1;
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
@@ -420,18 +419,17 @@ typedef struct roberts_hide_options {
                                 (default: 0.1) */
     bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
                                 than 30 degrees are not drawn (default: true) */
-    bool all_edges;        /**< draw them all the same */
+    bool all_edges;        /**< draw flat edges too */
     bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
     bool levels;           /**< with keep_hidden: fill in `level` */
     bool nameless;         /**< with keep_hidden: leave out `by`, which takes time; it is ROBERTS_NONE */
-    /** Draw all closed bodies as one. An edge keeps the parts where the angle that the bodies fill together about it is
-     * neither nothing, nor all, nor exactly a half-plane: flush blocks lose their seam, and what is inside is gone. Its
-     * class follows from the sides of what they fill; so does that of a line in which faces cross, which is an outline
-     * or a crease then. Where edges of several bodies lie on one another, that of the body of smallest number is
-     * drawn. */
+    /** Draw all closed bodies as one: flush blocks lose their seam, and what is inside is gone. In the plane across an
+     * edge, the bodies together fill some angle. The edge is drawn where this angle is neither nothing, nor all, nor
+     * exactly half of the plane. The class of a line follows from it, too: a line in which faces cross becomes an
+     * outline or a crease. Where edges of several bodies coincide, that of the smallest body number is drawn. */
     bool unite;
-    bool merge_regions; /**< of roberts_regions() alone: neighbours in one plane with one colour are one region, which
-                             has the number of the first face; those of several bodies only with `unite` */
+    bool merge_regions; /**< for roberts_regions(): neighbours in one plane and of one colour are one region, with the
+                             number of the first face; those of different bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
@@ -497,10 +495,10 @@ typedef struct roberts_region {
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
     roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
                               upward, z toward the viewer */
-    /** How the picture of a point moves, for each unit by which the point moves in the face's plane: up along the
-     * steepest line, or to the right along a level line (as the face is seen, from outside or inside). Up is +z, or the
-     * axis along which the camera's `up` lies, unless it looks along z. Of a level face +y and +x are meant. In
-     * perspective both are taken at the foot. Faces in one plane have the same. */
+    /** How a point's picture moves when the point moves by one unit in the face's plane: up along the steepest line, or
+     * to the right along a level line (as seen from the side that is shown). Up is +z, or the axis along which the
+     * camera's `up` lies, unless the camera looks along z. On a level face the two are +y and +x. In perspective they
+     * hold at the foot. Faces in one plane have the same. */
     roberts_vec2 steep, level;
     roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
     roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
@@ -517,7 +515,7 @@ typedef struct roberts_region_list {
 /**
  * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
  * several that touch there, to that of the smallest solid, and then to the smallest face.
- * options  NULL for the defaults; epsilon, grid, threads and merge_regions count, and which edges are drawn does not
+ * options  NULL for the defaults; only epsilon, grid, threads, merge_regions and unite count
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
  * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
  * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
@@ -651,13 +649,12 @@ typedef struct roberts_contradiction {
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
-    uint32_t rays;         /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
-    double crease_degrees; /**< as given to roberts_hide(), so that edges without segments are known to be hidden or
-                                left out */
-    bool crease_auto;      /**< as given to roberts_hide() (default: true) */
-    bool all_edges;        /**< as given to roberts_hide() */
-    bool unite;            /**< as given to roberts_hide(); then only the parts of edges that are drawn are checked */
-    uint32_t threads;      /**< 0 = one per processor; the result does not depend on it */
+    uint32_t rays; /**< per segment, near its ends and evenly between; 0 = 3. More go where errors are likely */
+    /** As given to roberts_hide(), with the same defaults, so that edges without segments are known to be hidden or
+     * left out. With `unite` only the parts of edges that are drawn are checked. */
+    double crease_degrees;
+    bool crease_auto, all_edges, unite;
+    uint32_t threads;                        /**< 0 = one per processor; the result does not depend on it */
     roberts_contradiction_fn *contradiction; /**< NULL: count only */
     void *context;
 } roberts_verify_options;
@@ -681,8 +678,8 @@ typedef struct roberts_verification {
  * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
  * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
  * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
- * counted as undecided. Segments in state ROBERTS_CLIPPED are not looked at. Of an intersection it checks, too, that
- * its two faces cross there. A contradiction is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or
+ * counted as undecided. Clipped segments are not checked. The two faces of an intersection must cross there. A
+ * contradiction is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or
  * _BAD_ARGUMENT (a segment of no edge of the scene, t out of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
@@ -786,8 +783,8 @@ typedef struct roberts_hatching {
      * and more between them, so that strokes go on from tone to tone, as on curved surfaces; only tones of a half, a
      * quarter, ... are spaced evenly. Default: false */
     bool nested;
-    double cross; /**< what is darker than this part of the darkest has its further strokes across the
-                                    others: 0 to 1; default: 1, nothing */
+    double cross; /**< 0 to 1, as a part of the darkest tone: further strokes of darker tones run across the others;
+                       default: 1, none do */
 } roberts_hatching;
 
 /** Paper. The drawing is fitted into what the margins leave, and centred. */
@@ -848,8 +845,8 @@ typedef struct roberts_lettering {
                         kinds as v4, f4 and b4, edges always as 4-17 */
     size_t name_count;
     const roberts_name *name; /**< [name_count] by of, number, other, each once; what they name is labelled */
-    const char
-        *title; /**< sheets: in the title block (ISO 7200), as are the fields; NULL and none: there is no block */
+    /** Sheets: in the title block (ISO 7200), as are the fields. With neither there is no block. */
+    const char *title;
     size_t field_count;
     const roberts_field *field; /**< [field_count] */
     bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
@@ -985,7 +982,7 @@ roberts_status roberts_drawing_save(const roberts_drawing *drawing, const robert
  * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
  * rings (arrays of [x, y]). If options->format is ROBERTS_CSV, it is a table with one row for each region: body, face,
  * area, z0, z1, color (numbers with blanks between) and polygon (a MULTIPOLYGON as well-known text, in which the
- * corners of rings are x y). Of `options`, which may be NULL, else only `temporary` counts. Returns ROBERTS_OK,
+ * corners of rings are x y). `options` may be NULL; nothing else of it counts but `temporary`. Returns ROBERTS_OK,
  * _NO_MEMORY or _IO.
  */
 roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
@@ -1023,7 +1020,7 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
  * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
  * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
  * layers. As CSV and JSON a sheet is one table, whose first column `view` is "front", "top", "left" or "right", or
- * "iso". In all else like roberts_drawing_write() and roberts_drawing_save().
+ * "iso". All else is as for roberts_drawing_write() and roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

@@ -30,6 +30,11 @@ has_fuzzer() {
     ls "$(clang -print-runtime-dir 2>/dev/null)"/libclang_rt.fuzzer* >/dev/null 2>&1
 }
 
+# The tests draw pages in Chromium, or in a browser made from it.
+has_browser() {
+    has_command chromium || has_command chromium-browser || has_command google-chrome
+}
+
 has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -63,7 +68,9 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
+            need assimp-utils has_command assimp
             need librsvg2-bin has_command rsvg-convert
+            need chromium has_browser
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)

@@ -444,7 +444,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     run.total = report_since(begin);
     int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
     if (status == ROBERTS_OK && run.found.contradictions > 0)
-        result = EXIT_FAILED; /* the drawing is written all the same, to be looked at */
+        result = EXIT_FAILED; /* the drawing is still written, to be looked at */
     if (status == ROBERTS_OK)
         tell(options, &run, &v);
     free_views(&v);

@@ -49,7 +49,7 @@ extern const char *const values_pens[];
 /* The pen of a class. */
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen);
 
-/* Has the pen another width, colour or dash than usual? */
+/* Does the pen differ from the default in width, colour or dashes? */
 bool values_pen_is_set(const roberts_draw_options *draw, size_t pen);
 
 /* The name that -f and endings of files give to a format. */

@@ -61,7 +61,7 @@ static bool add_arrow(strokes *s, roberts_vec2 tip, roberts_vec2 d)
 }
 
 /* The corner that an extension line measures. `start` is a corner of the view's box, and the line runs through it along
- * `off`. Of the ends of segments on that line, the nearest to `start` is measured; if there is none, `start` itself. */
+ * `off`. The end of a segment on that line that is nearest to `start` is measured; if there is none, `start` itself. */
 static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
 {
     const double slack = 0.0005; /* mm, half of what coordinates are rounded to */

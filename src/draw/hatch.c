@@ -32,7 +32,7 @@ typedef struct hatch_crossing {
     double t; /* along the line, units of the page */
 } hatch_crossing;
 
-/* Parallel lines: number i is where across . (p - origin) = (i + 1/2) step. Of these a `part` is drawn. */
+/* Parallel lines: number i is where across . (p - origin) = (i + 1/2) step. Only a `part` of each is drawn. */
 typedef struct hatch_lines {
     roberts_vec2 origin, along, across; /* units of the page; along and across of length 1 */
     double step, part;

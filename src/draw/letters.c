@@ -157,7 +157,7 @@ typedef struct composed {
     size_t count;      /* of letters in `plain` */
     accent accent;     /* over the first letter */
     double size;       /* as a part of full size */
-    double raised;     /* by so many units of the fonts */
+    double raised;     /* in units of the fonts */
 } composed;
 
 static bool compose_accented(uint32_t code, composed *c)

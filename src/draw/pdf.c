@@ -66,7 +66,7 @@ static double letter_width(char letter)
     return latin_width[letter - ' '];
 }
 
-/* Of the codes from 0xa0 to 0xff: letters are as wide as without their accents. */
+/* For the codes from 0xa0 to 0xff. Accents do not change the width of a letter. */
 static double latin_1_width(uint32_t code)
 {
     static const unsigned short sign[32] = {278, 333, 556, 556, 556, 556, 260, 556, 333, 737, 370,

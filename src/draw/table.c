@@ -162,7 +162,7 @@ enum {
     CLASS,
     F0,
     F1,
-    USUAL, /* so many has each table */
+    USUAL, /* every table has these */
     END_X0 = USUAL,
     END_Y0,
     END_Z0,

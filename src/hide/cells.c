@@ -27,7 +27,7 @@
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
-/* Boxes are measured in this many pieces; and up to how many boxes one thread measures them all. */
+/* Boxes are measured in this many pieces. Up to this many boxes are measured by one thread. */
 #define PIECES 64
 #define MEASURED_BY_ONE 50000
 

@@ -7,7 +7,7 @@
 
 #include "hide/objet.h"
 
-/* In place of a column, of which there are fewer. */
+/* No cell. Grids have fewer columns. */
 #define NO_CELL UINT16_MAX
 
 /* The first of the cells that list a front, if its box touches no other cells than these; else NO_CELL. */
@@ -21,7 +21,7 @@ typedef struct model_box {
     atomic_uchar flat; /* flatness */
 } model_box;
 
-/* Has a solid an edge that is not drawn because it is flat? */
+/* Does a solid have an edge that is not drawn because it is flat? */
 typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 
 typedef struct crossing_filter {
@@ -33,7 +33,7 @@ typedef struct crossing_filter {
     unsigned char *sheet; /* [vertices] all faces about it are one sheet; NULL: nothing is known */
 } crossing_filter;
 
-/* False: no memory; filter_end() is due in any case. */
+/* False: no memory; call filter_end() in any case. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads);
 void filter_end(crossing_filter *p);
 

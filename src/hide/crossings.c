@@ -15,11 +15,12 @@
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
 #define WORTH_A_THREAD 8192
-/* What is kept of the faces of a cell, for so many of them. */
+/* How many faces of a cell are kept. */
 #define KEPT_FACES 512
-/* Faces of more corners are not tested in the picture. */
+/* Faces with more corners are not tested in the picture. */
 #define FEW_CORNERS 8
-/* Roundings of a picture coordinate: a corner no farther on the inner side of a line than this is beside it. */
+/* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
+ * outside. */
 #define LOOSE 4.0
 /* A corner this many touching distances off a plane does not touch it; roundings that a height may be off by. */
 #define TOUCHING 4.0
@@ -116,6 +117,14 @@ static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_f
            (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
 }
 
+/* The corners of a single face, in either direction. */
+static inline hide_face corners_of(const hide_fronts *fronts, const hide_front *front)
+{
+    const roberts_scene *scene = fronts->scene;
+    uint32_t first = scene->face_start[front->piece];
+    return (hide_face){.corner = scene->corner + first, .count = scene->face_start[front->piece + 1] - first};
+}
+
 /* Do two triangles share a side? */
 static bool share_side(const hide_face *f, const hide_face *g)
 {
@@ -145,17 +154,17 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
         return true;
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return add_pair(t, f->first, g->first);
-    /* always in the same order, so that the result is the same */
+    /* in a fixed order, so that the result is the same */
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
-/* The same of pieces of which nothing is known yet. */
+/* The same for pieces of which nothing is known yet. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
     if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
-    /* Of a face in several pieces the first one is enough: meet_pairs() looks at the rest, once. */
+    /* For a face in several pieces, the first one is enough: meet_pairs() looks at the rest, once. */
     uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
     if (crossing_in_pieces(&t->last) || first != pair->piece[1])
         return first == t->last.first || add_pair(t, t->last.first, first);
@@ -220,13 +229,12 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
+    hide_face F = corners_of(fronts, f), G = corners_of(fronts, g);
+    if (share_side(&F, &G) || is_apart(fronts, &F, &G))
+        return true;
     uint32_t turned[2][SEEN_TURNED] = {{0}};
-    const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
-    const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
-    if (share_side(&F, &G))
-        return true;
-    if (is_apart(fronts, &F, &G))
-        return true;
+    F = hide_outline(fronts, list[i].front, turned[0]);
+    G = hide_outline(fronts, list[k].front, turned[1]);
     if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
         return true; /* so are nearly all neighbours */
@@ -246,7 +254,7 @@ typedef struct cell_list {
     uint32_t column, row;
 } cell_list;
 
-/* Has an earlier cell tested the pair? False also where that is not known. */
+/* Has an earlier cell tested the pair? False if that is not known. */
 static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
 {
     const first_cell *f = &t->filter->first[a], *g = &t->filter->first[b];
@@ -268,12 +276,12 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
     uint32_t none = ROBERTS_NONE;
     for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
         const hide_front *front = &fronts->front[list[k].front];
-        uint32_t turned[SEEN_TURNED];
-        const hide_face F = hide_outline(fronts, list[k].front, turned);
         star_corners *star = &t->star[k];
-        bool triangle = front->kind == HIDE_SURFACE_FACE && F.count == 3;
+        hide_face F = {.corner = NULL};
+        if (front->kind == HIDE_SURFACE_FACE)
+            F = corners_of(fronts, front);
         for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = triangle && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
+            star->v[i] = F.count == 3 && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
         star->v[3] = none--;
         star->z1 = fronts->front_box[list[k].front].z1;
     }

@@ -21,17 +21,18 @@ typedef struct crossings {
     united pieces; /* of the lines, where bodies are taken together as one */
 } crossings;
 
-/* Finds all lines, and their pieces where bodies are one. False: no memory; crossings_free() is due in any case. */
+/* Finds all lines, and their pieces if bodies are taken as one. False: no memory; call crossings_free() in any case.
+ */
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads);
 void crossings_free(crossings *c);
 
 /* Line k as `hide` takes it up. */
 seen_line crossings_line(const crossings *c, const seen *s, size_t k);
 
-/* Does a convex body of which one of the two faces is hide all of the line? */
+/* Is one of the two faces that of a convex body that hides all of the line? */
 bool crossings_is_back(const crossings *c, const seen *s, size_t k);
 
-/* Gives the line its pieces, where bodies are one. False: nothing of it is drawn. */
+/* Gives the line its pieces, if bodies are taken as one. False: no part of it is drawn. */
 bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line);
 
 #endif

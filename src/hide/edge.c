@@ -491,7 +491,7 @@ static bool has_tree(const objet *grid, uint32_t left, uint32_t right, uint32_t 
 }
 
 /* Takes the lines through the cells, together or one by one, whichever costs less. False: no memory. */
-static bool run_lines(hide_worker *w)
+BITS_INLINE bool run_lines(hide_worker *w)
 {
     const scan_frame *f = &w->grid->frame;
     if (w->line_count <= HIDE_GROUP) {
@@ -517,7 +517,7 @@ static BITS_RARE bool add_hulls(hide_line *line)
     return true;
 }
 
-bool hide_worker_run(hide_worker *w)
+BITS_PER_PROCESSOR bool hide_worker_run(hide_worker *w)
 {
     /* In a scene of one convex body, nothing hides its lines. (A fan lists all its triangles in the cell of its
      * tip.) */

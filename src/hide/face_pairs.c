@@ -9,7 +9,7 @@
 
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024
-/* So many comparisons of a corner with a plane may be spent on keeping two solids apart. */
+/* To show that two solids are apart, at most this many corners are compared with planes. */
 #define WORTH_A_PLANE 4096
 
 /* What the tree finds: a convex solid, or one face of another body. */
@@ -51,7 +51,7 @@ static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
     return hide_box_around(&own);
 }
 
-/* Of a body that the near plane has taken there are no vertices. */
+/* A body that the near plane has removed has no vertices. */
 static void add_units(pair_search *s, uint32_t body)
 {
     const hide_fronts *fronts = s->fronts;

@@ -35,11 +35,11 @@ typedef struct face_taker {
 /* Gives all pairs of a face of each list whose boxes meet. It may sort the lists. False: no memory. */
 bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker *to);
 
-/* Gives all pairs of faces that are not of one convex body; bodies are mapped. threads: exactly so many. False: no
- * memory. */
+/* Gives all pairs of faces, except those of one convex body. All bodies must be mapped. threads: exactly this many.
+ * False: no memory. */
 bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context);
 
-/* Is all of a body outside of the plane of some face of a convex solid? Then no faces of theirs cross. False: it is not
+/* Does a body lie outside the plane of some face of a convex solid? Then none of their faces cross. False: it is not
  * known. */
 bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body);
 

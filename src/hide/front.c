@@ -6,7 +6,7 @@
 #include "base/array.h"
 #include "hide/refine.h"
 
-/* A picture of n faces has about this times the root of n columns of cells: see CELLS_PER_BOX in cells.c. */
+/* A picture of n faces has about this times sqrt(n) columns of cells: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0
 /* A cover more cells across than this (five or six mean boxes) gets its depth cell by cell, not one for all cells. */
 #define COVER_WIDE 50.0

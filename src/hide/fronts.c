@@ -93,7 +93,7 @@ static bool box_solids(hide_fronts *fronts, int threads)
     return true;
 }
 
-/* Has the near plane left nothing of the solid? */
+/* Did the near plane leave nothing of the solid? */
 static bool is_empty(const hide_fronts *fronts, uint32_t s)
 {
     return fronts->scene->solid[s].vertex == fronts->scene->solid[s + 1].vertex;
@@ -418,9 +418,8 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
-/* Sets `listed` of the whole fronts. Of several copies only the one with the smallest number is listed: a thousand
- * listed copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no
- * memory. */
+/* Sets `listed` of the whole fronts. Among copies, only the one with the smallest number is listed: a thousand listed
+ * copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;

@@ -15,7 +15,7 @@
 
 #include "hide/objet.h"
 
-/* The finding of sheets. */
+/* The search for sheets. */
 typedef struct layers {
     objet *grid;
     const hide_fronts *fronts;
@@ -25,7 +25,7 @@ typedef struct layers {
 } layers;
 
 /* Finds the depth up to which the cells of a grid may have sheets. The grid's lists are not read. False: no memory;
- * layers_end() is due in any case. */
+ * call layers_end() in any case. */
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads);
 void layers_end(layers *l);
 

@@ -1,12 +1,12 @@
 /* map_search.c - see map_search.h.
  *
- * A bucket grid tells what is near what: each cell lists the lines and nodes in it, or near it. A crowded cell is cut
- * in two across the axis at which fewer of them are on both sides, and so on, until few are left. These are compared
- * with one another. A fan of lines in one node is not cut at all. This adapts to pictures that are crowded in places,
- * and takes O(n log n) time unless very many long lines run side by side aslant.
+ * A bucket grid finds what is near what: each cell lists the lines and nodes in it or near it. A crowded cell is halved
+ * across one axis, namely that which leaves fewer items on both sides. This is repeated until few items are left, which
+ * are compared with one another. A fan of lines in one node is not cut at all. So the search adapts to pictures that
+ * are crowded in places. It takes O(n log n) time unless very many long lines run side by side aslant.
  *
- * After a round of division, only what is new is compared with its neighbours: two things that the round before has
- * left as they were are not near one another. */
+ * After a round of division, only what is new is compared with its neighbours. Two items that the last round left
+ * unchanged are not near one another. */
 #include "hide/map_search.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@
 
 enum {
     FEW = 12,         /* things in a box that are compared with one another */
-    IDLE_HALVINGS = 8 /* in a row that hardly part anything: then all are compared */
+    IDLE_HALVINGS = 8 /* cuts in a row that hardly part anything; then all items are compared */
 };
 
 /* A line or a node, or the part of a line that a box holds. */
@@ -28,7 +28,7 @@ struct map_item {
 };
 
 /* The bucket grid: cell (x, y) lists entry[start[y columns + x]] and so on. Line i is number i, node n is number
- * line_count + n. The outermost cells go on without end. */
+ * line_count + n. The outermost cells are infinite. */
 typedef struct map_grid {
     roberts_vec2 low;
     double size; /* of a cell */
@@ -87,7 +87,7 @@ static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
         join_nodes(s, p, q);
 }
 
-/* Notes where two lines cross, unless an end of one touches the other, or the place is in another box. */
+/* Notes where two lines cross, unless an end of one touches the other or the crossing is in another box. */
 static void compare_lines(map_search *s, uint32_t i, uint32_t j, const map_box *box)
 {
     planar_map *m = s->m;
@@ -123,7 +123,7 @@ static void compare_lines(map_search *s, uint32_t i, uint32_t j, const map_box *
     add_stop(s, j, node);
 }
 
-/* Has the round before left it as it was? */
+/* Did the last round leave it unchanged? */
 static bool is_old(const map_search *s, const map_item *p)
 {
     return p->line != ROBERTS_NONE ? s->old[p->line] : p->node < s->old_nodes;
@@ -147,7 +147,7 @@ static void compare_all(map_search *s, size_t first, size_t end, const map_box *
         }
 }
 
-/* Do all lines have one node in common, and is there no other node? */
+/* Do all lines share one node, and is there no other node? */
 static bool is_fan(const map_search *s, size_t first, size_t end)
 {
     uint32_t v[2] = {ROBERTS_NONE, ROBERTS_NONE};
@@ -187,7 +187,7 @@ static roberts_vec2 cut_at(const map_search *s, uint32_t line, int axis, double 
     return (roberts_vec2){at, y < lesser(p.y, q.y) ? lesser(p.y, q.y) : lesser(y, greater(p.y, q.y))};
 }
 
-/* What of an item is on one side: -1 below `at`, 1 above it. False: nothing, not even near it. */
+/* Finds the part of an item on one side: -1 below `at`, 1 above it. False: there is none, not even near it. */
 static bool part_of(const map_search *s, const map_item *all, int axis, double at, int side, map_item *part)
 {
     double a = side * (along(all->a, axis) - at), b = side * (along(all->b, axis) - at);
@@ -214,7 +214,7 @@ static size_t count_both(const map_search *s, size_t first, size_t end, int axis
     return both;
 }
 
-/* Is anything of it new? */
+/* Is any of it new? */
 static bool has_new(const map_search *s, size_t first, size_t end)
 {
     for (size_t i = first; i < end; i++)
@@ -315,7 +315,7 @@ static void list_in_cells(const map_search *s, map_grid *g, uint32_t number)
     }
 }
 
-/* How large the cells are: there is about one for each item, and a line is in a few of them on the average. */
+/* Chooses the size of the cells: about one for each item, so that a line is in a few of them on average. */
 static void choose_cells(const map_search *s, map_grid *g, size_t items)
 {
     const planar_map *m = s->m;

@@ -20,9 +20,9 @@ typedef struct map_search {
     size_t kept_count, old_nodes; /* nodes from number old_nodes on are new */
     double touching;              /* what is nearer than this is joined: less in each round */
     double margin;                /* a box holds what is nearer than this: above rounding, the same in each round */
-    map_item *item;               /* [count] boxes within boxes: those of the box at work come last */
+    map_item *item;               /* [count] boxes within boxes; the items of the current box come last */
     map_stop *stop;               /* [stop_count] */
-    uint32_t *same;               /* [same_room] the node that a node becomes, or a node on the way to it */
+    uint32_t *same;               /* [same_room] the node that each node becomes, or one on the way to it */
     size_t count, room, stop_count, stop_room, same_room;
     bool joined, lost; /* lost: no memory */
 } map_search;

@@ -46,7 +46,7 @@ static size_t slot_of(roberts_vec2 p, size_t mask)
     return (size_t)(h ^ h >> 31) & mask;
 }
 
-/* Makes nodes in the very same place one. Most ends are those of several lines. False: no memory. */
+/* Joins nodes at exactly the same place. Most nodes are ends of several lines. False: no memory. */
 static bool join_equal(planar_map *m)
 {
     size_t size = 16, kept = 0;
@@ -401,7 +401,7 @@ static bool sort_nodes(cell_sweep *s)
     return item && s->node;
 }
 
-/* Where each outer cycle is farthest left. */
+/* Finds where each outer cycle is farthest left. */
 static bool find_leftmost(cell_sweep *s)
 {
     const map_cells *c = s->c;
@@ -427,7 +427,7 @@ static uint32_t rightward(const planar_map *m, uint32_t line)
     return 2 * line + (vec2_compare(m->node[m->line[line][1]], m->node[m->line[line][0]]) < 0);
 }
 
-/* The line right below a node that no line in the order ends at; ROBERTS_NONE: there is none. */
+/* The line directly below a node at which no line of the order ends; ROBERTS_NONE: there is none. */
 static uint32_t line_below(const cell_sweep *s, uint32_t node)
 {
     uint32_t below = ROBERTS_NONE;

@@ -1,11 +1,11 @@
 /* planar_map.h - segments of the picture as a planar map: nodes, and straight lines between them that meet in nodes
  * only.
  *
- * Ends that lie within the touching distance of one another become one node, the one of smallest number, which keeps
- * its coordinates. A node that lies within that distance of a line divides it. Where lines cross, both are divided at a
- * new node. Lines between the same two nodes are one. Divided lines bend a little, which may make new crossings; so all
- * this is repeated until nothing is left to do. Whether lines cross is decided by exact signs. So the result is planar,
- * whatever the rounding was. */
+ * Ends within the touching distance of one another become one node: that of the smallest number, which keeps its
+ * coordinates. A node within that distance of a line divides the line. Where lines cross, both are divided at a new
+ * node. Lines between the same two nodes are one. Divided lines bend a little, which may make new crossings; so all
+ * this is repeated until nothing is left to do. Exact signs decide whether lines cross. So the result is planar,
+ * however coordinates are rounded. */
 #ifndef ROBERTS_HIDE_PLANAR_MAP_H
 #define ROBERTS_HIDE_PLANAR_MAP_H
 
@@ -17,7 +17,7 @@ typedef struct planar_map {
     size_t node_count, line_count, node_room, line_room;
 } planar_map;
 
-/* Adds a segment; what has no length is left out. False: no memory. */
+/* Adds a segment, unless it has no length. False: no memory. */
 bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b);
 
 /* Makes the map planar. False: no memory. */

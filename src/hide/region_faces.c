@@ -101,8 +101,8 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g)
 
 /* Sine of the least angle from the horizontal at which a plane is steep anywhere. */
 static const double least_slope = 1e-6;
-/* In perspective a foot that is nearer to the eye than this part of the distance to the look-at point, or behind the
- * eye, is not used. */
+/* In perspective, a foot behind the eye is not used, nor one that is nearer to the eye than this part of the look-at
+ * point's distance. */
 static const double nearest_foot = 0.01;
 
 /* Along the axes of the viewer. */
@@ -125,7 +125,7 @@ static roberts_vec2 moves(const view *v, roberts_vec3 P, roberts_vec3 u)
     return (roberts_vec2){(q.x - v->oblique.x * q.z + p.x * toward) / w, (q.y - v->oblique.y * q.z + p.y * toward) / w};
 }
 
-/* The steepest direction in a plane with unit normal n. Where it is level, that is +y for an upright +z. */
+/* The steepest direction in a plane with unit normal n. In a level plane it is +y if +z is upright. */
 static roberts_vec3 steepest(roberts_vec3 n, roberts_vec3 upright)
 {
     const roberts_vec3 choices[] = {upright, {0, 1, 0}, {1, 0, 0}};

@@ -9,11 +9,12 @@
 
 /* Faces are those of job->fronts.scene; of several pieces, the first. */
 
-/* The colour that the input gives a face; if none, the mean of those of its corners; none if one of them has none. */
+/* The colour of a face in the input. If it has none, the mean colour of its corners, provided that all of them have
+ * one. */
 roberts_color region_color(const hide_job *job, uint32_t piece);
 
-/* Whether the regions of two neighbours may be one: they lie in one plane, as far as both are planar, have one colour,
- * and are of one body or of bodies that are taken as one. */
+/* Can the regions of two neighbours become one? The faces must lie in one plane, as far as both are planar, have one
+ * colour, and belong to one body or to bodies that are taken as one. */
 bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
 
 /* ---- directions ---- */
@@ -23,7 +24,7 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
 roberts_vec3 slope_upright(const roberts_camera *camera);
 
 /* Fills the normal, steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
- * that are seen from the same side get the same, to within rounding. */
+ * that are seen from the same side get the same values, except for rounding. */
 void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region);
 
 /* ---- where the near plane cuts ---- */
@@ -31,7 +32,7 @@ void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_regi
 /* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but what is
  * seen of a face ends there. */
 
-/* Sets the further lines of what is seen; cut_lines_free() is due in any case. False: no memory. */
+/* Sets the further lines of what is seen; call cut_lines_free() in any case. False: no memory. */
 bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);
 void cut_lines_free(seen_further *lines);
 

@@ -19,7 +19,7 @@
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
-/* Part of a stretch: where a point in it is taken. */
+/* Where in a stretch a point is taken, as a part of it. */
 #define ASIDE 0.4557
 
 enum { CELLS_PER_THREAD = 2000 };
@@ -28,7 +28,7 @@ enum { CELLS_PER_THREAD = 2000 };
 typedef struct region_ring {
     uint32_t half;  /* its leftmost corner begins it */
     uint32_t face;  /* of the scene */
-    uint32_t outer; /* the ring round the piece that it bounds: itself, or that round the hole */
+    uint32_t outer; /* the ring round the whole piece: itself, unless it bounds a hole */
     uint32_t root;  /* of its cells */
     size_t corners;
     double area;
@@ -104,8 +104,7 @@ typedef struct region_scratch {
     char apart[THREADS_APART];
 } region_scratch;
 
-/* The middle of the widest stretch of a cell at height y, and its width; a width of 0: there is none. False: no
- * memory. */
+/* The middle and the width of the widest stretch of a cell at height y. Width 0: there is none. False: no memory. */
 static bool widest_at(const region_work *w, uint32_t cell, double y, region_scratch *scratch, double *x, double *width)
 {
     size_t count = 0, first = w->start[cell], end = w->start[cell + 1];
@@ -128,8 +127,8 @@ static bool widest_at(const region_work *w, uint32_t cell, double y, region_scra
     return true;
 }
 
-/* A point well inside a cell, but not in the middle: there a line may lie that a face behind what is seen touches from
- * behind. False: no memory. */
+/* A point well inside a cell, but not in its middle. In the middle there may be a line at which a face touches what is
+ * seen from behind. False: no memory. */
 static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
 {
     static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height; at any of them */
@@ -161,7 +160,7 @@ static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
     uint32_t number = scene_face_number(scene, face);
     if (number == ROBERTS_NONE)
         return scene_first_piece(scene, scene_body_of_face(scene, face), face);
-    uint32_t step = 1; /* the pieces of a face are in a row: longer and longer steps back, then shorter ones */
+    uint32_t step = 1; /* pieces are consecutive: longer and longer steps back, then shorter ones */
     for (; step <= face && scene_face_number(scene, face - step) == number; step *= 2)
         face -= step;
     for (; step > 0; step /= 2)
@@ -317,7 +316,7 @@ static bool trace_rings(region_work *w)
             outer[w->ring[r].root] = r;
     for (uint32_t r = 0; enough && r < w->ring_count; r++) {
         uint32_t about = outer[w->ring[r].root];
-        w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* a map that is not planar may have no ring about it */
+        w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* NONE: the map is not planar */
     }
     free(done);
     free(outer);
@@ -370,8 +369,7 @@ static void put_corners(const region_work *w, const region_ring *ring, roberts_r
     }
 }
 
-/* Puts the depths of all cells to their regions. number: of each face's region, or
- * ROBERTS_NONE. */
+/* Gives regions the depths of their cells. number: of each face's region, or ROBERTS_NONE. */
 static void put_depths(const region_work *w, const uint32_t *number, roberts_region_list *out)
 {
     double unit = w->job->seen.view.unit;

@@ -192,7 +192,7 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
  * the file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
-/* The kept lines of a solid are prefetched this many solids ahead, and where they are, twice as many. */
+/* The kept lines of a solid are prefetched this many solids ahead; their addresses, twice as far ahead. */
 #define RECALLS_AHEAD 4
 
 static double apart(uint32_t a, uint32_t b)

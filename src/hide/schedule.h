@@ -59,7 +59,7 @@ typedef struct tiles {
 } tiles;
 
 /* Makes the tiles. `fronts` has the boxes of its solids and the frame of its covers. threads: upper bound. False: no
- * memory; tiles_free() is due in any case. */
+ * memory; call tiles_free() in any case. */
 bool tiles_make(tiles *t, const hide_fronts *fronts, int threads);
 void tiles_free(tiles *t);
 
@@ -91,7 +91,7 @@ typedef struct picture_order {
 } picture_order;
 
 /* Finds the order. depth: mean number of fronts' boxes over a point of the picture. False: no memory;
- * picture_order_free() is due in any case. */
+ * call picture_order_free() in any case. */
 bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth);
 void picture_order_free(picture_order *o);
 
@@ -142,7 +142,7 @@ typedef struct chunks {
     _Atomic uint32_t copying; /* threads that still write segments: the array must not move meanwhile */
 } chunks;
 
-/* Prepares for `total` chunks and `threads` threads. False: no memory; chunks_free() is due in any case. */
+/* Prepares for `total` chunks and `threads` threads. False: no memory; call chunks_free() in any case. */
 bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
                  void *context);
 void chunks_free(chunks *c);

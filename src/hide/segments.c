@@ -248,7 +248,7 @@ static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint
 
 /* ---- bodies to lines ------------------------------------------------------------------------------------------- */
 
-/* Has the body segments? A body that the near plane has taken has only clipped ones. */
+/* Does the body have segments? A body that the near plane has removed has only clipped ones. */
 static bool has_segments(const hide_job *job, uint32_t body)
 {
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);

@@ -20,22 +20,21 @@ typedef struct hide_job {
     crossings crossings; /* lines that are no edges */
 } hide_job;
 
-/* Are all lines of the body taken together? Those of a convex body are, as they have the same own faces; and those of
- * any body of few edges. */
+/* Are all lines of the body taken together? Yes for a convex body, whose lines share their own faces, and for any body
+ * with few edges. */
 bool segments_at_once(const hide_job *job, uint32_t body);
 
-/* Takes up the lines of such a body that are not covered, and finds what is hidden of them, with the bodies seen
- * there where hidden segments are kept. Of a body that has no segments there are none. False: no memory. */
+/* Takes up the lines of such a body that are not covered, and finds what is hidden of them, and which bodies are seen
+ * there if hidden segments are kept. A body without segments has no such lines. False: no memory. */
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body);
 
-/* Adds the segments of the bodies first .. end - 1; what was found before their turn is not asked again. False: no
- * memory. */
+/* Adds the segments of the bodies first .. end - 1, using what was found before their turn. False: no memory. */
 bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t first, uint32_t end);
 
-/* The same of the lines first .. end - 1 in which faces cross. */
+/* The same for the lines first .. end - 1 in which faces cross. */
 bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end);
 
-/* Hides a scene. The options may be NULL, and become the defaults then. (hide.c) */
+/* Hides a scene. Without options (NULL) the defaults hold. (hide.c) */
 roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
                           roberts_drawing *drawing, roberts_error *error);
 

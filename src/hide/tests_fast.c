@@ -14,7 +14,7 @@ BITS_INLINE void take_side(fast_outline *o, uint32_t i, two p, two q, bool forwa
     two_part(&o->dx[i], &o->dy[i], two_sub(q, p));
 }
 
-void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+BITS_PER_PROCESSOR void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     uint32_t first = corner[0];
     two p = two_of(P[first].x, P[first].y), begin = p;

@@ -25,10 +25,10 @@ enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 /* Planes are stored unless bodies have this many faces, on average. */
 #define MESH_FACES 8
 
-/* Edges between asking for one and needing it. */
+/* Data is prefetched this many edges ahead. */
 #define EDGES_AHEAD 8
 
-/* A solid of a size beyond these needs a frame of its own, and gets no glance. */
+/* A solid beyond these sizes needs a frame of its own, and is not decided at a glance. */
 #define GLANCE_LARGE 0x1p200
 #define GLANCE_SMALL 0x1p-200
 
@@ -50,7 +50,7 @@ static double allowance_of(const roberts_scene *scene, uint32_t s, double tolera
     return GLANCE_MARGIN * tolerance * greater(largest, *size);
 }
 
-/* Returns how far the sampled vertices of solid s reach beyond the plane on that side where they reach less far. If
+/* Finds how far the sampled vertices of solid s lie on either side of the plane, and returns the smaller distance. If
  * this is more than allowed, the solid is not convex, whichever way the face is wound. */
 static double crossed_by(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin)
 {
@@ -186,7 +186,7 @@ static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
     return true;
 }
 
-/* A face that was wide enough once is so again. */
+/* The face was wide enough before, so it is wide enough again. */
 scene_shape scene_measure(const roberts_scene *scene, uint32_t face)
 {
     two_shapes found = {0};
@@ -303,8 +303,8 @@ static uint32_t *list_starts(const plain_work *w, const uint32_t *end, size_t ed
     return first;
 }
 
-/* Does no vertex touch one of the edges? Edges are taken cell after cell, so that what one of them has asked for is
- * still at hand for the next. */
+/* Does no vertex touch one of the edges? Edges are taken cell by cell, so that what one edge has read is still in the
+ * cache for the next. */
 static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges,
                               size_t vertices)
 {
@@ -420,8 +420,8 @@ static void join_many(plain_work *w)
     from->many_face = NULL;
 }
 
-/* Are all faces triangles of bodies that are not convex, and the bodies meshes? In a soup of loose faces nearly every
- * plane that is asked for is asked for again. */
+/* Are all faces triangles of bodies that are not convex, and the bodies meshes? In a soup of loose faces, nearly every
+ * plane that is needed once is needed again. */
 static bool is_triangle_mesh(const plain_work *w)
 {
     const roberts_scene *scene = w->scene;
@@ -433,7 +433,7 @@ static bool is_triangle_mesh(const plain_work *w)
     return scene->corner_count == 3 * (size_t)scene->face_count;
 }
 
-/* Frees the planes, which can be found again. What remains of them are the bends of the edges. */
+/* Frees the planes, which can be computed again. Only the bends of the edges are kept. */
 static void drop_planes(roberts_scene *scene)
 {
     free(scene->face_plane);

@@ -217,7 +217,7 @@ static bool sort_sides(plain_edges *p, uint32_t s)
     return true;
 }
 
-/* Have both faces the same corners, in any order? */
+/* Do both faces have the same corners, in any order? */
 static bool same_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
 {
     const uint32_t *a = scene->corner + scene->face_start[f], *b = scene->corner + scene->face_start[g];
@@ -230,7 +230,7 @@ static bool same_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
     return found == count;
 }
 
-enum { MANY_MOST = 16 }; /* faces at an edge; to compare all pairs of more would take long */
+enum { MANY_MOST = 16 }; /* faces at an edge; comparing all pairs of more would take long */
 
 /* Notes the faces of an edge of more than two, none of which repeats another. */
 static plain_answer add_many(plain_edges *p, uint32_t s, const uint64_t *half, uint32_t count)

@@ -315,7 +315,7 @@ typedef struct division {
     bool part;   /* what is made is a part of the edge of the file */
 } division;
 
-/* Makes what lies between the last stop and this one. What has no length along the edge of the file is left out. */
+/* Makes the part between the last stop and this one, unless it has no length along the edge of the file. */
 static bool add_half(finder *f, division *d, uint32_t to, double t)
 {
     surface *s = f->s;

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/bits.h"
 #include "base/vec.h"
 #include "base/error.h"
 #include "base/lanes.h"
@@ -116,7 +117,7 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P)
 }
 
 /* Computes x and y in parallel. Both equal those of view_point() to the last bit. */
-static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+BITS_INLINE void points_in_parallel(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
 {
     two ax = two_of(v->right.x, v->up.x), ay = two_of(v->right.y, v->up.y), az = two_of(v->right.z, v->up.z);
     two oblique = two_of(v->oblique.x, v->oblique.y);
@@ -129,7 +130,7 @@ static void points_in_parallel(const view *v, const roberts_vec3 *P, size_t coun
     }
 }
 
-void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
+BITS_PER_PROCESSOR void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out)
 {
     if (!v->perspective) {
         points_in_parallel(v, P, count, out);

@@ -146,7 +146,7 @@ typedef struct seen_own {
     const scene_many *many;  /* for an edge with more than two faces: all of them; otherwise NULL */
 } seen_own;
 
-/* None but one, which may be ROBERTS_NONE. */
+/* A single face, which may be ROBERTS_NONE. */
 static inline seen_own seen_owns_one(uint32_t key)
 {
     return (seen_own){{key, ROBERTS_NONE, ROBERTS_NONE, ROBERTS_NONE}, NULL};
@@ -264,11 +264,11 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
-/* Has an edge of a body that is not convex one face on its left in the picture and one on its right? facing: of the
- * faces of its body. is: its entry of scene_surface.edge_is. */
+/* Does an edge of a body that is not convex have one face on its left in the picture and one on its right? facing: of
+ * the faces of its body. is: its entry of scene_surface.edge_is. */
 static inline bool seen_joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
 {
-    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
+    if (edge->f[1] == ROBERTS_NONE || is & EDGE_MANY)
         return false;
     unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
     bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);

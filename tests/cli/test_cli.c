@@ -904,7 +904,7 @@ static void statistics(void **state)
     assert_true(depth == 0 && quotes % 2 == 0);
 }
 
-/* Of a sheet all views are counted: of a cube three show 4 edges, the isometric one 9. */
+/* All views of a sheet are counted: for a cube, three show 4 edges and the isometric one shows 9. */
 static void sheets(void **state)
 {
     static char text[TEXT];

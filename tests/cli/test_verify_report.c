@@ -63,7 +63,7 @@ static void test_report(void **state)
     assert_string_equal(text, "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "
                               "or not; contradictions: 0, undecided: 0\n");
     drawing.count = 5;
-    options.quiet = true; /* what is wrong is said all the same */
+    options.quiet = true; /* what is wrong is still reported */
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_string_equal(text, "roberts: verify: body 0, edge 4-5, t = 0.5: drawn visible, but body 1 hides it\n"
                               "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "

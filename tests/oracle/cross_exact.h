@@ -80,10 +80,9 @@ struct cross_finder {
         size_t exact = 0;
         return exactly(false, &exact, [&](auto zero) {
             using N = decltype(zero);
-            vec<N> n = o.newell<N>(g);
             bool over = false, under = false;
             for (uint32_t v : f.corner) {
-                int sign = o.has(g, v) ? 0 : sign_of(o.height(g, n, o.mesh.vertex[v]));
+                int sign = o.has(g, v) ? 0 : sign_of(o.height<N>(g, o.mesh.vertex[v]));
                 over = over || sign > 0;
                 under = under || sign < 0;
             }
@@ -93,14 +92,11 @@ struct cross_finder {
 
     profile profile_of(const polygon &f, const polygon &g, const vec<rational> &along) const
     {
-        const roberts_vec3 zero{0, 0, 0};
         profile out;
-        vec<rational> n = o.newell<rational>(g);
         for (const auto &side : f.side) {
-            vec<rational> p = sub<rational>(o.mesh.vertex[side[0]], zero);
-            vec<rational> q = sub<rational>(o.mesh.vertex[side[1]], zero);
-            rational hp = o.has(g, side[0]) ? rational(0) : o.height(g, n, p);
-            rational hq = o.has(g, side[1]) ? rational(0) : o.height(g, n, q);
+            const vec<rational> &p = o.place[side[0]], &q = o.place[side[1]];
+            rational hp = o.has(g, side[0]) ? rational(0) : o.height(g, p);
+            rational hq = o.has(g, side[1]) ? rational(0) : o.height(g, q);
             int sp = sign_of(hp), sq = sign_of(hq);
             if (sp == 0 && sq == 0) {
                 rational s = dot(along, p), t = dot(along, q);
@@ -143,7 +139,7 @@ struct cross_finder {
         pairs++;
         if (beside(F, G) || beside(G, F))
             return;
-        vec<rational> along = cross(o.newell<rational>(F), o.newell<rational>(G));
+        vec<rational> along = cross(F.normal, G.normal);
         if (along.x == 0 && along.y == 0 && along.z == 0)
             return;
         profile p = profile_of(F, G, along), q = profile_of(G, F, along);
@@ -268,25 +264,20 @@ struct cross_finder {
 
     std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */
 
-    static vec<rational> minus(const vec<rational> &p, const vec<rational> &q)
+    const vec<rational> &place(uint32_t v) const
     {
-        return {p.x - q.x, p.y - q.y, p.z - q.z};
-    }
-
-    vec<rational> place(uint32_t v) const
-    {
-        return sub<rational>(o.mesh.vertex[v], roberts_vec3{0, 0, 0});
+        return o.place[v];
     }
 
     carrier carrier_of(const std::array<uint32_t, 2> &key) const
     {
-        return {key, place(key[0]), sub<rational>(o.mesh.vertex[key[1]], o.mesh.vertex[key[0]])};
+        return {key, place(key[0]), minus(place(key[1]), place(key[0]))};
     }
 
     void make_rough()
     {
         for (const polygon &f : o.faces) {
-            const vec<rational> n = o.newell<rational>(f);
+            const vec<rational> n = f.normal;
             const double x = CGAL::to_double(n.x), y = CGAL::to_double(n.y), z = CGAL::to_double(n.z);
             const double l = std::sqrt(x * x + y * y + z * z);
             const roberts_vec3 &p = o.mesh.vertex[f.corner[0]];
@@ -306,8 +297,7 @@ struct cross_finder {
     bool in_plane(size_t f, uint32_t v) const
     {
         const polygon &F = o.faces[f];
-        return o.has(F, o.position[v]) ||
-               (!off_plane(f, v) && o.height(F, o.newell<rational>(F), o.mesh.vertex[v]) == 0);
+        return o.has(F, o.position[v]) || (!off_plane(f, v) && o.height(F, place(v)) == 0);
     }
 
     bool in_one_plane(size_t f, size_t g) const
@@ -321,7 +311,7 @@ struct cross_finder {
     /* Where the border of a face, in whose plane the edge lies, meets its line. */
     void add_cuts(size_t f, const carrier &e, std::vector<rational> &cut) const
     {
-        const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
+        const vec<rational> m = cross(o.faces[f].normal, e.d);
         const rational length = dot(e.d, e.d);
         for (const auto &side : o.faces[f].side) {
             const vec<rational> p = minus(place(side[0]), e.a), q = minus(place(side[1]), e.a);
@@ -339,7 +329,7 @@ struct cross_finder {
      * the normal, or -1. */
     bool holds_beside(size_t f, const carrier &e, const vec<rational> &X, int way) const
     {
-        const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
+        const vec<rational> m = cross(o.faces[f].normal, e.d);
         long winding = 0;
         for (const auto &side : o.faces[f].side) {
             const vec<rational> p = minus(place(side[0]), X), q = minus(place(side[1]), X);
@@ -426,7 +416,7 @@ struct cross_finder {
             const bool both = first[f] == f && way == 0 && passes(f, e, X);
             if (way == 0 && !both)
                 continue;
-            const int side = way * sign_of(dot(cross(e.d, cross(o.newell<rational>(o.faces[f]), e.d)), v));
+            const int side = way * sign_of(dot(cross(e.d, cross(o.faces[f].normal, e.d)), v));
             left += both || side > 0;
             right += both || side < 0;
             count += both ? 2 : 1;
@@ -463,8 +453,8 @@ struct cross_finder {
     {
         bool over = false, under = false;
         for (size_t f : group) {
-            const vec<rational> m = cross(o.newell<rational>(o.faces[f]), e.d);
-            const int lean = sign_of(dot(o.newell<rational>(o.faces[g]), m)), side = ends_at(f, e, X) * lean;
+            const vec<rational> m = cross(o.faces[f].normal, e.d);
+            const int lean = sign_of(dot(o.faces[g].normal, m)), side = ends_at(f, e, X) * lean;
             const bool both = lean != 0 && side == 0 && passes(f, e, X);
             over = over || both || side > 0;
             under = under || both || side < 0;

@@ -1,5 +1,6 @@
 /* exact.h - the oracle's numbers and vectors (C++). Each question is first decided with intervals of doubles, which
- * bound their own error. If a sign or an end stays uncertain, it is decided with rational numbers. */
+ * bound their own error. If a sign or an end stays uncertain, it is decided with rational numbers. These are lazy: a
+ * number keeps an interval and how it was made, and is computed exactly, once, if its interval does not decide. */
 #ifndef ROBERTS_TESTS_EXACT_H
 #define ROBERTS_TESTS_EXACT_H
 
@@ -8,6 +9,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Lazy_exact_nt.h>
 
 #include "roberts.h"
 
@@ -15,7 +17,10 @@ namespace
 {
 
 using interval = CGAL::Interval_nt_advanced;
-using rational = CGAL::Exact_rational;
+using rational = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
+/* to_double() of such a number is exact to the last bit, as that of Exact_rational is. */
+const bool exact_doubles = (rational::set_relative_precision_of_to_double(1e-17), true);
+
 using uncertain = CGAL::Uncertain_conversion_exception;
 
 template <class N> struct vec {
@@ -25,6 +30,16 @@ template <class N> struct vec {
 template <class N> vec<N> sub(const roberts_vec3 &p, const roberts_vec3 &q)
 {
     return {N(p.x) - N(q.x), N(p.y) - N(q.y), N(p.z) - N(q.z)};
+}
+
+template <class N> vec<N> plus(const vec<N> &a, const vec<N> &b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+template <class N> vec<N> minus(const vec<N> &a, const vec<N> &b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 template <class N> vec<N> cross(const vec<N> &a, const vec<N> &b)

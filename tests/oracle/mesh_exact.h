@@ -36,6 +36,9 @@ struct polygon {
     /* Two corners that form a triangle with the first one. Used if parts of the face with opposite orientation have
      * equal areas: then Newell's normal is 0 or mere rounding. Otherwise 0. */
     uint32_t second, third;
+    /* Twice the area vector, and the sum of the corners */
+    vec<interval> near_normal, near_sum;
+    vec<rational> normal, sum;
 };
 
 /* A point of a line, and its picture. */
@@ -72,6 +75,7 @@ struct mesh_oracle {
     oracle_view view;
     bool even_odd;
     std::vector<uint32_t> position;
+    std::vector<vec<rational>> place; /* [vertex] */
     std::vector<polygon> faces;
     std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge */
     roberts_vec3 U{}, W{}, D{};                                   /* axes of the picture: any independent ones */
@@ -99,6 +103,7 @@ struct mesh_oracle {
         for (uint32_t i = 0; i < mesh.vertex_count; i++) {
             const roberts_vec3 &p = mesh.vertex[i]; /* -0 is 0 */
             position.push_back(at.emplace(std::make_tuple(p.x + 0.0, p.y + 0.0, p.z + 0.0), i).first->second);
+            place.push_back({rational(p.x), rational(p.y), rational(p.z)});
         }
     }
 
@@ -136,15 +141,15 @@ struct mesh_oracle {
             throw std::runtime_error("no face");
     }
 
-    /* Chooses the point through which the face's plane passes. */
+    /* Chooses the corners that the face's plane is taken from, and computes the plane. */
     void take_plane(polygon &f) const
     {
-        const roberts_vec3 &o = mesh.vertex[f.corner[0]];
+        const vec<rational> &o = place[f.corner[0]];
         double largest = 0, sum = size_of(newell<rational>(f));
         uint32_t second = 0, third = 0;
         for (uint32_t p : f.corner)
             for (uint32_t q : f.corner) {
-                double size = size_of(cross(sub<rational>(mesh.vertex[p], o), sub<rational>(mesh.vertex[q], o)));
+                double size = size_of(cross(minus(place[p], o), minus(place[q], o)));
                 if (size > largest) {
                     largest = size;
                     second = p;
@@ -155,10 +160,16 @@ struct mesh_oracle {
             f.second = second;
             f.third = third;
         }
-        vec<rational> n = newell<rational>(f);
+        f.normal = newell<rational>(f);
+        f.sum = corner_sum<rational>(f);
+        {
+            CGAL::Protect_FPU_rounding<true> upward;
+            f.near_normal = newell<interval>(f);
+            f.near_sum = corner_sum<interval>(f);
+        }
         for (uint32_t p : f.corner) {
-            vec<rational> d = sub<rational>(mesh.vertex[p], o);
-            if (std::fabs(CGAL::to_double(dot(n, d))) > PLANAR * size_of(n) * std::sqrt(largest))
+            vec<rational> d = minus(place[p], o);
+            if (std::fabs(CGAL::to_double(dot(f.normal, d))) > PLANAR * size_of(f.normal) * std::sqrt(largest))
                 throw std::runtime_error("a face is not planar");
         }
     }
@@ -218,7 +229,7 @@ struct mesh_oracle {
 
     template <class N> point2<N> project(uint32_t v) const
     {
-        return project(sub<N>(mesh.vertex[v], roberts_vec3{0, 0, 0}));
+        return project(vec<N>(at_vertex(v, N())));
     }
 
     template <class N> point2<N> project(vec<N> X) const
@@ -258,10 +269,7 @@ struct mesh_oracle {
 
     spot spot_of(uint32_t v) const
     {
-        roberts_vec3 zero{0, 0, 0};
-        spot s{vec<interval>(), sub<rational>(mesh.vertex[v], zero), flat[v], flat_exact[v], v};
-        s.near = {interval(mesh.vertex[v].x), interval(mesh.vertex[v].y), interval(mesh.vertex[v].z)};
-        return s;
+        return {at_vertex(v, interval()), place[v], flat[v], flat_exact[v], v};
     }
 
     static interval around(const rational &x)
@@ -286,39 +294,74 @@ struct mesh_oracle {
 
     /* ---- one face ---- */
 
-    /* Return twice the area vector, and the plane's value at a point times the number of corners. */
+    vec<interval> at_vertex(uint32_t v, interval) const
+    {
+        const roberts_vec3 &p = mesh.vertex[v];
+        return {interval(p.x), interval(p.y), interval(p.z)};
+    }
+
+    const vec<rational> &at_vertex(uint32_t v, rational) const
+    {
+        return place[v];
+    }
+
+    /* Twice the area vector */
     template <class N> vec<N> newell(const polygon &f) const
     {
-        const roberts_vec3 &o = mesh.vertex[f.corner[0]];
+        const vec<N> o = at_vertex(f.corner[0], N());
         if (f.second != f.third)
-            return cross(sub<N>(mesh.vertex[f.second], o), sub<N>(mesh.vertex[f.third], o));
+            return cross(minus(at_vertex(f.second, N()), o), minus(at_vertex(f.third, N()), o));
         vec<N> n{N(0), N(0), N(0)};
-        for (size_t i = 1; i + 1 < f.corner.size(); i++) {
-            vec<N> d = cross(sub<N>(mesh.vertex[f.corner[i]], o), sub<N>(mesh.vertex[f.corner[i + 1]], o));
-            n = {n.x + d.x, n.y + d.y, n.z + d.z};
-        }
+        for (size_t i = 1; i + 1 < f.corner.size(); i++)
+            n = plus(n, cross(minus(at_vertex(f.corner[i], N()), o), minus(at_vertex(f.corner[i + 1], N()), o)));
         return n;
     }
 
-    template <class N> N height(const polygon &f, const vec<N> &n, const vec<N> &X) const
+    template <class N> vec<N> corner_sum(const polygon &f) const
     {
         vec<N> sum{N(0), N(0), N(0)};
-        for (uint32_t v : f.corner) {
-            const roberts_vec3 &p = mesh.vertex[v];
-            sum = {sum.x + (X.x - N(p.x)), sum.y + (X.y - N(p.y)), sum.z + (X.z - N(p.z))};
-        }
-        return dot(n, sum);
+        for (uint32_t v : f.corner)
+            sum = plus(sum, at_vertex(v, N()));
+        return sum;
     }
 
-    template <class N> N height(const polygon &f, const vec<N> &n, const roberts_vec3 &X) const
+    static const vec<interval> &normal_of(const polygon &f, interval)
     {
-        return height(f, n, vec<N>{N(X.x), N(X.y), N(X.z)});
+        return f.near_normal;
+    }
+
+    static const vec<rational> &normal_of(const polygon &f, rational)
+    {
+        return f.normal;
+    }
+
+    static const vec<interval> &sum_of(const polygon &f, interval)
+    {
+        return f.near_sum;
+    }
+
+    static const vec<rational> &sum_of(const polygon &f, rational)
+    {
+        return f.sum;
+    }
+
+    /* How far X lies above the face's plane, times the length of its normal and the number of its corners */
+    template <class N> N height(const polygon &f, const vec<N> &X) const
+    {
+        const N count((double)f.corner.size());
+        const vec<N> &sum = sum_of(f, N());
+        return dot(normal_of(f, N()), vec<N>{count * X.x - sum.x, count * X.y - sum.y, count * X.z - sum.z});
+    }
+
+    template <class N> N height(const polygon &f, const roberts_vec3 &X) const
+    {
+        return height(f, vec<N>{N(X.x), N(X.y), N(X.z)});
     }
 
     /* Returns the height of an end of a line; a corner of the face is at height 0. */
-    template <class N> N height(const polygon &f, const vec<N> &n, const spot &s) const
+    template <class N> N height(const polygon &f, const spot &s) const
     {
-        return s.vertex != ROBERTS_NONE && has(f, s.vertex) ? N(0) : height(f, n, s.space(N()));
+        return s.vertex != ROBERTS_NONE && has(f, s.vertex) ? N(0) : height(f, s.space(N()));
     }
 
     static bool has(const polygon &f, uint32_t v)
@@ -379,7 +422,7 @@ struct mesh_oracle {
         if (std::fabs(dx * y - dy * x) > least || std::fabs(dx * z - dz * x) > least ||
             std::fabs(dy * z - dz * y) > least)
             return false;
-        vec<rational> d = sub<rational>(B, A), p = sub<rational>(P, A), c = cross(d, p);
+        vec<rational> d = minus(place[b], place[a]), p = minus(place[v], place[a]), c = cross(d, p);
         if (c.x != 0 || c.y != 0 || c.z != 0)
             return false;
         *t = d.x != 0 ? rational(p.x / d.x) : d.y != 0 ? rational(p.y / d.y) : rational(p.z / d.z);
@@ -433,27 +476,26 @@ struct mesh_oracle {
         return join(all, 0);
     }
 
-    template <class N> int facing_of(const polygon &f, const vec<N> &n) const
+    template <class N> int facing_of(const polygon &f) const
     {
         const roberts_vec3 V{view.x, view.y, view.z};
-        return view.w ? sign_of(height(f, n, V)) : sign_of(dot(n, sub<N>(V, roberts_vec3{0, 0, 0})));
+        return sign_of(view.w ? height<N>(f, V) : dot(normal_of(f, N()), sub<N>(V, roberts_vec3{0, 0, 0})));
     }
 
     bool edge_on(const polygon &f) const
     {
-        return facing_of(f, newell<rational>(f)) == 0;
+        return facing_of<rational>(f) == 0;
     }
 
     /* Returns what face f hides of the line from a to b, which does not lie in the face by definition. */
     template <class N> std::vector<oracle_interval> hide_by(const polygon &f, const spot &a, const spot &b) const
     {
         std::vector<oracle_interval> out;
-        vec<N> n = newell<N>(f);
-        int facing = facing_of(f, n);
+        int facing = facing_of<N>(f);
         if (facing == 0)
             return out;
         N toward(-facing);
-        N ga = toward * height(f, n, a), gb = toward * height(f, n, b);
+        N ga = toward * height<N>(f, a), gb = toward * height<N>(f, b);
         int sa = sign_of(ga), sb = sign_of(gb);
         if (sa <= 0 && sb <= 0)
             return out;

@@ -67,9 +67,9 @@ struct region_finder {
 
     /* ---- faces ---- */
 
-    vec<rational> place_of(uint32_t v) const
+    const vec<rational> &place_of(uint32_t v) const
     {
-        return sub<rational>(o.mesh.vertex[v], roberts_vec3{0, 0, 0});
+        return o.place[v];
     }
 
     rational nearness_of(const vec<rational> &X) const
@@ -101,7 +101,8 @@ struct region_finder {
     {
         const polygon &face = o.faces[f];
         counts.push_back(first == f && !o.edge_on(face));
-        exact_nearness.push_back(counts[f] ? nearness_of(face) : nearness<rational>{});
+        exact_nearness.push_back(counts[f] ? nearness_of(face)
+                                           : nearness<rational>{rational(0), rational(0), rational(0)});
         const nearness<rational> &e = exact_nearness[f];
         near_nearness.push_back({mesh_oracle::around(e.a), mesh_oracle::around(e.b), mesh_oracle::around(e.c)});
         side_line.emplace_back();

@@ -20,11 +20,6 @@ point3 plus(const point3 &p, const rational &t, const point3 &d)
     return {p.x + t * d.x, p.y + t * d.y, p.z + t * d.z};
 }
 
-point3 minus(const point3 &p, const point3 &q)
-{
-    return {p.x - q.x, p.y - q.y, p.z - q.z};
-}
-
 bool is_zero(const point3 &d)
 {
     return d.x == 0 && d.y == 0 && d.z == 0;
@@ -316,7 +311,7 @@ struct union_finder {
     {
         static const int mix[][3] = {{1, 1, 1}, {1, 2, 3}, {3, 2, -1}, {2, 5, 2}, {7, 3, -5}, {4, 9, 7}};
         for (const auto &m : mix) {
-            point3 way = plus(plus({r.x * m[0], r.y * m[0], r.z * m[0]}, rational(m[1]), s), rational(m[2], 64), d);
+            point3 way = plus(plus({r.x * m[0], r.y * m[0], r.z * m[0]}, rational(m[1]), s), rational(m[2]) / 64, d);
             rational step(1);
             bool clear = true;
             for (size_t f : p.s->face) {

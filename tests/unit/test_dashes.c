@@ -196,8 +196,8 @@ static uint64_t random_bits(uint64_t *seed)
     return *seed ^= *seed << 17;
 }
 
-/* Of all polylines: dashes lie on their line, in its sequence; both ends and each corner are drawn; no way of the
- * lifted pen is below twice its width, and each side that is three widths long has one. */
+/* For all polylines: dashes lie on their line, in its order; both ends and every corner are drawn; no gap is shorter
+ * than twice the pen's width, and each side that is three widths long has one. */
 static void any_line_is_dashed(void **state)
 {
     enum { TRIALS = 3000, MOST = 12 };

@@ -169,9 +169,9 @@ static void union_by_table(void **state)
     free(intervals.item);
 }
 
-/* Many parts on a scale of 1/1024, every third time beginning at few places, every fifth so close together that
- * floats are all the same: what is covered stays covered, what is not is not, and between two parts of the union
- * there is something not covered. Every order gives the same bits. */
+/* Many parts on a scale of 1/1024. In every third round they begin at few places, in every fifth they are so close
+ * together that all floats are equal. What is covered stays covered, and nothing else. Between two parts of the union
+ * there is something that is not covered. Every order gives the same bits. */
 static void union_of_many(void **state)
 {
     enum { MANY = 1200, CELLS = 1024 };
@@ -222,7 +222,7 @@ static bool reach_each_other(hide_interval a, hide_interval b)
     return a.r0 <= b.r1 && b.r0 <= a.r1;
 }
 
-/* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that
+/* Parts that reach one another, directly or through others, become one. All numbers are multiples of 1/4096, so that
  * sums are exact and many tie. */
 static void reach_joins_in_any_order(void **state)
 {

@@ -1,4 +1,5 @@
-/* Labels: of what is seen, off the lines and off one another, on pages from A4 to A0; the same every time. */
+/* Labels of what is seen keep off the lines and off one another, on pages from A4 to A0, and are the same every time.
+ */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -110,7 +111,8 @@ static void check_apart(const strokes *s, const char *what)
     }
 }
 
-/* A dodecahedron has room for all: 17 vertices and 24 edges are seen in isometric view, or so many as segments say. */
+/* A dodecahedron has room for all labels: in isometric view 17 vertices and 24 edges are seen, as the segments confirm.
+ */
 static void all_of_a_dodecahedron(void **state)
 {
     (void)state;

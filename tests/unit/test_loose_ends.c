@@ -1,5 +1,5 @@
-/* test_loose_ends.c - every facet that shows is bounded all round: at each end of a visible line others lead on. First
- * pictures in which that is so or not by hand, then all of models/ and the published models, from directions in which
+/* test_loose_ends.c - every visible facet is bounded all round: at each end of a visible line, another line goes on.
+ * First, pictures whose answer is known by hand. Then all of models/ and the published models, from directions in which
  * no face is edge-on. */
 #include <dirent.h>
 #include <math.h>
@@ -117,8 +117,8 @@ static double turn(const flat_face *f, uint32_t i, uint32_t k, uint32_t m)
     return (f->x[k] - f->x[i]) * (f->y[m] - f->y[i]) - (f->y[k] - f->y[i]) * (f->x[m] - f->x[i]);
 }
 
-/* Has the mesh a face that is not planar and crosses itself? Its sides cross as seen across the face, but not in space,
- * so that no surface is bounded by them. */
+/* Does the mesh have a face that is not planar and crosses itself? Its sides cross as seen across the face, but not in
+ * space, so that no surface is bounded by them. */
 static bool is_twisted(const roberts_mesh *mesh)
 {
     for (size_t f = 0; f < mesh->face_count; f++) {

@@ -1,5 +1,5 @@
-/* test_repeated_solids.c - solids that repeat one another in a file get what each of them gets alone; components that
- * follow one another are found as the definition has it. */
+/* test_repeated_solids.c - solids that repeat one another in a file are built as each of them alone; components that
+ * follow one another are those of the definition. */
 #include "base/box.h"
 #include "model/components.h"
 #include "model/scene.h"
@@ -92,8 +92,8 @@ static void solids_are_as_if_alone(void **state)
     }
 }
 
-/* Of a hundred cubes, the edges of one are stored, once each way round; of cubes of which some are wound inward, those
- * of two: their corners are not in the same order. Cubes whose own faces disagree have each their own. */
+/* A hundred equal cubes store the edges of one. If some cubes are wound inward, the edges of two are stored, since
+ * their corners are in another order. Cubes whose own faces disagree store their own edges each. */
 static void edges_are_stored_once(void **state)
 {
     static const struct {

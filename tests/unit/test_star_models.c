@@ -111,7 +111,7 @@ static size_t border_rings(const roberts_mesh *m)
 
 /* ---- star polyhedra --------------------------------------------------------------------------------------------- */
 
-/* Faces {corners/turns}, each so many times. */
+/* Faces {corners/turns}, and how many there are of each. */
 typedef struct face_kind {
     size_t faces, corners, turns;
 } face_kind;
@@ -283,7 +283,7 @@ static void shapes_are_what_they_are_called(void **state)
     }
 }
 
-/* Of the seven corners of the one, and of the seven faces of the other, each two share an edge. */
+/* Any two of the seven corners of the one share an edge, and so do any two of the seven faces of the other. */
 static void toroids_of_seven_are_complete(void **state)
 {
     (void)state;

@@ -382,8 +382,8 @@ static void check_family(family which, rate rates[FAULTS])
     }
 }
 
-/* How many faults of so many may be missed: none, but for ends off by 1e-6. Where a border crosses the edge at a flat
- * angle, or the edge is short, so small a shift stays within the few epsilons in which --verify reports points as
+/* How many of these faults may be missed: none, except ends that are off by 1e-6. If a border crosses the edge at a
+ * small angle, or if the edge is short, such a shift stays within the few epsilons in which --verify reports points as
  * undecided. (13 of 8,299 in a long run.) */
 static size_t undetected(fault what, size_t tried)
 {

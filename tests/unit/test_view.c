@@ -113,7 +113,7 @@ static void presets_foreshorten(void **state)
     roberts_scene_free(scene);
 }
 
-/* Trimetric: three scales, each what the projection along dir leaves of a unit of its axis. */
+/* Trimetric: three scales, each the projected length of a unit of its axis. */
 static void trimetric_has_three_scales(void **state)
 {
     roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
@@ -418,7 +418,7 @@ static void orthographic_is_a_rigid_motion(void **state)
     roberts_scene_free(scene);
 }
 
-/* Points together are what they are one by one, bit for bit, and faces are turned as their planes are. */
+/* Points mapped together are the same as points mapped one by one, bit for bit. Faces are turned like their planes. */
 static void together_as_one_by_one(void **state)
 {
     rng r = {25};
@@ -650,8 +650,8 @@ static void facing_by_table(void **state)
     roberts_scene_free(scene);
 }
 
-/* A box 1 x 2^-21 x 1/2, its upper face 1 x 2^-21 = 4.8e-7: wherever it is seen from, its picture is that narrow at
- * the most, whichever way the needle lies. */
+/* A box 1 x 2^-21 x 1/2, its upper face 1 x 2^-21 = 4.8e-7: from wherever it is seen, and however the needle lies, its
+ * picture is at most that narrow. */
 static void facing_of_needles(void **state)
 {
     static const roberts_vec3 dirs[] = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {3, 4, 5}, {0, 0, -1}};
