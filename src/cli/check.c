@@ -275,8 +275,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--label-size", "there are no labels without --label or --labels, and no --dimensions");
     if (has_text(options, given) && values_pen(draw, PEN_TEXT)->off)
         warn("text", "--style text:off leaves it out");
-    if (draw->lettering.native && draw->format != ROBERTS_SVG && draw->format != ROBERTS_PDF &&
-        draw->format != ROBERTS_TIKZ && draw->format != ROBERTS_DXF)
+    if (draw->lettering.native && !roberts_format_has_text(draw->format))
         warn("--text native", "only svg, pdf, tikz and dxf can hold text itself");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
