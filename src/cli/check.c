@@ -320,7 +320,7 @@ static void warn_regions(const cli_options *options)
     message_warning(stderr, options->regions, 0, text);
 }
 
-/* A name with a place for a number, but no turntable: a file may have such a name, but that is hardly meant. */
+/* A name with a place for a number, but no turntable: a file may have such a name, but it is probably a mistake. */
 static void warn_number(const cli_options *options)
 {
     char name[NAME_SIZE];
@@ -362,7 +362,8 @@ static int by_file(const void *a, const void *b)
     return p->index < q->index ? -1 : 1;
 }
 
-/* Warns if two names lead to one file: its bodies would lie in themselves. Only the first such file is named. */
+/* Warns if two names lead to one file: each of its bodies would be drawn twice, in the same place. Only the first such
+ * file is named. */
 static void warn_twice(const cli_options *options)
 {
     input_identity *list = options->input_count > 1 ? calloc(options->input_count, sizeof *list) : NULL;

@@ -327,7 +327,7 @@ static inline void clip_to(four from, four to, four *t0, four *t1)
     *t1 = four_lesser(*t1, four_greater(from, to));
 }
 
-/* Has the line a point at t0 or t1 that is at most `high`? The line is a + t d. */
+/* Is the line a + t d at most `high` at t0 or at t1? */
 static inline unsigned reaches(four a, four d, four t0, four t1, four high)
 {
     return four_at_most(four_lesser(four_add(a, four_mul(t0, d)), four_add(a, four_mul(t1, d))), high);

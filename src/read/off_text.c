@@ -169,6 +169,7 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
                                       uint32_t count)
 {
     const uint32_t first = f->first, limit = f->limit;
+    uint64_t shift = 64 - 8 * guess->digits; /* shifts in leading zeros */
     for (const uint32_t *end = corner + count; corner < end; corner++) {
         const char *c = at + 1;
         uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
@@ -177,8 +178,9 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
             if (!c)
                 return NULL;
             chunk = bits_load(c) ^ NUMBER_DIGITS;
+            shift = 64 - 8 * guess->digits;
         }
-        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
+        uint32_t index = (uint32_t)number_eight_digits(chunk << shift);
         if (index >= limit)
             return NULL;
         *corner = first + index;

@@ -213,13 +213,12 @@ static double area_of(const given_region *g)
 static const ring with_hole[2] = {{5, {{3, 5}, {97, 2}, {93, 60}, {60, 97}, {8, 90}}},
                                   {4, {{40, 30}, {30, 55}, {65, 60}, {60, 35}}}};
 
-enum { FEW_STROKES = 20, LONGEST_MM = 125 /* strokes across the region below, from corner to corner */ };
+enum { FEW_STROKES = 20, LONGEST_MM = 125 /* strokes across the region above, from corner to corner */ };
 
-/* Strokes are as long for each area as the shade asks for: their length times their distance where it is darkest, for
- * each area, is how dark the face is. Nested strokes are not equally far apart: a tone between two powers of a half has
- * gaps of two widths. So where few of them cross the region, one of them more or less counts for more than 5 %.
- * (Fractions of multiples of the golden section, which are nested, too, are no better: measured on 4,000 windows of
- * lines.) */
+/* The length of strokes follows the shade: divided by the area and times the spacing, it is how dark the face is.
+ * Nested strokes are not equally far apart: a tone between two powers of a half has gaps of two widths. So where few of
+ * them cross the region, one of them more or less counts for more than 5 %. (Fractions of multiples of the golden
+ * section, which are nested, too, are no better: measured on 4,000 windows of lines.) */
 static void length_follows_shade(void **state)
 {
     rng r = {20240};
@@ -274,7 +273,8 @@ static void levels_are_the_nearest(void **state)
         }
 }
 
-/* Faces turned away from the light are all as dark as one along which it falls; light straight on leaves the paper. */
+/* Faces turned away from the light are as dark as one along which the light falls. A face that the light meets straight
+ * on has no strokes. */
 static void ends_of_the_scale(void **state)
 {
     given_region g;
@@ -492,8 +492,8 @@ static bool holds(const char *bytes, size_t size, const char *text)
     return false;
 }
 
-/* Every format of pages has the strokes, with a layer, a style or a pen of their own where it has such, on single
- * drawings and on sheets. */
+/* Every page format has the strokes, in single drawings and on sheets. Where a format has layers, styles or pens, the
+ * strokes have one of their own. */
 static void all_formats_have_strokes(void **state)
 {
     static const struct {

@@ -175,7 +175,7 @@ static void expect_true(const roberts_scene *scene, const roberts_camera *camera
         fail_msg("%s: %zu of %zu rays contradict the drawing", name, found.contradictions, found.points);
 }
 
-/* Draws the scene with one cell and with many. Hidden lines are kept, or not: then more is left out. */
+/* Draws the scene with one cell and with many, with hidden lines and without. Without them, more is left out. */
 static void compare_scene(sheet *s, const char *name, tally *t)
 {
     static const uint32_t grids[] = {2, 5, 8, 16, 64};
@@ -283,7 +283,7 @@ static void test_wires(void **state)
     expect_compared(&t, 5000);
 }
 
-/* Fins on a sheet: faces at edges that two faces of the sheet share already, over the sheet or under it. */
+/* Fins on a sheet, over it or under it: faces at edges that two faces of the sheet already share. */
 static void test_fins(void **state)
 {
     static const double tip[] = {3, 0.5, 1e-3, -1e-3, -2};
@@ -390,8 +390,8 @@ static void test_half_turns(void **state)
     expect_compared(&t, 1000);
 }
 
-/* A fan that goes so often round its tip, in a ring of finer triangles: every edge has a face on its left and one on
- * its right, but faces lie over one another at the tip. */
+/* A fan that goes several times round its tip, in a ring of finer triangles: every edge has a face on its left and one
+ * on its right, but faces lie over one another at the tip. */
 static void add_winding(sheet *s, int turns, double lift, double tip)
 {
     enum { SPOKES = 7, RINGS = 4 };
@@ -489,7 +489,7 @@ static void test_rolls(void **state)
     expect_compared(&t, 4000);
 }
 
-/* Anything at random: sheets that are rough, turned in part, with holes, with triangles and wires across them. */
+/* Random scenes: rough sheets, partly reversed, with holes, and with triangles and wires across them. */
 static void test_random(void **state)
 {
     tally t = {0};

@@ -658,7 +658,7 @@ static void looks_again_not_for_ever(void **state)
     }
 }
 
-/* Nothing is claimed of the line in which the look ends, after 64 MB: here behind two of its words. */
+/* The look ends after 64 MB. Nothing is claimed about the line in which that happens: here, behind its second word. */
 static void claims_nothing_where_the_look_ends(void **state)
 {
     static const struct {
@@ -736,7 +736,7 @@ static void stops_reading_the_endless(void **state)
     }
 }
 
-/* A pipe whose writer keeps it open: once the last face's line is there, nothing more is asked for. */
+/* A pipe that its writer keeps open: after the line of the last face, no more is read. */
 static void leaves_an_open_pipe_alone(void **state)
 {
     static const char *const rows[] = {"OFF 3 1 0\n" POINTS "3 0 1 2\n",         "OFF 3 1 0\n" POINTS "3 0 1 2\r",
