@@ -113,10 +113,11 @@ test-quick: $(TESTED) $(QUICK_BIN) ## runs the quick tests, in less than 20 s; t
 
 # 5,000,000 edges and 1,000,000 regions against the exact oracles (EDGES=n, REGIONS=n), 1,000 drawings against their
 # tables (DRAWINGS=n)
-check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/oracle/region_compare $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
+check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/oracle/region_compare $(BUILD)/tests/test_regions $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 	$(BUILD)/tests/oracle/mesh_compare --folder $(BUILD) --edges $(EDGES)
 	$(BUILD)/tests/oracle/region_compare --folder $(BUILD) --regions $(REGIONS)
+	REGIONS=$(REGIONS) $(BUILD)/tests/test_regions
 	$(BUILD)/tests/paper/compare --folder $(BUILD) --count $(DRAWINGS)
 	@$(MAKE) --no-print-directory fuzz
 

@@ -81,7 +81,8 @@ static const option rows[] = {
      .help = "join neighbouring regions that have one plane and one colour; with --union, those of several bodies too",
      .manual = "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
                "the number of the first of them. With --union faces of several bodies do so, too. This is for "
-               "--regions; fills are joined by colour anyway."},
+               "--regions; fills are joined by colour anyway. With --group element such a region is one element, and "
+               "data-face is that number alone. Without --merge-regions each face has an element."},
     {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
@@ -352,7 +353,9 @@ static const option rows[] = {
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
          "Below the borders between colours lie lines of at most 0.4 mm, so that no gap shines through on a screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
-         "background, or with white. In svg the fills are a layer, which has no number. dxf and hpgl cannot fill."},
+         "background, or with white. A line below the border of translucent colours would be seen, so there is none: a "
+         "screen may show a hairline there. In svg the fills are a layer, which has no number. dxf and hpgl cannot "
+         "fill."},
     {.group = GROUP_PAGE,
      .name = "light",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -441,7 +444,9 @@ static const option rows[] = {
          "good value. Default: none.\n"
          "lines=even (the default): the strokes of a tone are equally far apart. nested: a darker tone has the strokes "
          "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
-         "surfaces, with cross=0.5.\n"
+         "surfaces, with cross=0.5. On a face with fewer than 20 strokes, these are up to one more or one less than "
+         "its "
+         "tone asks for.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",

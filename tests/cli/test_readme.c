@@ -333,11 +333,28 @@ static void test_blocks(void **state)
 
 /* ---- the page whose faces name themselves ---- */
 
-/* A script for the page: it moves the pointer over each face, and adds what the page says of it. */
-static const char pointer_script[] = "<script>for (const face of document.querySelectorAll('.region')) {"
-                                     "face.dispatchEvent(new MouseEvent('mouseover', {bubbles: true}));"
-                                     "document.body.insertAdjacentHTML('beforeend', '<p class=said>' +"
-                                     "document.getElementById('name').textContent + '</p>'); }</script>";
+/* A script for the page: it moves the pointer over each face, and adds what the page says of it and its colour. A page
+ * without a real pointer hovers over nothing, so the rule for :hover is copied for faces of a class. Then it adds
+ * whether a pointer that goes over the page line by line finds nearly all faces (some are small), and no edge. */
+static const char pointer_script[] =
+    "<script>document.head.append(Object.assign(document.createElement('style'), {textContent:"
+    "document.querySelector('style').textContent.replace(':hover', '.hovered')}));"
+    "function add(name, text) {"
+    "document.body.insertAdjacentHTML('beforeend', `<p class=${name}>${text}</p>`); }"
+    "const found = new Set(), others = new Set();"
+    "const box = document.querySelector('svg').getBoundingClientRect();"
+    "for (let y = box.top; y < Math.min(box.bottom, innerHeight); y += 2)"
+    "for (let x = box.left; x < Math.min(box.right, innerWidth); x += 2) {"
+    "const there = document.elementFromPoint(x, y);"
+    "(there.matches('.region') ? found : others).add(there); }"
+    "const faces = document.querySelectorAll('.region');"
+    "for (const face of faces) {"
+    "face.dispatchEvent(new MouseEvent('mouseover', {bubbles: true}));"
+    "face.classList.add('hovered');"
+    "add('said', document.getElementById('name').textContent + ': ' + getComputedStyle(face).fill);"
+    "face.classList.remove('hovered'); }"
+    "const edge = [...others].some(other => other.matches('.edge'));"
+    "add('found', `${found.size > 0.9 * faces.length && !edge}`);</script>";
 
 /* Every face of the drawing is in the group of a body, and has a number. Returns how many there are. */
 static int count_faces(const char *page)
@@ -373,14 +390,16 @@ static void test_page_of_faces(void **state)
     assert_non_null(page);
     fputs(pointer_script, page);
     assert_int_equal(fclose(page), 0);
-    snprintf(command, sizeof command,
-             "for name in chromium chromium-browser google-chrome; do browser=$(command -v $name) && break; done; "
-             "[ -n \"$browser\" ] || exit 77; cd '%s' && HOME=$PWD timeout 120 \"$browser\" --headless --no-sandbox "
-             "--disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run --disable-background-networking "
-             "--disable-component-update --disable-sync --user-data-dir=\"$PWD/profile\" --dump-dom "
-             "\"file://$PWD/faces.html\" > dom.html 2>/dev/null && "
-             "test $(grep -o 'class=\"said\">face [0-9]* of body [0-9]*<' dom.html | wc -l) = %d",
-             temporary, faces);
+    snprintf(
+        command, sizeof command,
+        "for name in chromium chromium-browser google-chrome; do browser=$(command -v $name) && break; done; "
+        "[ -n \"$browser\" ] || exit 77; cd '%s' && HOME=$PWD timeout 120 \"$browser\" --headless --no-sandbox "
+        "--disable-gpu --disable-dev-shm-usage --disable-quic --no-first-run --disable-background-networking "
+        "--disable-component-update --disable-sync --window-size=1000,800 --user-data-dir=\"$PWD/profile\" --dump-dom "
+        "\"file://$PWD/faces.html\" > dom.html 2>/dev/null && "
+        "test $(grep -o 'class=\"said\">face [0-9]* of body [0-9]*: rgb(255, 215, 0)<' dom.html | wc -l) = %d && "
+        "grep -q 'class=\"found\">true<' dom.html",
+        temporary, faces);
     const int status = shell(command);
     if (status == 77 * 256) {
         SKIP_BECAUSE("no Chromium: the page's markup is sound, but its script has not run");

@@ -213,13 +213,17 @@ static double area_of(const given_region *g)
 static const ring with_hole[2] = {{5, {{3, 5}, {97, 2}, {93, 60}, {60, 97}, {8, 90}}},
                                   {4, {{40, 30}, {30, 55}, {65, 60}, {60, 35}}}};
 
+enum { FEW_STROKES = 20, LONGEST_MM = 125 /* strokes across the region above, from corner to corner */ };
+
 /* The length of strokes follows the shade: divided by the area and times the spacing, it is how dark the face is.
- * Nested strokes are not equally far apart. So where few of them cross the region, one of them more or less counts for
- * more than 5 %. */
+ * Nested strokes are not equally far apart: a tone between two powers of a half has gaps of two widths. So where few of
+ * them cross the region, one of them more or less counts for more than 5 %. (Fractions of multiples of the golden
+ * section, which are nested, too, are no better: measured on 4,000 windows of lines.) */
 static void length_follows_shade(void **state)
 {
     rng r = {20240};
     double worst[2] = {0.0, 0.0}; /* of even and of nested strokes */
+    double stroke = 0.0;          /* of few nested strokes, in strokes as long as they can be */
     (void)state;
     for (int trial = 0; trial < 400; trial++) {
         given_region g;
@@ -233,13 +237,20 @@ static void length_follows_shade(void **state)
         g.region.level = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
         strokes s = strokes_of(&g.drawing, &options);
         const double ink = hatched_mm(&s) * options.hatching.spacing_mm / area_of(&g);
-        if (fabs(ink - dark) > 0.05 * dark + (options.hatching.nested ? 0.005 : 0.0))
+        const double part = fabs(ink - dark) / dark;
+        const double strokes_wanted = dark * area_of(&g) / options.hatching.spacing_mm / LONGEST_MM;
+        const bool few = options.hatching.nested && strokes_wanted < FEW_STROKES;
+        if (part > 0.05 && !(few && part * strokes_wanted < 1.0))
             fail_msg("trial %d: %g of ink where %g was wanted (spacing %g, angle %g, cross %g)", trial, ink, dark,
                      options.hatching.spacing_mm, options.hatching.degrees, options.hatching.cross);
-        worst[trial % 2] = fmax(worst[trial % 2], fabs(ink - dark) / dark);
+        if (!few)
+            worst[trial % 2] = fmax(worst[trial % 2], part);
+        else
+            stroke = fmax(stroke, part * strokes_wanted);
         strokes_free(&s);
     }
-    print_message("off by %.2f %% at the most, nested strokes by %.2f %%\n", 100.0 * worst[0], 100.0 * worst[1]);
+    print_message("note: off by %.2f %% at the most, nested strokes by %.2f %%, fewer than %d by %.2f of one\n",
+                  100.0 * worst[0], 100.0 * worst[1], FEW_STROKES, stroke);
 }
 
 /* With levels, each tone is that of the nearest level, and no face is off by more than half a level. */
