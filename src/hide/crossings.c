@@ -342,6 +342,29 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
     return true;
 }
 
+/* Tests entry i with those that follow it, as the tree of the cell finds them. */
+static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, uint32_t i)
+{
+    uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1;
+    front_shape own;
+    front_shape_of(&own, t->fronts, c->list[i].front);
+    while (depth > 0) {
+        const uint32_t child = stack[--depth], k = child & ~FRONT_TREE_LEAF;
+        if (k == child) {
+            for (unsigned met = front_node_touches(&tree->node[k], &own, i); met; met &= met - 1)
+                stack[depth++] = tree->node[k].child[bits_trailing_zeros(met)];
+            continue;
+        }
+        if (k <= i || k >= c->count || (k < KEPT_FACES && t->star && share_star(&t->star[i], &t->star[k])))
+            continue;
+        const uint32_t a = c->list[i].front, b = c->list[k].front;
+        if (!filter_apart(t->filter, a, b) && boxes_meet(own.box, &t->fronts->front_box[b]) &&
+            !is_met_before(t, c, a, b) && !meet_entries(t, c->list, i, k))
+            return false;
+    }
+    return true;
+}
+
 /* Tests all pairs of one cell. */
 static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
@@ -356,8 +379,9 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
     if (t->star)
         find_stars(t, c.list, c.count);
+    const front_tree *tree = grid->tree && grid->tree[cell].node ? &grid->tree[cell] : NULL;
     for (uint32_t i = 0; i + 1 < c.count; i++)
-        if (!meet_those_behind(t, &c, i))
+        if (!(tree ? meet_by_tree(t, &c, tree, i) : meet_those_behind(t, &c, i)))
             return false;
     return true;
 }
