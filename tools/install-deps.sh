@@ -30,6 +30,10 @@ has_fuzzer() {
     ls "$(clang -print-runtime-dir 2>/dev/null)"/libclang_rt.fuzzer* >/dev/null 2>&1
 }
 
+has_numpy() {
+    python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null
+}
+
 has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -64,6 +68,7 @@ find_missing() {
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
             need librsvg2-bin has_command rsvg-convert
+            need python3-numpy has_numpy
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)
