@@ -744,6 +744,9 @@ typedef enum roberts_format {
 bool roberts_format_by_name(const char *name, roberts_format *format);
 bool roberts_format_by_path(const char *path, roberts_format *format);
 
+/** Can a file of the format hold text itself, and not only its strokes? (SVG, PDF, TikZ and DXF can.) */
+bool roberts_format_has_text(roberts_format format);
+
 /** What becomes of hidden segments. A drawing holds them only where roberts_hide() was told to keep them. */
 typedef enum roberts_hidden {
     ROBERTS_HIDDEN_NONE,   /**< left out, of tables too */

@@ -72,10 +72,10 @@ argument() {
     lattice-10000) echo 22 ;;
     lattice-100000) echo 46 ;;
     lattice-1000000) echo 100 ;;
-    city-1000) echo 16 ;;
-    city-10000) echo 50 ;;
-    city-100000) echo 158 ;;
-    city-1000000) echo 500 ;;
+    city-1000 | plain-1000) echo 16 ;;
+    city-10000 | plain-10000) echo 50 ;;
+    city-100000 | plain-100000) echo 158 ;;
+    city-1000000 | plain-1000000) echo 500 ;;
     stars-10000) echo 6 ;;
     stars-100000) echo 13 ;;
     stars-1000000) echo 29 ;;
@@ -256,15 +256,18 @@ worst() {
     grow 'city, edge-on' city "$thousands" --view front
     grow 'city, edge-on, from above' city "$thousands" --view top
     grow 'city, corner behind corner' city "$thousands" --view iso
-    grow 'boards: long planks seen aslant' boards '2000 4000 8000' --view iso
-    grow 'diagonal: long sticks, all aslant' diagonal '1000 2000 4000' --view top
+    grow 'boards: long planks seen aslant' boards '4000 8000 16000' --view iso
+    grow 'diagonal: long sticks, all aslant' diagonal '2000 4000 8000' --view top
     grow 'crowd: nearly all in one spot' crowd '10000 40000 100000' $general
     grow 'galaxy: all sizes' galaxy '10000 40000 100000' $general
     grow 'street: an eye in a city, hidden lines too' city '10000 100000' --eye 14,14.5,1.75 --look-at 400,410,1.75 \
         --fov 90 --hidden dashed
     grow 'lattice, by an eye in it' lattice '10000 100000' --eye 5,5.02,5.01 --look-at 30,31,32 --fov 90
-    grow 'sheets, seen nearly along' sheets '1000 2000 4000' --dir .31,.47,.083
-    grow 'floors: each peeps out' floors '2500 5000 10000' --view top
+    grow 'sheets, seen nearly along' sheets '4000 8000 16000' --dir .31,.47,.083
+    grow 'floors: each peeps out' floors '5000 10000 20000' --view top
+    grow 'shells: each peeps out' shells '5000 10000 20000' --view top
+    grow 'posts: edges seen nearly end-on' posts '20000 200000' --dir .0000002,.0000003,1
+    grow 'city on a wide plate' plain '10000 100000' $general
     grow 'spines in all directions' spines '4000 8000 16000' $general
     grow 'ball: one solid' sphere '600 6000 60000 600000' $general
     for size in 600 6000 60000 600000; do

@@ -34,6 +34,11 @@ has_numpy() {
     python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null
 }
 
+# The tests draw pages in Chromium, or in a browser made from it.
+has_browser() {
+    has_command chromium || has_command chromium-browser || has_command google-chrome
+}
+
 has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -67,8 +72,10 @@ find_missing() {
             need libcgal-dev has_header "$cxx" c++ CGAL/version.h
             need libgmp-dev has_header "$cxx" c++ gmp.h
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
+            need assimp-utils has_command assimp
             need librsvg2-bin has_command rsvg-convert
             need python3-numpy has_numpy
+            need chromium has_browser
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)

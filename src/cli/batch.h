@@ -5,7 +5,7 @@
 #include "cli/options.h"
 
 /* Draws each input into the folder options->batch, several at a time. A file that fails does not stop the others.
- * Messages come in the order of the files. Returns the exit status: EXIT_FAILED where a file has failed. */
+ * Messages come in the order of the files. Returns the exit status: EXIT_FAILED if a file has failed. */
 int batch_make(const cli_options *options);
 
 #endif

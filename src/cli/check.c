@@ -273,9 +273,10 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--text", no_text);
     if (options_is_given(given, "label-size") && !has_labels(given) && !options_is_given(given, "dimensions"))
         warn("--label-size", "there are no labels without --label or --labels, and no --dimensions");
-    if (draw->lettering.native && draw->format != ROBERTS_SVG && draw->format != ROBERTS_PDF &&
-        draw->format != ROBERTS_TIKZ && draw->format != ROBERTS_DXF)
-        warn("--text native", "only svg, pdf, tikz and dxf have text that is no strokes");
+    if (has_text(options, given) && values_pen(draw, PEN_TEXT)->off)
+        warn("text", "--style text:off leaves it out");
+    if (draw->lettering.native && !roberts_format_has_text(draw->format))
+        warn("--text native", "only svg, pdf, tikz and dxf can hold text itself");
     if (options_is_given(given, "dpi") && draw->format != ROBERTS_PNG)
         warn("--dpi", "only png has a resolution");
     if (options_is_given(given, "plotter") && draw->format != ROBERTS_HPGL)
@@ -318,7 +319,7 @@ static void warn_regions(const cli_options *options)
     message_warning(stderr, options->regions, 0, text);
 }
 
-/* A name with a place for a number, but no turntable: a file may have such a name, but that is hardly meant. */
+/* A name with a place for a number, but no turntable: a file may have such a name, but it is probably a mistake. */
 static void warn_number(const cli_options *options)
 {
     char name[NAME_SIZE];
@@ -360,7 +361,8 @@ static int by_file(const void *a, const void *b)
     return p->index < q->index ? -1 : 1;
 }
 
-/* Warns if two names lead to one file: its bodies would lie in themselves. Only the first such file is named. */
+/* Warns if two names lead to one file: each of its bodies would be drawn twice, in the same place. Only the first such
+ * file is named. */
 static void warn_twice(const cli_options *options)
 {
     input_identity *list = options->input_count > 1 ? calloc(options->input_count, sizeof *list) : NULL;

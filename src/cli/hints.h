@@ -6,10 +6,10 @@
 
 /* ---- words; their lists end with NULL ---- */
 
-/* The word of the list that `word` is most like; NULL where none is near enough to be what was meant. */
+/* Returns the word of the list that is most like `word`; NULL if none is similar enough. */
 const char *hint_word(const char *word, const char *const *words);
 
-/* The option that does here what other programs call --word, perhaps with its value; NULL where nothing is known. */
+/* Returns the option that other programs call --word, perhaps with its value; NULL if none is known. */
 const char *hint_option(const char *word);
 
 /* Says that `word` is no value of `what`, and what was meant or what it can be (`also`: what else than `words`, or
@@ -27,8 +27,8 @@ void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_
 
 /* ---- drawings that show nothing ---- */
 
-/* Why none of the drawings that come on a page (or in a table) shows a line, and which option changes that; NULL where
- * one does. */
+/* Returns why none of the drawings on a page (or in a table) shows a line, and which option changes that; NULL if one
+ * of them does. */
 const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
 /* Whether the drawing shows next to nothing because the eye is on a solid, or so near that the near plane cuts the

@@ -18,7 +18,7 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_MISUSED = 2 };
 /* Says what is wrong with the command and where help is; returns EXIT_MISUSED. */
 int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 
-/* Before and after writing to a log: if it is standard error, they take the line of progress away meanwhile. */
+/* Call these before and after writing to a log: if it is standard error, they remove the line of progress meanwhile. */
 void message_open(FILE *log);
 void message_close(FILE *log);
 

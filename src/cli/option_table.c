@@ -208,7 +208,9 @@ static const option rows[] = {
          "not even as a hidden line. A line where bodies meet has the class that it has in the whole: the foot of a "
          "leg on a slab is a crease, and so is mostly a line in which faces cross. Open surfaces and wires are drawn "
          "as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
-         "number is drawn. --verify then checks what is drawn, and not what is left out.\n"
+         "number is drawn. --verify then checks what is drawn, and not what is left out, since a ray cannot tell a "
+         "seam "
+         "from a line.\n"
          "Parts are flush if their faces lie in one plane to within the touching distance. Parts with small gaps or "
          "steps between them need --epsilon, of about twice the widest: 0.002 where gaps are up to 0.001. The same "
          "may hold for models that are rounded to six digits. --stats counts the edges that are left out."},

@@ -4,8 +4,8 @@
 
 #include "cli/options.h"
 
-/* Reads the inputs as one scene and draws it, to `output`, or as --turntable says. What there is to say goes to the
- * log of the options. Returns the exit status. */
+/* Reads the inputs as one scene and draws it, to `output`, or as --turntable says. Messages go to the log of the
+ * options. Returns the exit status. */
 int picture_make(const cli_options *given);
 
 #endif

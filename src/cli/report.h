@@ -31,7 +31,7 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
 
 enum { REPORT_RATIO = 40 };
 
-/* The scale as people write it, "1:20" or "5:1"; false where the drawing is fitted, or there is no page. */
+/* The scale as people write it, "1:20" or "5:1". False if the drawing is fitted, or if there is no page. */
 bool report_ratio(const roberts_ink *ink, const roberts_placement *placement, char ratio[REPORT_RATIO]);
 
 /* Checks the drawing by rays. Reports the first contradictions, one a line, then how many points were checked (with

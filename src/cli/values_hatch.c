@@ -14,7 +14,7 @@ const char *const values_hatch_keys[] = {"spacing", "levels", "angle", "directio
 static const double shortest_mm = 0.01, longest_mm = 1000.0;
 enum { LEVELS_MOST = 1000, ANGLE_MOST = 360 };
 
-/* Whether an angle was given counts at the end: only strokes along the picture are turned by 45 degrees otherwise. */
+/* Without an angle, only strokes along the picture are turned, by 45 degrees; so this is decided at the end. */
 static int set_key(roberts_hatching *h, const char *item, bool *turned)
 {
     static const char *const directions[] = {"picture", "steep", "across", NULL};

@@ -5,9 +5,9 @@
 #include "draw/notes.h"
 #include "draw/strokes.h"
 
-/* Adds the labels that s->options ask for to s->notes, for all views. All lines of the page are in s->lines already.
- * No label lies on another one, on a line, or on one of the boxes `taken`, where there is room beside what it names.
- * The same input gives the same places. False: no memory. */
+/* Adds the labels that s->options ask for to s->notes, for all views. All lines of the page are in s->lines already. If
+ * there is room beside what a label names, it lies on no other label, on no line, and on none of the boxes `taken`. The
+ * same input gives the same places. False: no memory. */
 bool labels_add(strokes *s);
 
 /* The page with all its lines, and with the boxes `taken`. Released by room_free(). NULL: no memory. */

@@ -11,7 +11,8 @@ typedef struct plotter {
     void (*begin)(void *context, roberts_line line);
     /* A stroke of at least two points, in units of the page. A closed one returns to its first point. */
     void (*stroke)(void *context, const page_point *point, size_t count, bool closed);
-    /* Some SEGMENTS_PER_STROKE segments are drawn since `begin` or the last call. `last`: the class ends. */
+    /* Called when about SEGMENTS_PER_STROKE segments have been drawn since `begin` or the last call. `last`: the class
+     * ends. */
     void (*part)(void *context, bool last);
     void *context;
 } plotter;

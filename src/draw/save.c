@@ -82,6 +82,11 @@ bool roberts_format_by_path(const char *path, roberts_format *format)
     return dot && dot != name && roberts_format_by_name(dot + 1, format);
 }
 
+bool roberts_format_has_text(roberts_format format)
+{
+    return format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_TIKZ || format == ROBERTS_DXF;
+}
+
 roberts_draw_options roberts_draw_options_default(void)
 {
     return (roberts_draw_options){

@@ -233,9 +233,7 @@ double strokes_text_height(const roberts_draw_options *options)
 
 bool strokes_text_is_native(const roberts_draw_options *options)
 {
-    const roberts_format format = options->format;
-    return options->lettering.native &&
-           (format == ROBERTS_SVG || format == ROBERTS_PDF || format == ROBERTS_TIKZ || format == ROBERTS_DXF);
+    return options->lettering.native && roberts_format_has_text(options->format);
 }
 
 static bool add_text(const strokes *s, roberts_line line, polylines *out)

@@ -125,6 +125,12 @@ static int count_fields(double length)
     return 2 * (half < 1 ? 1 : half > 12 ? 12 : half);
 }
 
+/* Is a point of the lower side of the frame on the title block? No mark runs into the block. */
+static bool is_at_block(const strokes *s, double x)
+{
+    return title_block_is_wanted(s->options) && x > s->frame_mm[1].x - BLOCK_WIDTH;
+}
+
 static bool add_side(strokes *s, bool is_level)
 {
     static const char letters[] = "ABCDEFGHJKLMNPQRSTUVWXYZ"; /* without I and O */
@@ -140,9 +146,9 @@ static bool add_side(strokes *s, bool is_level)
         const char *shown = is_level ? (i + 1 < 10 ? text + 1 : text) : name;
         for (int side = 0; side < 2 && done; side++) {
             const double edge = is_level ? (side ? high.y : low.y) : (side ? high.x : low.x), out = side ? 1.0 : -1.0;
-            const bool is_centre = i + 1 == fields / 2;
+            const bool is_centre = i + 1 == fields / 2, is_lower = is_level && side == 1;
             const double off = edge + out * strip_mm / 2.0, far = edge + out * strip_mm,
-                         near = is_centre ? edge - out * mark_mm : edge;
+                         near = is_centre && !(is_lower && is_at_block(s, at)) ? edge - out * mark_mm : edge;
             const text_line line = {shown,
                                     is_level ? (roberts_vec2){middle, off + letter_mm / 2.0}
                                              : (roberts_vec2){off, middle + letter_mm / 2.0},

@@ -141,7 +141,7 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
 /* Goes along AB column by column, as scan.c does along a polygon's side. In each column it looks at the rows that AB
  * crosses, and compares their covers with the nearest depth of AB there. Rows and depth are linear in the column's
  * number. A margin on all sides makes up for rounding. */
-bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
+BITS_PER_PROCESSOR bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
     if (!c->depth)

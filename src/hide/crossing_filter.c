@@ -9,8 +9,8 @@
 /* ---- stars ------------------------------------------------------------------------------------------------------- */
 
 /* The star of a vertex is all faces at it. Let each of its edges there have one face on its left in the picture and one
- * on its right, and let the faces go round the vertex once. Then no two of them lie over one another, and two of them
- * have nothing in common in the picture but the vertex or a side. */
+ * on its right, let the faces go round the vertex once, and let no side of a face run through it. Then no two of them
+ * lie over one another, and two of them have nothing in common in the picture but the vertex or a side. */
 
 /* What is known of a star: whether faces go round it once, or more often, or it is no sheet. */
 enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
@@ -32,40 +32,65 @@ static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
     return before;
 }
 
+/* Marks those ends of an edge that are not corners of both its faces. */
+static void mark_divided(const stars *s, const scene_solid *own, const scene_edge *edge)
+{
+    const roberts_scene *scene = s->fronts->scene;
+    for (int i = 0; i < 2; i++)
+        for (int k = 0; k < 2 && edge->f[k] != ROBERTS_NONE; k++) {
+            uint32_t f = own->face + edge->f[k], v = own->vertex + edge->v[i], c = scene->face_start[f];
+            while (c < scene->face_start[f + 1] && scene->corner[c] != v)
+                c++;
+            if (c == scene->face_start[f + 1])
+                mark(s, v, NO_SHEET);
+        }
+}
+
+/* If no edge is divided, each side of a face is one side of an edge. Where vertices lie on a side of a face, that side
+ * belongs to several edges, and does not end at these vertices. */
 static void mark_folds(const stars *s, uint32_t body)
 {
     const roberts_scene *scene = s->fronts->scene;
     const scene_solid *own = &scene->solid[body];
     const scene_edge *edge = scene->edge + own->stored;
     const uint8_t *is = scene->surface->edge_is + own->edge;
-    for (uint32_t e = 0; e < own[1].edge - own->edge; e++)
+    uint32_t count = own[1].edge - own->edge, sides = 2 * count;
+    bool many = false;
+    for (uint32_t e = 0; e < count; e++)
         if (!seen_joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
+            sides -= (edge[e].f[0] == ROBERTS_NONE) + (edge[e].f[1] == ROBERTS_NONE);
+            many = many || is[e] & EDGE_MANY;
             mark(s, own->vertex + edge[e].v[0], NO_SHEET);
             mark(s, own->vertex + edge[e].v[1], NO_SHEET);
         }
+    if (many || sides != scene->face_start[own[1].face] - scene->face_start[own->face])
+        for (uint32_t e = 0; e < count; e++)
+            mark_divided(s, own, &edge[e]);
 }
 
 /* A triangle goes round one of its corners if it extends from there on both sides of the direction +x. It has at most
- * one such corner. */
-static void mark_round(const stars *s, const uint32_t *corner)
+ * one such corner. Its corners run counter-clockwise in the picture, or clockwise if the viewer sees its back. */
+static void mark_round(const stars *s, const uint32_t *corner, bool back)
 {
     const roberts_vec3 *P = s->fronts->P;
-    double y[3] = {P[corner[0]].y, P[corner[1]].y, P[corner[2]].y};
+    const uint32_t v[3] = {corner[0], corner[back ? 2 : 1], corner[back ? 1 : 2]};
+    const double y[3] = {P[v[0]].y, P[v[1]].y, P[v[2]].y};
     for (int i = 0; i < 3; i++)
-        if (y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2] && mark(s, corner[i], ROUND_ONCE) & ROUND_ONCE)
-            mark(s, corner[i], ROUND_TWICE);
+        if (y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2] && mark(s, v[i], ROUND_ONCE) & ROUND_ONCE)
+            mark(s, v[i], ROUND_TWICE);
 }
 
-static void mark_front(const stars *s, uint32_t front)
+static void mark_front(const stars *s, const hide_front *front)
 {
-    uint32_t turned[SEEN_TURNED];
-    const hide_face face = hide_outline(s->fronts, front, turned);
-    if (s->fronts->front[front].kind != HIDE_SURFACE_FACE)
+    const roberts_scene *scene = s->fronts->scene;
+    if (front->kind != HIDE_SURFACE_FACE)
         return;
-    if (face.count == 3)
-        mark_round(s, face.corner);
-    for (uint32_t i = 0; face.count > 3 && i < face.count; i++)
-        mark(s, face.corner[i], NO_SHEET);
+    uint32_t first = scene->face_start[front->piece], end = scene->face_start[front->piece + 1];
+    if (end - first == 3)
+        mark_round(s, scene->corner + first, s->fronts->seen->facing[front->piece] == VIEW_BACK);
+    else
+        for (uint32_t c = first; c < end; c++)
+            mark(s, scene->corner[c], NO_SHEET);
 }
 
 /* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 where it is one, else 0; NULL: none is known.
@@ -88,7 +113,7 @@ static bool stars_find(const hide_fronts *fronts, int threads, unsigned char **s
 #pragma omp parallel for schedule(static) num_threads(threads)
 #endif
         for (uint32_t k = 0; k < fronts->front_count; k++)
-            mark_front(&s, k);
+            mark_front(&s, &fronts->front[k]);
         for (uint32_t v = 0; v < scene->vertex_count; v++)
             (*sheet)[v] = atomic_load_explicit(&s.star[v], memory_order_relaxed) == ROUND_ONCE;
     }

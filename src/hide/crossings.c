@@ -117,6 +117,14 @@ static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_f
            (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
 }
 
+/* The corners of a single face, in either direction. */
+static inline hide_face corners_of(const hide_fronts *fronts, const hide_front *front)
+{
+    const roberts_scene *scene = fronts->scene;
+    uint32_t first = scene->face_start[front->piece];
+    return (hide_face){.corner = scene->corner + first, .count = scene->face_start[front->piece + 1] - first};
+}
+
 /* Do two triangles share a side? */
 static bool share_side(const hide_face *f, const hide_face *g)
 {
@@ -221,13 +229,12 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
+    hide_face F = corners_of(fronts, f), G = corners_of(fronts, g);
+    if (share_side(&F, &G) || is_apart(fronts, &F, &G))
+        return true;
     uint32_t turned[2][SEEN_TURNED] = {{0}};
-    const hide_face F = hide_outline(fronts, list[i].front, turned[0]);
-    const hide_face G = hide_outline(fronts, list[k].front, turned[1]);
-    if (share_side(&F, &G))
-        return true;
-    if (is_apart(fronts, &F, &G))
-        return true;
+    F = hide_outline(fronts, list[i].front, turned[0]);
+    G = hide_outline(fronts, list[k].front, turned[1]);
     if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
         (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
         return true; /* so are nearly all neighbours */
@@ -269,12 +276,12 @@ static void find_stars(finder *t, const objet_entry *list, uint32_t count)
     uint32_t none = ROBERTS_NONE;
     for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
         const hide_front *front = &fronts->front[list[k].front];
-        uint32_t turned[SEEN_TURNED];
-        const hide_face F = hide_outline(fronts, list[k].front, turned);
         star_corners *star = &t->star[k];
-        bool triangle = front->kind == HIDE_SURFACE_FACE && F.count == 3;
+        hide_face F = {.corner = NULL};
+        if (front->kind == HIDE_SURFACE_FACE)
+            F = corners_of(fronts, front);
         for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = triangle && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
+            star->v[i] = F.count == 3 && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
         star->v[3] = none--;
         star->z1 = fronts->front_box[list[k].front].z1;
     }
@@ -335,6 +342,29 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
     return true;
 }
 
+/* Tests entry i with those that follow it, as the tree of the cell finds them. */
+static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, uint32_t i)
+{
+    uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1;
+    front_shape own;
+    front_shape_of(&own, t->fronts, c->list[i].front);
+    while (depth > 0) {
+        const uint32_t child = stack[--depth], k = child & ~FRONT_TREE_LEAF;
+        if (k == child) {
+            for (unsigned met = front_node_touches(&tree->node[k], &own, i); met; met &= met - 1)
+                stack[depth++] = tree->node[k].child[bits_trailing_zeros(met)];
+            continue;
+        }
+        if (k <= i || k >= c->count || (k < KEPT_FACES && t->star && share_star(&t->star[i], &t->star[k])))
+            continue;
+        const uint32_t a = c->list[i].front, b = c->list[k].front;
+        if (!filter_apart(t->filter, a, b) && boxes_meet(own.box, &t->fronts->front_box[b]) &&
+            !is_met_before(t, c, a, b) && !meet_entries(t, c->list, i, k))
+            return false;
+    }
+    return true;
+}
+
 /* Tests all pairs of one cell. */
 static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
@@ -349,8 +379,9 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
     if (t->star)
         find_stars(t, c.list, c.count);
+    const front_tree *tree = grid->tree && grid->tree[cell].node ? &grid->tree[cell] : NULL;
     for (uint32_t i = 0; i + 1 < c.count; i++)
-        if (!meet_those_behind(t, &c, i))
+        if (!(tree ? meet_by_tree(t, &c, tree, i) : meet_those_behind(t, &c, i)))
             return false;
     return true;
 }

@@ -362,22 +362,23 @@ static bool is_new(const hide_line *line, double *t0, double *t1)
     return true;
 }
 
-/* Tests the part t0 .. t1 of a line against the fronts of a tree. False: no memory. */
-static bool meet_tree(hide_worker *w, const line_set *p, const front_tree *tree, double t0, double t1)
+/* Tests the part t0 .. t1 of a line against the fronts of a cell with a tree. False: no memory. */
+static bool meet_tree(hide_worker *w, const line_set *p, size_t cell, double t0, double t1)
 {
+    const front_node *node = w->grid->tree[cell].node;
+    const objet_entry *list = w->grid->entry + w->grid->start[cell];
     const front_line line = front_line_of(p->first->e.A, p->first->e.B, w->margin);
     front_visit stack[FRONT_TREE_WAITING] = {{0, hide_float_below(t0), hide_float_above(t1), 0.0f}};
     uint32_t depth = 1;
     while (depth > 0 && w->live) {
         const front_visit v = stack[--depth];
-        const uint32_t front = v.child & ~FRONT_TREE_LEAF;
+        const uint32_t child = v.child & ~FRONT_TREE_LEAF;
         double from = (double)v.t0, to = (double)v.t1;
         if (!w->named && !is_new(p->first, &from, &to))
             continue;
-        if (front == v.child)
-            depth += front_node_meets(&tree->node[v.child], &line, hide_float_below(from), hide_float_above(to),
-                                      stack + depth);
-        else if (!meet_once(w, p, front))
+        if (child == v.child)
+            depth += front_node_meets(&node[child], &line, hide_float_below(from), hide_float_above(to), stack + depth);
+        else if (!meet_once(w, p, list[child].front))
             return false;
     }
     return true;
@@ -392,7 +393,7 @@ static bool meet_cell(hide_worker *w, const line_set *p, const objet_stretch *pa
     if (grid->below && far > grid->below[cell])
         return true; /* only edges of the sheet that fills the cell remain */
     if (grid->tree && grid->tree[cell].node)
-        return meet_tree(w, p, &grid->tree[cell], part->t0, part->t1);
+        return meet_tree(w, p, cell, part->t0, part->t1);
     return meet_list(w, p, part->column, part->row, far);
 }
 

@@ -8,9 +8,6 @@
 
 /* The second strip is along the longest side that makes an angle with the first whose sine is greater than this. */
 #define ASLANT 0.25
-/* Fronts with more corners or faces than this are bounded by their boxes alone. */
-#define MANY_CORNERS 24
-
 /* A line may meet a child if it is at most this many margins in front of the child's plane. They are many because a
  * steep plane decides what is within a margin of an outline. */
 #define PLANE_MARGINS 1024.0
@@ -22,7 +19,7 @@ typedef struct direction {
 
 /* What is known of a front while a tree is built. */
 typedef struct item {
-    uint32_t front;
+    uint32_t front, place; /* its place in the list */
     double middle[3];
     direction side[2]; /* of its longest side, and of the longest one aslant to it */
     roberts_vec3 up;   /* the outward normal of its largest face in the picture */
@@ -59,7 +56,7 @@ static void measure_sides(const hide_fronts *fronts, item *of)
 {
     uint32_t turned[SEEN_TURNED];
     const hide_face outline = hide_outline(fronts, of->front, turned);
-    for (uint32_t i = 0; i < outline.count && outline.count <= MANY_CORNERS; i++) {
+    for (uint32_t i = 0; i < outline.count && outline.count <= FRONT_TREE_CORNERS; i++) {
         roberts_vec3 P = fronts->P[outline.corner[i]];
         roberts_vec3 Q = fronts->P[outline.corner[i + 1 < outline.count ? i + 1 : 0]];
         double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
@@ -78,10 +75,11 @@ static double picture_area(const roberts_vec3 *P, const hide_face *F)
     return 0.5 * fabs(twice);
 }
 
-static item measure(const hide_fronts *fronts, uint32_t front)
+static item measure(const hide_fronts *fronts, uint32_t front, uint32_t place)
 {
     const hide_box *box = &fronts->front_box[front];
     item of = {.front = front,
+               .place = place,
                .middle = {0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1),
                           0.5 * ((double)box->z0 + (double)box->z1)},
                .up = {0, 0, 1}};
@@ -89,7 +87,7 @@ static item measure(const hide_fronts *fronts, uint32_t front)
     uint32_t count;
     const hide_face *face = hide_faces(fronts, front, &count, &single);
     measure_sides(fronts, &of);
-    for (uint32_t i = 0; i < count && count <= MANY_CORNERS; i++) {
+    for (uint32_t i = 0; i < count && count <= FRONT_TREE_CORNERS; i++) {
         double area = picture_area(fronts->P, &face[i]);
         if (area > of.area) {
             of.area = area;
@@ -99,6 +97,26 @@ static item measure(const hide_fronts *fronts, uint32_t front)
     return of;
 }
 
+/* Finds the corners of a front's faces. If they are many, finds those of its box. Returns their number. */
+static uint32_t corners_of(const hide_fronts *fronts, uint32_t front, roberts_vec3 corner[FRONT_TREE_CORNERS])
+{
+    const hide_box *box = &fronts->front_box[front];
+    hide_single single = {.front = ROBERTS_NONE};
+    uint32_t faces, count = 0;
+    const hide_face *face = hide_faces(fronts, front, &faces, &single);
+    for (uint32_t k = 0; k < faces; k++) {
+        if (count + face[k].count > FRONT_TREE_CORNERS) {
+            for (uint32_t i = 0; i < 8; i++)
+                corner[i] = (roberts_vec3){(double)(i & 1 ? box->x1 : box->x0), (double)(i & 2 ? box->y1 : box->y0),
+                                           (double)(i & 4 ? box->z1 : box->z0)};
+            return 8;
+        }
+        for (uint32_t i = 0; i < face[k].count; i++)
+            corner[count++] = fronts->P[face[k].corner[i]];
+    }
+    return count;
+}
+
 /* The bounds of one child. */
 typedef struct bounds {
     hide_box box;
@@ -106,7 +124,7 @@ typedef struct bounds {
         double x, y, low, high;
     } strip[2];
     roberts_vec3 up;
-    double high;
+    double low, high; /* along `up` */
 } bounds;
 
 static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
@@ -114,7 +132,7 @@ static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
     uint32_t turned[SEEN_TURNED];
     const hide_face outline = hide_outline(fronts, of->front, turned);
     const hide_box *box = &fronts->front_box[of->front];
-    const bool many = outline.count > MANY_CORNERS;
+    const bool many = outline.count > FRONT_TREE_CORNERS;
     const double loose = hide_loose(fronts, of->front);
     for (int k = 0; k < 2; k++) {
         const double x = b->strip[k].x, y = b->strip[k].y;
@@ -133,22 +151,16 @@ static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
     }
 }
 
-/* Moves the plane in front of the front's faces. */
-static void raise_plane(bounds *b, const hide_fronts *fronts, const item *of)
+/* Widens the slab along `up` to hold the front's faces. */
+static void widen_slab(bounds *b, const hide_fronts *fronts, const item *of)
 {
-    uint32_t count;
-    hide_single single = {.front = ROBERTS_NONE};
-    const hide_face *face = hide_faces(fronts, of->front, &count, &single);
-    const hide_box *box = &fronts->front_box[of->front];
-    if (count > MANY_CORNERS)
-        for (int i = 0; i < 4; i++) {
-            double x = (double)(i & 1 ? box->x1 : box->x0), y = (double)(i & 2 ? box->y1 : box->y0);
-            b->high = greater(b->high, b->up.x * x + b->up.y * y + b->up.z * (double)box->z1);
-        }
-    else
-        for (uint32_t k = 0; k < count; k++)
-            for (uint32_t i = 0; i < face[k].count; i++)
-                b->high = greater(b->high, vec3_dot(b->up, fronts->P[face[k].corner[i]]));
+    roberts_vec3 corner[FRONT_TREE_CORNERS];
+    uint32_t count = corners_of(fronts, of->front, corner);
+    for (uint32_t i = 0; i < count; i++) {
+        double at = vec3_dot(b->up, corner[i]);
+        b->low = lesser(b->low, at);
+        b->high = greater(b->high, at);
+    }
 }
 
 static void choose_directions(bounds *b, const item *first, uint32_t count)
@@ -179,23 +191,26 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
     all->x1 = box->x1 + loose > all->x1 ? box->x1 + loose : all->x1;
     all->y0 = box->y0 - loose < all->y0 ? box->y0 - loose : all->y0;
     all->y1 = box->y1 + loose > all->y1 ? box->y1 + loose : all->y1;
+    all->z0 = box->z0 < all->z0 ? box->z0 : all->z0;
     all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
 }
 
 /* Sets the bounds of child k. */
 static void bound(const hide_fronts *fronts, front_node *n, int k, const item *first, uint32_t count)
 {
-    bounds b = {.box = {INFINITY, -INFINITY, INFINITY, -INFINITY, 0.0f, -INFINITY}, .high = -INFINITY};
+    bounds b = {
+        .box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY}, .low = INFINITY, .high = -INFINITY};
     choose_directions(&b, first, count);
     for (uint32_t i = 0; i < count; i++) {
         add_box(&b.box, &fronts->front_box[first[i].front], (float)hide_loose(fronts, first[i].front));
         widen_strips(&b, fronts, &first[i]);
-        raise_plane(&b, fronts, &first[i]);
+        widen_slab(&b, fronts, &first[i]);
     }
     n->x0[k] = b.box.x0;
     n->x1[k] = b.box.x1;
     n->y0[k] = b.box.y0;
     n->y1[k] = b.box.y1;
+    n->z0[k] = b.box.z0;
     n->z1[k] = b.box.z1;
     for (int i = 0; i < 2; i++) {
         n->strip[i].x[k] = (float)b.strip[i].x;
@@ -206,6 +221,7 @@ static void bound(const hide_fronts *fronts, front_node *n, int k, const item *f
     n->plane.x[k] = (float)b.up.x;
     n->plane.y[k] = (float)b.up.y;
     n->plane.z[k] = (float)b.up.z;
+    n->plane.low[k] = hide_float_below(b.low);
     n->plane.high[k] = hide_float_above(b.high);
 }
 
@@ -275,7 +291,9 @@ static uint32_t build_node(building *b, item *first, uint32_t count)
         if (size == 0)
             continue;
         bound(b->fronts, n, k, own, size);
-        n->child[k] = size == 1 ? own->front | FRONT_TREE_LEAF : build_node(b, own, size);
+        for (uint32_t i = 0; i < size; i++)
+            n->last[k] = own[i].place > n->last[k] ? own[i].place : n->last[k];
+        n->child[k] = size == 1 ? own->place | FRONT_TREE_LEAF : build_node(b, own, size);
     }
     return at;
 }
@@ -286,7 +304,7 @@ bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_
     *tree = (front_tree){.node = alloc_array(2 * (size_t)count / 3 + 1, sizeof *tree->node)}; /* see build_node() */
     bool done = b.item && tree->node;
     for (uint32_t i = 0; done && i < count; i++)
-        b.item[i] = measure(fronts, front[i]);
+        b.item[i] = measure(fronts, front[i], i);
     if (done)
         build_node(&b, b.item, count);
     free(b.item);
@@ -327,7 +345,7 @@ static inline void clip_to(four from, four to, four *t0, four *t1)
     *t1 = four_lesser(*t1, four_greater(from, to));
 }
 
-/* Has the line a point at t0 or t1 that is at most `high`? The line is a + t d. */
+/* Is the line a + t d at most `high` at t0 or at t1? */
 static inline unsigned reaches(four a, four d, four t0, four t1, four high)
 {
     return four_at_most(four_lesser(four_add(a, four_mul(t0, d)), four_add(a, four_mul(t1, d))), high);
@@ -383,4 +401,62 @@ uint32_t front_node_meets(const front_node *n, const front_line *line, float t0,
         found[at] = v;
     }
     return count;
+}
+
+void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t front)
+{
+    roberts_vec3 corner[FRONT_TREE_CORNERS];
+    const double margin = hide_margin(&fronts->space) + hide_loose(fronts, front);
+    double most = 0.0;
+    shape->box = &fronts->front_box[front];
+    shape->count = corners_of(fronts, front, corner);
+    for (uint32_t i = 0; i < shape->count; i++) {
+        shape->x[i] = (float)corner[i].x;
+        shape->y[i] = (float)corner[i].y;
+        shape->z[i] = (float)corner[i].z;
+        most = greater(most, fabs(corner[i].x) + fabs(corner[i].y) + fabs(corner[i].z));
+    }
+    shape->margin = (float)(2.0 * margin + ROUNDINGS * most);
+    shape->margin_plane = (float)(PLANE_MARGINS * margin + ROUNDINGS * most);
+}
+
+static inline unsigned boxes_touch(const front_node *n, const hide_box *b)
+{
+    return four_at_most(four_load(n->x0), four_all(b->x1)) & four_at_most(four_all(b->x0), four_load(n->x1)) &
+           four_at_most(four_load(n->y0), four_all(b->y1)) & four_at_most(four_all(b->y0), four_load(n->y1)) &
+           four_at_most(four_load(n->z0), four_all(b->z1)) & four_at_most(four_all(b->z0), four_load(n->z1));
+}
+
+/* Which children have points between the least and the greatest of `at`, give or take m? */
+static inline unsigned between(const float *low, const float *high, const four at[2], four m)
+{
+    return four_at_most(four_load(low), four_add(at[1], m)) & four_at_most(four_sub(at[0], m), four_load(high));
+}
+
+unsigned front_node_touches(const front_node *n, const front_shape *shape, uint32_t place)
+{
+    unsigned met = boxes_touch(n, shape->box);
+    for (unsigned k = 0; k < 4; k++)
+        met &= n->last[k] > place ? 15u : ~(1u << k);
+    for (int k = 0; k < 2 && met; k++) {
+        const four x = four_load(n->strip[k].x), y = four_load(n->strip[k].y);
+        four range[2] = {four_all(INFINITY), four_all(-INFINITY)};
+        for (uint32_t i = 0; i < shape->count; i++) {
+            const four at = four_add(four_mul(x, four_all(shape->x[i])), four_mul(y, four_all(shape->y[i])));
+            range[0] = four_lesser(range[0], at);
+            range[1] = four_greater(range[1], at);
+        }
+        met &= between(n->strip[k].low, n->strip[k].high, range, four_all(shape->margin));
+    }
+    if (!met)
+        return 0;
+    const four x = four_load(n->plane.x), y = four_load(n->plane.y), z = four_load(n->plane.z);
+    four range[2] = {four_all(INFINITY), four_all(-INFINITY)};
+    for (uint32_t i = 0; i < shape->count; i++) {
+        const four xy = four_add(four_mul(x, four_all(shape->x[i])), four_mul(y, four_all(shape->y[i])));
+        const four at = four_add(xy, four_mul(z, four_all(shape->z[i])));
+        range[0] = four_lesser(range[0], at);
+        range[1] = four_greater(range[1], at);
+    }
+    return met & between(n->plane.low, n->plane.high, range, four_all(shape->margin_plane));
 }

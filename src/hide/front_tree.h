@@ -12,22 +12,26 @@
 #include "base/lanes.h"
 #include "hide/fronts.h"
 
+/* Fronts with more corners or faces than this are bounded by their boxes alone. */
+#define FRONT_TREE_CORNERS 24
+
 /* Most children that wait while a line goes through a tree. */
 #define FRONT_TREE_WAITING 64
 
-/* Of a child: this bit says that it is a front; without it, the child is a node. */
+/* Of a child: this bit says that it is a single front; without it, the child is a node. */
 #define FRONT_TREE_LEAF 0x80000000u
 
 /* Bounds of the children, one lane each. Unused children have no points. */
 typedef struct front_node {
-    float x0[4], x1[4], y0[4], y1[4], z1[4];
+    float x0[4], x1[4], y0[4], y1[4], z0[4], z1[4];
     struct {
         float x[4], y[4], low[4], high[4]; /* low <= x X.x + y X.y <= high */
     } strip[2];
     struct {
-        float x[4], y[4], z[4], high[4]; /* x X.x + y X.y + z X.z <= high */
+        float x[4], y[4], z[4], low[4], high[4]; /* low <= x X.x + y X.y + z X.z <= high */
     } plane;
-    uint32_t child[4]; /* a node, or a front and FRONT_TREE_LEAF */
+    uint32_t last[4];  /* the last place in the list below the child */
+    uint32_t child[4]; /* a node, or the place of a front in the list and FRONT_TREE_LEAF */
 } front_node;
 
 typedef struct front_tree {
@@ -35,7 +39,7 @@ typedef struct front_tree {
     uint32_t count;
 } front_tree;
 
-/* Builds the tree over at least one front. Their order in `front` does not matter. False: no memory. */
+/* Builds the tree over a list of at least one front. False: no memory. */
 bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count);
 void front_tree_free(front_tree *tree);
 
@@ -59,5 +63,18 @@ typedef struct front_visit {
  * Returns their number. The longest part comes last; of equal ones, that of the child which is farther from the viewer:
  * this is mostly the next in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
+
+/* A front as the tree sees it. */
+typedef struct front_shape {
+    const hide_box *box;
+    uint32_t count; /* of the corners of its faces, or of its box */
+    float x[FRONT_TREE_CORNERS], y[FRONT_TREE_CORNERS], z[FRONT_TREE_CORNERS];
+    float margin, margin_plane;
+} front_shape;
+
+void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t front);
+
+/* Which children may have a point in common with the front, and come after `place` in the list? Bit i is child i. */
+unsigned front_node_touches(const front_node *n, const front_shape *shape, uint32_t place);
 
 #endif

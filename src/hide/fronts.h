@@ -69,7 +69,7 @@ typedef struct hide_fronts {
     cover cover;
     uint32_t most_corners;            /* of a face or an outline */
     size_t face_count, back, edge_on; /* faces of bodies that are not culled, by their facing */
-    size_t culled_count;              /* bodies that are hidden; not those that the near plane has taken */
+    size_t culled_count;              /* bodies that are hidden; not those that the near plane has removed */
     roberts_vec2 low, high;           /* box of the picture, view units */
 } hide_fronts;
 
@@ -77,7 +77,7 @@ typedef struct hide_fronts {
  * are kept. If they are not, bodies that are wholly hidden are culled. False: no memory, and `fronts` is empty. */
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options);
 
-/* The same. looked_up: who is seen at a point will be asked, also where hidden lines are not kept. */
+/* The same. looked_up: hide_seen_at() will be called, even if hidden lines are not kept. */
 bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);
 

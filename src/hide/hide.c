@@ -24,9 +24,9 @@
 
 #define SOLIDS_AHEAD 2 /* between asking for one and needing it */
 #define CHUNK_SOLIDS 64
-#define CHUNK_SEGMENTS 1024 /* room to begin with: nine visible edges of each block, and then some */
+#define CHUNK_SEGMENTS 1024 /* room at first: nine visible edges for each block, and some more */
 #define CHUNK_CROSSINGS 256
-#define CHUNKS_PER_THREAD 8 /* with less work than this a thread costs more than it does */
+#define CHUNKS_PER_THREAD 8 /* with less work than this, a thread costs more than it saves */
 
 roberts_hide_options roberts_hide_options_default(void)
 {
@@ -44,7 +44,7 @@ static roberts_time now(void)
                           (double)wall.tv_sec + 1e-9 * (double)wall.tv_nsec};
 }
 
-/* Time since *last, which becomes the present. */
+/* Returns the time since *last, and sets *last to the present. */
 static roberts_time lap(roberts_time *last)
 {
     roberts_time present = now(), passed = {present.cpu - last->cpu, present.wall - last->wall};
@@ -54,8 +54,8 @@ static roberts_time lap(roberts_time *last)
 
 /* ---- 1. fronts ---- */
 
-/* What is culled does not depend on the grid. Where borders coincide in the picture, another solid's border may differ
- * in the last bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
+/* What is culled does not depend on the grid. If borders coincide in the picture, they may still differ in the last
+ * bit. Where hidden segments are wanted, with the solid that the viewer sees there, nothing is culled. */
 static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
                                   roberts_error *error)
 {
@@ -97,7 +97,7 @@ static roberts_status list_fronts(hide_job *job)
 
 /* ---- 3. where faces cross ---- */
 
-/* The drawing takes over what rows say of the lines. */
+/* Moves what rows say about the lines to the drawing. */
 static roberts_status find_crossings(hide_job *job, roberts_drawing *drawing)
 {
     crossings *c = &job->crossings;
@@ -112,7 +112,7 @@ static roberts_status find_crossings(hide_job *job, roberts_drawing *drawing)
 
 /* ---- 4. lines, tests and segments ---- */
 
-/* How many chunks the bodies are. Those of lines where faces cross follow. */
+/* The number of chunks of bodies. Chunks of lines in which faces cross follow them. */
 static uint32_t body_chunks(const hide_job *job)
 {
     return (job->seen.scene->solid_count + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
@@ -134,7 +134,7 @@ static bool do_chunk(const hide_job *job, hide_worker *w, hide_chunk *out, uint3
            segments_find(job, w, out, first, end);
 }
 
-/* The solids of one chunk of the order in which they lie in the picture. */
+/* Hides the solids of one chunk, in the order of the picture. */
 static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
 {
     uint32_t first = index * KEPT_SOLIDS, count = job->order.count;
@@ -156,7 +156,7 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     return true;
 }
 
-/* All solids, where the order of the file is not as good. */
+/* Hides all solids in the order of the picture, if the order of the file is not as good. */
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 {
     bool lost = false;

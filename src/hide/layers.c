@@ -85,7 +85,7 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* Notes all fronts as folds that are not triangles of a surface. */
+/* Notes as folds all fronts that are not triangles of a surface. */
 static void fold_fronts(const layers *l)
 {
     const hide_fronts *fronts = l->fronts;

@@ -15,7 +15,7 @@
 
 #include "hide/objet.h"
 
-/* The finding of sheets. */
+/* The search for sheets. */
 typedef struct layers {
     objet *grid;
     const hide_fronts *fronts;

@@ -28,21 +28,34 @@ static dd3 from_eye(const hide_space *space, seen_point a)
     return between(space, a, (seen_point){.point = space->view->viewpoint});
 }
 
-/* Returns a multiple of the distance of X from the sight plane through p and q. The factor is positive and the same for
- * every X. */
-static dd side_determinant(const hide_space *space, uint32_t p, uint32_t q, seen_point X)
+/* The sight plane through p and q. */
+typedef struct sight_plane {
+    seen_point P, Q;
+    dd3 normal; /* perspective: (P - V) x (Q - V), the same for every X */
+} sight_plane;
+
+static sight_plane sight_plane_through(const hide_space *space, uint32_t p, uint32_t q)
 {
-    seen_point P = vertex_point(space, p), Q = vertex_point(space, q);
+    sight_plane s = {.P = vertex_point(space, p), .Q = vertex_point(space, q)};
     if (space->view->perspective)
-        return dd_neg(dd3_dot(dd3_cross(from_eye(space, P), from_eye(space, Q)), from_eye(space, X)));
-    return dd3_dot(dd3_cross(between(space, Q, P), between(space, X, P)), dd3_from(space->view->viewpoint));
+        s.normal = dd3_cross(from_eye(space, s.P), from_eye(space, s.Q));
+    return s;
+}
+
+/* Returns a multiple of the distance of X from the sight plane. The factor is positive and the same for every X. */
+static dd side_determinant(const hide_space *space, const sight_plane *s, seen_point X)
+{
+    if (space->view->perspective)
+        return dd_neg(dd3_dot(s->normal, from_eye(space, X)));
+    return dd3_dot(dd3_cross(between(space, s->Q, s->P), between(space, X, s->P)), dd3_from(space->view->viewpoint));
 }
 
 double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
 {
     const view *v = space->view;
     double length = hypot(space->P[q].x - space->P[p].x, space->P[q].y - space->P[p].y);
-    double determinant = side_determinant(space, p, q, place_of(space, x)).hi;
+    const sight_plane sight = sight_plane_through(space, p, q);
+    double determinant = side_determinant(space, &sight, place_of(space, x)).hi;
     if (v->perspective) { /* the picture's determinant of rows (x, y, 1) is that of rows (x, y, w), divided by the three
                              w / D */
         double z[] = {space->P[p].z, space->P[q].z, x.z};
@@ -59,8 +72,10 @@ static double to_picture(const hide_space *space, const hide_edge *e, double t)
 
 double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e)
 {
-    seen_point A = place_of(space, refine_start(e)), B = place_of(space, refine_end(e));
-    return to_picture(space, e, dd_zero_of(side_determinant(space, p, q, A), side_determinant(space, p, q, B)));
+    const sight_plane sight = sight_plane_through(space, p, q);
+    const dd a = side_determinant(space, &sight, place_of(space, refine_start(e)));
+    const dd b = side_determinant(space, &sight, place_of(space, refine_end(e)));
+    return to_picture(space, e, dd_zero_of(a, b));
 }
 
 double refine_pierce(const hide_space *space, const hide_face *F, const hide_edge *e)

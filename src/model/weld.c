@@ -165,7 +165,7 @@ bool weld_open(const roberts_scene *scene, const uint8_t *open, const roberts_me
     return enough;
 }
 
-/* Cleans the faces after welding. Refuses vertices of components that are not closed if they are no positions. */
+/* Cleans the faces after welding. Refuses a vertex of an open component whose coordinates are infinite or too large. */
 static roberts_status clean_welded(const roberts_scene *scene, const uint8_t *open, polygons *faces,
                                    const roberts_mesh *mesh, roberts_error *error)
 {

@@ -55,30 +55,100 @@ BITS_RARE static const char *any_coordinate(const char *c, double *value)
     return c && (unsigned char)*c <= ' ' && mesh_coordinate(*value) ? c : NULL;
 }
 
-/* Reads a coordinate and moves to the next token of the line, or to the end of the line. */
-BITS_INLINE const char *coordinate(const char *c, number_guess *guess, double *value)
+/* Moves to the next token of the line, or to the end of the line. */
+BITS_INLINE const char *next_token(const char *end)
 {
-    const char *end = number_usual(c, guess, value); /* far below MESH_COORDINATE_MAX */
+    return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
+}
+
+/* Models along the axes repeat their coordinates. To compare a text with an earlier one costs a sixth of reading it. */
+enum { SPELLINGS = 2, SHORT_SPELLING = 8, LONG_SPELLING = 23, FRUITLESS_VERTICES = 16 };
+
+/* A coordinate as it is written. */
+typedef struct spelling {
+    uint64_t begin, middle, end; /* its first eight characters; eight more; its last seven, and what follows */
+    size_t middle_at, length;
+    double value;
+} spelling;
+
+/* What is known of the coordinates of one column. */
+typedef struct column {
+    number_guess guess;
+    spelling last[SPELLINGS];
+    int oldest;
+} column;
+
+static void begin_column(column *k)
+{
+    const spelling none = {.begin = UINT64_C(0x2020202020202020)}; /* blanks */
+    *k = (column){.guess = number_guess_digits(8), .last = {none, none}};
+}
+
+/* Is this the number at c? No more than eight characters beyond the end of the text are read: each part is compared
+ * only if the characters before it are those of a number. */
+BITS_INLINE bool is_spelled(const spelling *s, const char *c)
+{
+    return bits_load(c) == s->begin && bits_load(c + s->middle_at) == s->middle &&
+           bits_load(c + s->length - 7) == s->end;
+}
+
+BITS_INLINE void keep_spelling(column *k, const char *c, const char *end, double value)
+{
+    size_t length = (size_t)(end - c), middle = length < 15 ? length - 7 : 8;
+    if (length < SHORT_SPELLING || length > LONG_SPELLING)
+        return;
+    k->last[k->oldest] = (spelling){bits_load(c), bits_load(c + middle), bits_load(end - 7), middle, length, value};
+    k->oldest = !k->oldest;
+}
+
+/* Reads a coordinate and moves to the next token of the line, or to the end of the line. spelled: compares its text
+ * first, and counts those found in *found. */
+BITS_INLINE const char *coordinate(const char *c, column *k, bool spelled, size_t *found, double *value)
+{
+    for (int i = 0; spelled && i < SPELLINGS; i++)
+        if (is_spelled(&k->last[i], c)) {
+            *value = k->last[i].value;
+            ++*found;
+            return next_token(c + k->last[i].length);
+        }
+    const char *end = number_usual(c, &k->guess, value); /* far below MESH_COORDINATE_MAX */
     if (!end || (unsigned char)*end > ' ')
         end = any_coordinate(c, value);
     if (!end)
         return NULL;
-    return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
+    if (spelled)
+        keep_spelling(k, c, end, *value);
+    return next_token(end);
 }
 
-const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
+/* Reads vertices as plain_vertices() does. spelled: compares texts, and ends after some vertices where none was
+ * found. */
+BITS_INLINE const char *vertices_in_columns(const char *at, column k[3], bool spelled, roberts_vec3 *vertex,
+                                            size_t room, size_t *count)
 {
-    number_guess guess[3] = {number_guess_digits(8), number_guess_digits(8), number_guess_digits(8)};
-    size_t n = 0;
-    for (; n < room; n++) {
+    size_t n = 0, found = 0;
+    for (; n < room && (!spelled || n < FRUITLESS_VERTICES * (1 + found)); n++) {
         roberts_vec3 *p = &vertex[n];
         const char *c = begin_line(at);
-        if (!c || !(c = coordinate(c, &guess[0], &p->x)) || !(c = coordinate(c, &guess[1], &p->y)) ||
-            !(c = coordinate(c, &guess[2], &p->z)) || !line_ends(c))
+        if (!c || !(c = coordinate(c, &k[0], spelled, &found, &p->x)) ||
+            !(c = coordinate(c, &k[1], spelled, &found, &p->y)) ||
+            !(c = coordinate(c, &k[2], spelled, &found, &p->z)) || !line_ends(c))
             break;
         at = c;
     }
     *count = n;
+    return at;
+}
+
+const char *plain_vertices(const char *at, roberts_vec3 *vertex, size_t room, size_t *count)
+{
+    column k[3];
+    size_t more;
+    for (int i = 0; i < 3; i++)
+        begin_column(&k[i]);
+    at = vertices_in_columns(at, k, true, vertex, room, count);
+    at = vertices_in_columns(at, k, false, vertex + *count, room - *count, &more);
+    *count += more;
     return at;
 }
 
@@ -99,6 +169,7 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
                                       uint32_t count)
 {
     const uint32_t first = f->first, limit = f->limit;
+    uint64_t shift = 64 - 8 * guess->digits; /* shifts in leading zeros */
     for (const uint32_t *end = corner + count; corner < end; corner++) {
         const char *c = at + 1;
         uint64_t chunk = bits_load(c) ^ NUMBER_DIGITS;
@@ -107,8 +178,9 @@ BITS_INLINE const char *plain_corners(const char *at, const plain_faces *f, numb
             if (!c)
                 return NULL;
             chunk = bits_load(c) ^ NUMBER_DIGITS;
+            shift = 64 - 8 * guess->digits;
         }
-        uint32_t index = (uint32_t)number_eight_digits(chunk << (64 - 8 * guess->digits));
+        uint32_t index = (uint32_t)number_eight_digits(chunk << shift);
         if (index >= limit)
             return NULL;
         *corner = first + index;

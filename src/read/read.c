@@ -80,6 +80,7 @@ void read_rest(reader *r, char *text, size_t room)
 #define BLENDER_COMMAND                                                                                                \
     "blender -b model.blend --python-expr \"import bpy; bpy.ops.wm.obj_export(filepath='model.obj', "                  \
     "forward_axis='Y', up_axis='Z')\""
+#define SCAD_IMPORT(file) "echo 'import(\"" file "\");' | openscad -o model.stl -"
 #define SCAD_COMMAND "openscad -o model.stl model.scad"
 
 static const struct foreign {
@@ -92,7 +93,7 @@ static const struct foreign {
     {"\x28\xb5\x2f\xfd", "compressed by zstd (as Blender's files are)", BLENDER_COMMAND, false},
     {"Kaydara", "FBX", "assimp export model.fbx model.stl", true},
     {"#VRML", "VRML", "", false},
-    {"PK", "a ZIP archive (as 3MF is)", "assimp export model.3mf model.stl", false},
+    {"PK", "a ZIP archive (as 3MF is)", SCAD_IMPORT("model.3mf"), false},
     {"ISO-10303-21", "STEP", "gmsh -2 model.step -o model.stl", false},
     {"module", "OpenSCAD", SCAD_COMMAND, true},
     {"function", "OpenSCAD", SCAD_COMMAND, true},

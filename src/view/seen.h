@@ -268,7 +268,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
  * the faces of its body. is: its entry of scene_surface.edge_is. */
 static inline bool seen_joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
 {
-    if (edge->f[1] == ROBERTS_NONE || is & (EDGE_MANY | EDGE_PART))
+    if (edge->f[1] == ROBERTS_NONE || is & EDGE_MANY)
         return false;
     unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
     bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);

@@ -1,11 +1,11 @@
 /* test_readme.c - what the README shows works as printed, and what it links to or names exists.
  *
- * In a new folder with links to build, include and models, each line of a ```sh block of the README and of the recipes
- * is run as printed, with `roberts` the one in build, and the ```c block is compiled, as example.c, by the README's own
- * command, where `cc` is the compiler that built the library (CC). What the pages on the stages say of constants and
- * files holds too. A block with a name behind its language (```python seen.py) is first written to a file of that name.
- * Lines that need a program that is not installed are left out with a message, and so are those that call `make`, which
- * runs this test. */
+ * In a new folder with links to build, include and models, each line of a ```sh block of the README, of the page on the
+ * models and of the recipes is run as printed, with `roberts` the one in build, and the ```c block is compiled, as
+ * example.c, by the README's own command, where `cc` is the compiler that built the library (CC). What the pages on the
+ * stages say of constants and files holds too. A block with a name behind its language (```python seen.py) is first
+ * written to a file of that name. Lines that need a program that is not installed are left out with a message, and so
+ * are those that call `make`, which runs this test. */
 #include <ctype.h>
 #include <glob.h>
 #include <setjmp.h>
@@ -121,7 +121,7 @@ static bool lacks_program(const char *line)
 }
 
 /* Pages whose commands are run. */
-static const char *const pages[] = {"README.md", "models/recipes.md"};
+static const char *const pages[] = {"README.md", "models/README.md", "models/recipes.md"};
 enum { PAGES = sizeof pages / sizeof pages[0] };
 
 /* Reads one line, without its end. A backslash before the end joins it to the next line. */
@@ -220,6 +220,115 @@ static void test_commands(void **state)
         each_line(pages[i], "sh", try_command, &tried);
     }
     assert_true(tried > 15);
+}
+
+/* ---- blocks that nothing runs ---- */
+
+/* Blocks that test_commands() neither runs nor writes to a file: how many a page has, and why. */
+static const struct {
+    const char *page, *language;
+    int count;
+    const char *why;
+} other_blocks[] = {
+    {"README.md", "c", 1, "test_example() compiles it"},
+    {"README.md", "", 1, "a path from file to file"},
+    {"models/recipes.md", "latex", 1, "a part of a document, which has no end of its own"},
+    {"models/gallery/README.md", "sh", 1, "test_gallery.c runs its commands"},
+    {"src/README.md", "", 1, "a path from file to file"},
+    {"src/cli/README.md", "", 1, "a path from argv to the exit status"},
+    {"src/cli/README.md", "c", 1, "a row of a table; test_options.c adds one of its own"},
+};
+enum { OTHERS = sizeof other_blocks / sizeof other_blocks[0] };
+
+static bool is_run(const char *page)
+{
+    for (int i = 0; i < PAGES; i++)
+        if (strcmp(pages[i], page) == 0)
+            return true;
+    return false;
+}
+
+typedef struct mention {
+    const char *name;
+    bool found;
+} mention;
+
+static void find_mention(const char *line, void *context)
+{
+    mention *m = context;
+    m->found = m->found || strstr(line, m->name);
+}
+
+/* Reads the opening line of a block. Returns whether test_commands() runs the block, or some command names its file. */
+static bool block_is_used(const char *path, const char *page, const char *opening)
+{
+    char language[32] = "", name[64] = "";
+    if (sscanf(opening, "```%31s %63s", language, name) < 2)
+        return strcmp(language, "sh") == 0 && is_run(page);
+    mention m = {name, false};
+    each_line(path, "sh", find_mention, &m);
+    return is_run(page) && m.found;
+}
+
+/* Counts the blocks of a file, called `page` in the table, that nothing runs and no row explains. */
+static int unused_blocks(const char *path, const char *page)
+{
+    int left[OTHERS], unused = 0;
+    char line[1024];
+    bool inside = false;
+    FILE *text = fopen(path, "r");
+    assert_non_null(text);
+    for (int i = 0; i < OTHERS; i++)
+        left[i] = strcmp(other_blocks[i].page, page) == 0 ? other_blocks[i].count : 0;
+    while (fgets(line, sizeof line, text)) {
+        const bool indented = isspace((unsigned char)line[0]) && strncmp(line + strspn(line, " \t"), "```", 3) == 0;
+        if (indented)
+            print_message("%s: an indented block is not run: %s", path, line);
+        unused += indented;
+        if (strncmp(line, "```", 3) != 0)
+            continue;
+        inside = !inside;
+        if (!inside || block_is_used(path, page, line))
+            continue;
+        line[strcspn(line, "\n")] = '\0';
+        int row = 0;
+        while (row < OTHERS && (left[row] == 0 || strcmp(other_blocks[row].language, line + 3) != 0))
+            row++;
+        if (row == OTHERS)
+            print_message("%s: nothing runs the block %s\n", path, line);
+        else
+            left[row]--;
+        unused += row == OTHERS;
+    }
+    for (int i = 0; i < OTHERS; i++)
+        if (left[i] > 0)
+            fail_msg("%s: fewer blocks ```%s than the test's table says", path, other_blocks[i].language);
+    fclose(text);
+    return unused;
+}
+
+/* Every block of every page is run, is a file that a command uses, or has a row with the reason. */
+static void test_blocks(void **state)
+{
+    static const char page[] = "```text a.txt\n1\n```\n```sh\nroberts a.txt\n```\n"
+                               "```bash\nroberts b.txt\n```\n```text b.txt\n2\n```\n    ```sh\n    true\n    ```\n";
+    char path[512];
+    glob_t texts;
+    (void)state;
+    snprintf(path, sizeof path, "%s/page.md", temporary);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(page, file);
+    assert_int_equal(fclose(file), 0);
+    assert_int_equal(unused_blocks(path, "models/README.md"), 4); /* bash, b.txt, both ends of the indented one */
+    assert_int_equal(unused_blocks(path, "a page whose commands are not run"), 6);
+    assert_int_equal(glob("README.md", 0, NULL, &texts), 0);
+    assert_int_equal(glob("*/*.md", GLOB_APPEND, NULL, &texts), 0);
+    assert_int_equal(glob("*/*/README.md", GLOB_APPEND, NULL, &texts), 0);
+    assert_true(texts.gl_pathc > 10);
+    for (size_t i = 0; i < texts.gl_pathc; i++)
+        assert_int_equal(unused_blocks(texts.gl_pathv[i], texts.gl_pathv[i]), 0);
+    globfree(&texts);
 }
 
 /* ---- the page whose faces name themselves ---- */
@@ -568,9 +677,9 @@ static void test_figures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_links),   cmocka_unit_test(test_names),    cmocka_unit_test(test_pages),
-        cmocka_unit_test(test_figures), cmocka_unit_test(test_commands), cmocka_unit_test(test_page_of_faces),
-        cmocka_unit_test(test_example),
+        cmocka_unit_test(test_links),         cmocka_unit_test(test_names),   cmocka_unit_test(test_pages),
+        cmocka_unit_test(test_figures),       cmocka_unit_test(test_blocks),  cmocka_unit_test(test_commands),
+        cmocka_unit_test(test_page_of_faces), cmocka_unit_test(test_example),
     };
     return cmocka_run_group_tests_name("readme", tests, set_up, temporary_remove);
 }

@@ -1,5 +1,5 @@
-/* test_fault_files.c - files that are none, that change or vanish while the program works, and little to work with:
- * open files, stack, memory. tests/README.md lists all faults. */
+/* test_fault_files.c - files that are no regular files, or change or vanish while the program works; and few open
+ * files, little stack, little memory. tests/README.md lists all faults. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,7 +1,6 @@
-/* test_faults.c - input that nobody should give to the program, and what that costs: each run has a limit on its
- * processor time and, where no sanitizer needs more, on its memory, which does not grow with what a file promises.
- * Other faults are tested beside what they strike: test_cli.c, test_save.c, test_memory_*.c; tests/README.md
- * lists all. */
+/* test_faults.c - input that nobody should give to the program, and what it costs. Each run has a limit on processor
+ * time and, unless a sanitizer needs more, on memory, which must not grow with what a file promises. Other faults are
+ * tested beside what they strike: test_cli.c, test_save.c, test_memory_*.c; tests/README.md lists all. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-/* test_bodies.c - bodies that are not convex: what kinds they are, which of their edges are lines of which class,
- * what hides them. Whole pictures are held against exact numbers by the mesh oracle. */
+/* test_bodies.c - bodies that are not convex: their kinds, the classes of their lines, and what hides them. The mesh
+ * oracle compares whole pictures with exact numbers. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -162,7 +162,7 @@ static void lines_have_their_classes(void **state)
     }
 }
 
-/* An L-block, its faces triangles; which are wound as they come, all the other way, or every other one. */
+/* An L-block made of triangles, wound as they come, all reversed, or every other one reversed. */
 static const char *block(int winding)
 {
     static char text[2000];

@@ -1,5 +1,4 @@
-/* Bundles: solids of very many faces that lie across one another's boxes, asked by a tree against all faces one
- * by one. */
+/* Bundles: solids of very many faces whose boxes overlap. The tree is compared with testing all faces one by one. */
 #include "hide/front_test.h"
 #include "scenes.h"
 

@@ -1,5 +1,5 @@
-/* test_crossing.c - where two faces cross: hand-made pairs of every kind, in all orders and turned in all ways; random
- * triangles with integer corners against whole numbers, to the last bit. */
+/* test_crossing.c - where two faces cross: hand-made pairs of every kind, in all orders and orientations; random
+ * triangles with integer corners, compared with whole numbers to the last bit. */
 #include "model/crossing.h"
 #include "scenes.h"
 
@@ -228,7 +228,8 @@ static int compare_fractions(const fraction3 *p, const fraction3 *q)
     return 0;
 }
 
-/* What triangle t has of the other's plane, from end to end; false: it does not go on at both sides. */
+/* The part of the other's plane in triangle t, from end to end. False: the triangle does not lie on both sides of it.
+ */
 static bool whole_span(const whole3 t[3], const whole3 other[3], fraction3 end[2])
 {
     int64_t h[3];

@@ -136,8 +136,8 @@ static void sums_and_products_of_integers(void **state)
     }
 }
 
-/* Sums of long numbers; of most of them the leading bits cancel, or all of the leading parts: the error is small beside
- * the sum, not only beside its terms. */
+/* Sums of long numbers. In most of them the leading bits or parts cancel. The error is small compared with the sum, not
+ * only with its terms. */
 static void sums_of_long_numbers(void **state)
 {
     rng r = {53};

@@ -147,7 +147,7 @@ static roberts_scene *scene_of(const char *off)
     return scene;
 }
 
-/* The line of a case is drawn with both of its ends, whether hidden lines are kept or not, and nothing contradicts it.
+/* The line of a case is drawn from end to end, with or without hidden lines, and no ray contradicts it.
  */
 static void edges_left_out_are_lines_where_they_should(void **state)
 {

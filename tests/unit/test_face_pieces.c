@@ -1,5 +1,5 @@
-/* test_face_pieces.c - faces of any shape in convex pieces: the pieces tile what the border winds round, whatever the
- * rounding. */
+/* test_face_pieces.c - faces of any shape, cut into convex pieces: the pieces tile what the border winds round,
+ * whatever the rounding. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

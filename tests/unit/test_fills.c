@@ -1,7 +1,7 @@
 /* test_fills.c - what faces are filled with: colours, regions joined by colour, seams between colours.
  *
- * For each colour the area of its rings must be that of all its regions, each corner rounded to the page: in whole
- * numbers, and so exactly. */
+ * For each colour, the area of its rings must be exactly that of all its regions, with corners rounded to the page:
+ * both are whole numbers. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -274,7 +274,7 @@ static void test_corner_colors(void **state)
     roberts_scene_free(scene);
 }
 
-/* Normals look at the viewer and have his axes: a cube seen along a diagonal, and a triangle from behind. */
+/* Normals point to the viewer, in the viewer's axes: a cube seen along a diagonal, and a triangle from behind. */
 static void test_normals(void **state)
 {
     static const roberts_camera along = {.dir = {1, 1, 1}};

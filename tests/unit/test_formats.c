@@ -119,7 +119,7 @@ static void epsilon_of_floats(void **state)
     roberts_drawing_free(&drawing);
 }
 
-/* What floats of some size step by: see nextafterf(). Inputs without floats do not count, whatever their size. */
+/* The step between floats of some size: see nextafterf(). Inputs without floats do not count, whatever their size. */
 static void steps(void **state)
 {
     static const float sizes[] = {1.0f, 1.5f, 0x1.fffffep0f, 2.0f, 3.0f, 1e-3f, 12345.678f, 1e20f, 1e-20f};

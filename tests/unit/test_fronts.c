@@ -1,5 +1,5 @@
-/* test_fronts.c - the scene in view space by threads: which solids they take at the same time, and the same picture by
- * any number of them. */
+/* test_fronts.c - the scene in view space, built by threads: which solids they take at the same time, and that any
+ * number of threads gives the same picture. */
 #include <stdio.h>
 
 #include "hide/front.h"

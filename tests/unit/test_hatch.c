@@ -213,9 +213,9 @@ static double area_of(const given_region *g)
 static const ring with_hole[2] = {{5, {{3, 5}, {97, 2}, {93, 60}, {60, 97}, {8, 90}}},
                                   {4, {{40, 30}, {30, 55}, {65, 60}, {60, 35}}}};
 
-/* Strokes are as long for each area as the shade asks for: their length times their distance where it is darkest, for
- * each area, is how dark the face is. Nested strokes are not equally far apart. So where few of them cross the region,
- * one of them more or less counts for more than 5 %. */
+/* The length of strokes follows the shade: divided by the area and times the spacing, it is how dark the face is.
+ * Nested strokes are not equally far apart. So where few of them cross the region, one of them more or less counts for
+ * more than 5 %. */
 static void length_follows_shade(void **state)
 {
     rng r = {20240};
@@ -262,7 +262,8 @@ static void levels_are_the_nearest(void **state)
         }
 }
 
-/* Faces turned away from the light are all as dark as one along which it falls; light straight on leaves the paper. */
+/* Faces turned away from the light are as dark as one along which the light falls. A face that the light meets straight
+ * on has no strokes. */
 static void ends_of_the_scale(void **state)
 {
     given_region g;
@@ -480,8 +481,8 @@ static bool holds(const char *bytes, size_t size, const char *text)
     return false;
 }
 
-/* Every format of pages has the strokes, with a layer, a style or a pen of their own where it has such, on single
- * drawings and on sheets. */
+/* Every page format has the strokes, in single drawings and on sheets. Where a format has layers, styles or pens, the
+ * strokes have one of their own. */
 static void all_formats_have_strokes(void **state)
 {
     static const struct {

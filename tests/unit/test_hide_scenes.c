@@ -291,8 +291,8 @@ static void boxes_by_table(void **state)
     }
 }
 
-/* Where depth moves right and up by its own amount, the line of sight is that of "iso": other pictures,
- * same parts. */
+/* If depth moves points right and up by as much as it is, the line of sight is that of "iso". The pictures differ, the
+ * parts are the same. */
 static void boxes_seen_obliquely(void **state)
 {
     roberts_camera camera = {.dir = {0, -1, 0}, .oblique = {1, 1}};
@@ -319,9 +319,9 @@ static void add_tetrahedron(model *m, const roberts_vec3 point[4])
     model_close_solid(m);
 }
 
-/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon
- * (1.2e-9 to 1.7e-9) of the border's line for twelve and more of its hundred units. But there is a gap that is far
- * wider than epsilon. */
+/* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon (1.2e-9
+ * to 1.7e-9) of the border's line for twelve and more of its hundred units. But the gap between them is far wider than
+ * epsilon. */
 static void borders_at_flat_angles(void **state)
 {
     static const struct {
@@ -368,8 +368,8 @@ static void borders_at_flat_angles(void **state)
 }
 
 /* A roof of two faces, and an edge from x = 0 to 100 that pierces both of their planes, at x = 49 and, at so flat an
- * angle that it is within epsilon for ten units, at x = 50. It is hidden from there on, in whatever order the faces
- * come. */
+ * angle that it is within epsilon for ten units, at x = 50. It is hidden from there on, whatever the order of the
+ * faces. */
 static void pierced_planes_in_any_order(void **state)
 {
     static const roberts_vec2 section[4] = {{-1, 5}, {49, 10 - 1e-10}, {101, 10 + 5.1e-9}, {101, 0}}; /* x and z */
@@ -784,8 +784,8 @@ static void eyes_refused(void **state)
     model_free(&m);
 }
 
-/* Eyes so near a cube, or in contact with it, that the near plane has to stand farther away than it is asked to:
- * nothing is refused, the drawing is that of the least distance there is, and rays find nothing wrong with it. */
+/* The eye is so near to a cube, or touches it, that the near plane has to be farther away than asked. Nothing is
+ * refused, the drawing is that of the least possible distance, and rays find no fault in it. */
 static void eyes_very_near(void **state)
 {
     static const struct {
@@ -832,8 +832,8 @@ static void eyes_very_near(void **state)
     model_free(&m);
 }
 
-/* An eye in the middle of a slanted face, which looks away from the solid at another: it is outside, in whatever order
- * the face has its corners, and inside where it is moved through the face by more than rounding. */
+/* An eye in the middle of a slanted face looks away from the solid at another one. It is outside, whatever the order of
+ * the face's corners. If it is moved through the face by more than rounding, it is inside. */
 static void eyes_on_a_face(void **state)
 {
     static const uint32_t order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -871,8 +871,8 @@ static void eyes_on_a_face(void **state)
 }
 
 /* A slab that tilts, given to four digits, passes under the eye, which looks along it: where the near plane cuts it,
- * its nearest corner is a thousand times as near as a small box that lies 0.03 below its upper face. What that face
- * departs from its plane, less than 1e-4, must not count at the box as it does at that corner. */
+ * its nearest corner is a thousand times as near as a small box that lies 0.03 below its upper face. That face departs
+ * from its plane by less than 1e-4. At the box, this departure must count for less than at that corner. */
 static void box_buried_in_a_slab_under_the_eye(void **state)
 {
     static const roberts_vec3 point[2][8] = {{{1.6298, -10.4187, -3.4775},
@@ -986,8 +986,8 @@ static void flat_edges_by_table(void **state)
     }
 }
 
-/* Coplanar faces: a cube whose faces are cut into triangles looks as one whose faces are whole, but for crease 0, where
- * no edge is flatter. */
+/* Coplanar faces: a cube whose faces are cut into triangles looks like one with whole faces. With crease 0 it does not,
+ * since no edge is flatter. */
 static void cut_cube(void **state)
 {
     roberts_camera camera = preset("iso");
@@ -1096,8 +1096,8 @@ static void more_groups_than_stamps(void **state)
     model_free(&m);
 }
 
-/* Culled are the nine boxes behind the nearest one, one of them after it was mapped, and none of the three behind the
- * eye, which nothing hides. Only the nearest one's faces are counted. */
+/* The nine boxes behind the nearest one are culled, one of them after it was mapped. The three behind the eye are not,
+ * since nothing hides them. Only the faces of the nearest box are counted. */
 static void culled_solids_are_those_hidden(void **state)
 {
     roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 100}, .has_look_at = true};

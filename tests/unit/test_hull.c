@@ -1,5 +1,5 @@
-/* test_hull.c - convex hulls in place of what is no convex solid. Hulls of points with small whole coordinates are held
- * against whole-number arithmetic, in which there is no doubt; the rest by counts, by drawings and by what is said. */
+/* test_hull.c - convex hulls that replace what is no convex solid. Hulls of points with small whole coordinates are
+ * compared with exact integer arithmetic, all others by counts, drawings and messages. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -59,8 +59,8 @@ static whole outward(const roberts_scene *scene, uint32_t f)
     return whole_cross(whole_sub(corner_at(scene, f, 1), a), whole_sub(corner_at(scene, f, 2), a));
 }
 
-/* Each face is strictly convex, all of it in one plane, with all points behind that or in it; and no two neighbours are
- * in one plane: there is one such polyhedron alone. */
+/* Each face is strictly convex and planar, all points lie behind its plane or in it, and no two neighbours are
+ * coplanar. Only one polyhedron is like this. */
 static void assert_exact_hull(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     for (uint32_t f = 0; f < scene->face_count; f++) {
@@ -136,8 +136,8 @@ static void whole_points(void **state)
 
 /* ---- points in doubles ----------------------------------------------------------------------------------------- */
 
-/* Turned grids, places that many points have, and spheres, all moved by up to `noise` and in sizes far apart: hulls are
- * found, and all points lie within them by the tolerance. */
+/* Turned grids, repeated points and spheres, moved by up to `noise` and of very different sizes: hulls are found, and
+ * all points lie inside them, within the tolerance. */
 static void noisy_points(void **state)
 {
     static const double noises[] = {0, 1e-17, 1e-15, 1e-13, 1e-11, 1e-9, 1e-7, 1e-5, 1e-3};
@@ -182,7 +182,8 @@ static double six_decimals(double x)
     return round(x * 1e6) / 1e6;
 }
 
-/* A prism of eight sides, turned, as points of six digits: it has ten faces, though none of them is quite plane. */
+/* A turned prism of eight sides, given as points of six digits: it has ten faces, though none of them is exactly
+ * planar. */
 static void six_digits(void **state)
 {
     (void)state;
@@ -365,7 +366,7 @@ static void note(void *context, const char *file, size_t line, const char *messa
 #define SQUARE "OFF\n4 0 0\n0 0 9 1 0 9 0 1 9 1 1 9\n"
 #define CUBE "OFF\n8 6 0\n" CUBE_POINTS CUBE_FACES
 
-/* What is flat is left out, be it all of an input; it is refused where no input has anything else. */
+/* What is flat is left out, even a whole input. It is refused if no input has anything else. */
 static const struct {
     const char *name, *off[3];
     size_t solids; /* 0: refused */
@@ -450,7 +451,7 @@ static void flat_components_are_left_out(void **state)
     }
 }
 
-/* Plates down to 3^-18, some 2.6e-9, of their size: any solid may be as thin as 1e-9. */
+/* Plates as thin as 3^-18 of their size, about 2.6e-9. Solids may be as thin as 1e-9. */
 static void thin_plates(void **state)
 {
     (void)state;
@@ -491,7 +492,7 @@ static void make_fans(roberts_mesh *mesh, uint32_t every)
     }
 }
 
-/* With any number of threads: the same hulls in the same order, the same warning or first refusal. */
+/* Any number of threads gives the same hulls in the same order, and the same warning or first refusal. */
 static void threads_change_nothing(void **state)
 {
     static const struct {
@@ -576,7 +577,7 @@ static void assert_same_drawing(const char *path, bool bare)
     roberts_drawing_free(&hull);
 }
 
-/* Scenes of sound solids are drawn as without; single solids also from their points alone. */
+/* Scenes of convex solids are drawn as without `--hull`; single solids also from their points alone. */
 static void same_drawings(void **state)
 {
     static const char *const many[] = {"models/table.off", "models/city.off", "models/stella-octangula.off"};

@@ -222,7 +222,7 @@ static bool reach_each_other(hide_interval a, hide_interval b)
     return a.r0 <= b.r1 && b.r0 <= a.r1;
 }
 
-/* Whatever reaches each other, if only by way of others, is one part. All numbers are on a scale of 1/4096, so that
+/* Parts that reach one another, directly or through others, become one. All numbers are multiples of 1/4096, so that
  * sums are exact and many tie. */
 static void reach_joins_in_any_order(void **state)
 {

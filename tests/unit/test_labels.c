@@ -1,4 +1,5 @@
-/* Labels: of what is seen, off the lines and off one another, on pages from A4 to A0; the same every time. */
+/* Labels of what is seen keep off the lines and off one another, on pages from A4 to A0, and are the same every time.
+ */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>

@@ -104,6 +104,27 @@ static size_t next_row(const roberts_drawing *d, size_t i)
     return i;
 }
 
+/* Rows of intersections that are seen, one after the other. */
+static size_t next_crossing(const roberts_drawing *d, size_t i)
+{
+    while (i < d->count && (d->segment[i].line != ROBERTS_INTERSECTION || d->segment[i].state == ROBERTS_HIDDEN))
+        i++;
+    return i;
+}
+
+/* If hidden lines are kept, crossings are sought in space, without cells and stars. So what is seen of them must be the
+ * same. */
+static void expect_same_crossings(const roberts_drawing *a, const roberts_drawing *b, const char *name)
+{
+    size_t i = next_crossing(a, 0), k = next_crossing(b, 0);
+    for (; i < a->count && k < b->count; i = next_crossing(a, i + 1), k = next_crossing(b, k + 1))
+        if (memcmp(a->crossing[a->segment[i].edge].face, b->crossing[b->segment[k].edge].face,
+                   sizeof a->crossing[0].face) != 0)
+            break;
+    if (i < a->count || k < b->count)
+        fail_msg("%s: not the same intersections are seen if hidden lines are kept", name);
+}
+
 static void expect_same(const roberts_drawing *a, const roberts_drawing *b, const char *name, uint32_t grid)
 {
     size_t i = next_row(a, 0), k = next_row(b, 0);
@@ -154,7 +175,7 @@ static void expect_true(const roberts_scene *scene, const roberts_camera *camera
         fail_msg("%s: %zu of %zu rays contradict the drawing", name, found.contradictions, found.points);
 }
 
-/* Draws the scene with one cell and with many. Hidden lines are kept, or not: then more is left out. */
+/* Draws the scene with one cell and with many, with hidden lines and without. Without them, more is left out. */
 static void compare_scene(sheet *s, const char *name, tally *t)
 {
     static const uint32_t grids[] = {2, 5, 8, 16, 64};
@@ -162,8 +183,11 @@ static void compare_scene(sheet *s, const char *name, tally *t)
     assert_int_equal(roberts_scene_build(&s->mesh, NULL, &scene, NULL), ROBERTS_OK);
     for (size_t c = 0; c < 2 * (sizeof cameras / sizeof cameras[0]); c++) {
         const roberts_camera *camera = &cameras[c / 2];
-        roberts_drawing one, many;
+        roberts_drawing one, many, other;
         draw(scene, camera, c % 2, 1, &one);
+        draw(scene, camera, !(c % 2), 1, &other);
+        expect_same_crossings(&one, &other, name);
+        roberts_drawing_free(&other);
         expect_true(scene, camera, &one, name);
         t->segments += one.count;
         for (size_t i = 0; i < one.count; i++)
@@ -259,7 +283,7 @@ static void test_wires(void **state)
     expect_compared(&t, 5000);
 }
 
-/* Fins on a sheet: faces at edges that two faces of the sheet share already, over the sheet or under it. */
+/* Fins on a sheet, over it or under it: faces at edges that two faces of the sheet already share. */
 static void test_fins(void **state)
 {
     static const double tip[] = {3, 0.5, 1e-3, -1e-3, -2};
@@ -283,8 +307,91 @@ static void test_fins(void **state)
     expect_compared(&t, 5000);
 }
 
-/* A fan that goes so often round its tip, in a ring of finer triangles: every edge has a face on its left and one on
- * its right, but faces lie over one another at the tip. */
+/* A book: rasters that share a spine. Edges of the spine have three or four faces, and no border is near. */
+static void add_leaf(sheet *s, const uint32_t *spine, int count, roberts_vec3 step)
+{
+    uint32_t before[32];
+    memcpy(before, spine, (size_t)count * sizeof *spine);
+    for (int i = 1; i <= 5; i++)
+        for (int k = 0; k < count; k++) {
+            uint32_t v = add_vertex(s, 4 + i * step.x, 1 + k * 6.0 / (count - 1) + i * step.y, i * step.z);
+            if (k > 0) {
+                add_face(s, before[k - 1], v - 1, v);
+                add_face(s, before[k - 1], v, before[k]);
+                before[k - 1] = v - 1;
+            }
+            if (k == count - 1)
+                before[k] = v;
+        }
+}
+
+static void test_books(void **state)
+{
+    enum { LONG = 25 };
+    static const struct {
+        const char *name;
+        int leaves;
+        roberts_vec3 leaf[4];
+    } books[] = {
+        {"a book of three leaves, one over another", 3, {{0.6, 0, 0}, {-0.6, 0, 0}, {-0.5, 0, 0.2}}},
+        {"... one under another", 3, {{0.6, 0, 0}, {-0.6, 0, 0}, {-0.5, 0, -0.2}}},
+        {"... on the other side", 3, {{0.6, 0, 0}, {-0.6, 0, 0}, {0.5, 0, 0.2}}},
+        {"a book of four leaves", 4, {{0.6, 0.1, 0}, {-0.6, 0, 0}, {-0.5, 0, 0.2}, {-0.4, 0, 0.4}}},
+        {"two leaves, flat", 2, {{0.6, 0, 0}, {-0.6, 0, 0}}},
+    };
+    tally t = {0};
+    (void)state;
+    for (size_t i = 0; i < sizeof books / sizeof books[0]; i++) {
+        sheet s = {0};
+        uint32_t spine[LONG];
+        for (int k = 0; k < LONG; k++)
+            spine[k] = add_vertex(&s, 4, 1 + k * 6.0 / (LONG - 1), 0);
+        for (int k = 0; k < books[i].leaves; k++)
+            add_leaf(&s, spine, LONG, books[i].leaf[k]);
+        add_backdrop(&s, 8, -6);
+        compare_scene(&s, books[i].name, &t);
+    }
+    expect_compared(&t, 5000);
+}
+
+/* A large triangle with a vertex in the middle of its upper side. A fan about that vertex begins at one half of the
+ * side, goes `turns` half turns round, and ends at the other half. So no border is near, and the fan lies over itself
+ * and crosses itself. */
+static void add_half_turns(sheet *s, int turns, double up)
+{
+    enum { STEPS = 5 }; /* odd, so that faces cross between their sides */
+    const double half = 3.141592653589793;
+    uint32_t left = add_vertex(s, 0, 4, 0), right = add_vertex(s, 8, 4, 0), middle = add_vertex(s, 4, 4, 0);
+    uint32_t before = right;
+    add_face(s, left, add_vertex(s, 4, 0, -3), right);
+    for (int i = 1; i < STEPS * turns; i++) {
+        double angle = half * i / STEPS, z = up * (i < STEPS * turns / 2 ? i : STEPS * turns - i) / STEPS;
+        uint32_t v = add_vertex(s, 4 + 4 * cos(angle), 4 + 4 * sin(angle), z);
+        add_face(s, middle, before, v);
+        before = v;
+    }
+    add_face(s, middle, before, left);
+}
+
+static void test_half_turns(void **state)
+{
+    static const double up[] = {0, 0.3, 1, -0.4};
+    tally t = {0};
+    (void)state;
+    for (int turns = 1; turns <= 3; turns += 2)
+        for (size_t i = 0; i < sizeof up / sizeof up[0]; i++) {
+            sheet s = {0};
+            char name[80];
+            snprintf(name, sizeof name, "%d half turns about a vertex on a side, %g up", turns, up[i]);
+            add_half_turns(&s, turns, up[i]);
+            add_backdrop(&s, 8, -9);
+            compare_scene(&s, name, &t);
+        }
+    expect_compared(&t, 1000);
+}
+
+/* A fan that goes several times round its tip, in a ring of finer triangles: every edge has a face on its left and one
+ * on its right, but faces lie over one another at the tip. */
 static void add_winding(sheet *s, int turns, double lift, double tip)
 {
     enum { SPOKES = 7, RINGS = 4 };
@@ -382,7 +489,7 @@ static void test_rolls(void **state)
     expect_compared(&t, 4000);
 }
 
-/* Anything at random: sheets that are rough, turned in part, with holes, with triangles and wires across them. */
+/* Random scenes: rough sheets, partly reversed, with holes, and with triangles and wires across them. */
 static void test_random(void **state)
 {
     tally t = {0};
@@ -424,6 +531,7 @@ int main(void)
         cmocka_unit_test(test_patches), cmocka_unit_test(test_wires),
         cmocka_unit_test(test_winding), cmocka_unit_test(test_great_dodecahedron),
         cmocka_unit_test(test_fins),    cmocka_unit_test(test_rolls),
+        cmocka_unit_test(test_books),   cmocka_unit_test(test_half_turns),
         cmocka_unit_test(test_random),
     };
     return cmocka_run_group_tests_name("layers", tests, NULL, NULL);

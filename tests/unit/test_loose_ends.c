@@ -1,5 +1,5 @@
-/* test_loose_ends.c - every facet that shows is bounded all round: at each end of a visible line others lead on. First
- * pictures in which that is so or not by hand, then all of models/ and the published models, from directions in which
+/* test_loose_ends.c - every visible facet is bounded all round: at each end of a visible line, another line goes on.
+ * First, pictures whose answer is known by hand. Then all of models/ and the published models, from directions in which
  * no face is edge-on. */
 #include <dirent.h>
 #include <math.h>

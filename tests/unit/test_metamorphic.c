@@ -1,5 +1,5 @@
-/* What must not change a drawing, and what must change with it: scenes scaled, moved, turned, reordered, drawn with
- * other grids and threads. Then each drawing against a plain second opinion: a sight ray from points of every segment.
+/* How drawings change, or do not change, if scenes are scaled, moved, turned, reordered, or drawn with other grids and
+ * threads. Then each drawing is compared with a simple second opinion: sight rays from points of every segment.
  *
  * Two kinds of scenes. In the lattices solids stand anyhow, so that nothing ties; what they ask for is accuracy. In
  * the crowds and the wall all corners are small integers, so that everything ties: corners, edges and faces touch or
@@ -9,8 +9,8 @@
 
 #include "scenes.h"
 
-/* What a parameter along an edge may differ by between two drawings of the same scene from differently rounded
- * coordinates: the library computes each to 1e-11. */
+/* How much a parameter along an edge may differ between two drawings of one scene with differently rounded coordinates.
+ * The library computes each to 1e-11. */
 #define T_BOUND 2e-11
 
 enum scene_kind { LATTICE, BALLS, CROWD, COPIES, WALL, CROOKED_WALL };
@@ -130,8 +130,8 @@ static bool is_crooked(const struct scene_case *c)
     return c->kind == CROOKED_WALL;
 }
 
-/* Solids may touch, if only within what their faces depart from planes: which of them is named depends on
- * their order. */
+/* Solids may touch, at least within the departure of their faces from planes. Then their order decides which of them is
+ * named. */
 static bool may_tie(const struct scene_case *c)
 {
     return has_ties(c) || is_crooked(c) || c->digits;
@@ -325,8 +325,8 @@ static void scaled_by_powers_of_ten(void **state)
     for_each(check_powers_of_ten);
 }
 
-/* By integers, so that the moved coordinates of the crowds are exact. Near by nothing changes; far away the touching
- * distance grows with the coordinates, and with it what is computed in twice the precision. */
+/* Scenes are moved by integers, so that the crowds' coordinates stay exact. A short way changes nothing. Far away, the
+ * touching distance grows with the coordinates, and more is computed in twice the precision. */
 static void check_moved(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                         const roberts_drawing *drawing)
 {
@@ -386,7 +386,7 @@ static void turned_with_the_camera(void **state)
     for_each(check_turned);
 }
 
-/* A direction toward the viewer has no length that matters, nor has what points up. */
+/* The length of the direction toward the viewer does not matter, nor does that of `up`. */
 static void check_lengths(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                           const roberts_drawing *drawing)
 {
@@ -411,7 +411,7 @@ static void directions_of_any_length(void **state)
 
 /* ---- written otherwise ----------------------------------------------------------------------------------------- */
 
-/* Where several solids touch, `by` is the one of smallest number, so that it may change. */
+/* Where several solids touch, `by` is the one with the smallest number, so it may change. */
 static void check_reordered(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                             const roberts_drawing *drawing)
 {
@@ -588,7 +588,7 @@ static bool is_visible(const roberts_segment *s)
     return s->state == ROBERTS_VISIBLE;
 }
 
-/* Where only visible rows are wanted, solids that are wholly hidden may be left out early: in any grid. */
+/* If only visible rows are wanted, solids that are wholly hidden may be left out early, with any grid. */
 static void check_visible_alone(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                                 const roberts_drawing *drawing)
 {
@@ -615,7 +615,7 @@ static void visible_rows_alone(void **state)
     for_each(check_visible_alone);
 }
 
-/* The model to two digits, and so far from planar as that makes it. Frees the model. */
+/* Rounds the model to two digits, so that its faces are no longer planar. Frees the model. */
 static roberts_scene *build_coarse(model *m)
 {
     const roberts_scene_options options = {.tolerance = 0.05};
@@ -628,7 +628,7 @@ static roberts_scene *build_coarse(model *m)
     return scene;
 }
 
-/* What is visible among hidden rows is so without them, exactly or but for ties. Frees the scene. */
+/* What is visible with hidden rows is visible without them, exactly or except for ties. Frees the scene. */
 static void check_scene_alone(roberts_scene *scene, const roberts_camera *camera, const char *name, bool ties)
 {
     roberts_hide_options options = with_hidden();
@@ -667,8 +667,7 @@ static roberts_scene *make_gaps(uint64_t seed, roberts_camera *camera)
     return build_coarse(&m);
 }
 
-/* What all its faces hide together is hidden by such a solid, also where some of them reach only what others hide
- * already. */
+/* Such a solid hides what all its faces hide together, even if some of them reach only what others hide already. */
 static void visible_rows_behind_gaps(void **state)
 {
     (void)state;
@@ -742,7 +741,7 @@ static void rows_tile_every_edge(void **state)
     for_each(check_tiles);
 }
 
-/* The rows without flat edges are those with them, less the diagonals of the cut cubes' six faces. */
+/* Without flat edges, only the rows of the diagonals of the cut cubes' six faces are missing. */
 static void check_creases(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                           const roberts_drawing *drawing)
 {
@@ -770,8 +769,8 @@ static void all_edges_add_flat_ones_only(void **state)
     for_each(check_creases);
 }
 
-/* What one convex solid hides of an edge of another is one interval, whatever its faces' planes and sides are rounded
- * to: two solids at a time. */
+/* A convex solid hides one interval of an edge of another, however the planes and sides of its faces are rounded. Two
+ * solids at a time. */
 static void one_solid_hides_one_interval(void **state)
 {
     rng r = {26};
@@ -880,7 +879,7 @@ static solid_planes planes_of(const model *m, uint32_t solid)
     return planes;
 }
 
-/* The part of the line P + s V inside a solid; in - out > 0: it misses by about so much. */
+/* The part of the line P + s V inside a solid; in - out > 0: by about how much it misses. */
 typedef struct chord {
     double in, out;
 } chord;
@@ -908,7 +907,7 @@ static chord chord_through(const solid_planes *solid, roberts_vec3 P, roberts_ve
 /* By how much solids are made larger and smaller to see whether a point of a lattice is near a tie; in the crowds, what
  * counts as a tie (what is none is farther from one). Model units; scenes are some ten across. */
 #define TIE 1e-7
-/* Of rounded coordinates, where a face's plane is anyone's choice within about 1e-5 of its corners, and more beyond. */
+/* For rounded coordinates: a face's plane is uncertain by about 1e-5 near its corners, and by more beyond. */
 #define TIE_ROUNDED 2e-4
 
 typedef struct witness {
@@ -983,8 +982,8 @@ static roberts_vec3 point_at(const model *m, const roberts_segment *s, double t)
     return vec3_add(A, vec3_scale(t, vec3_sub(B, A)));
 }
 
-/* Does the row say the same as the rays of a point of it? A back edge is hidden by its own solid; what is clipped lies
- * before the near plane, all else beyond. */
+/* Does the row agree with the rays from one of its points? A back edge is hidden by its own solid. Clipped parts lie in
+ * front of the near plane, all others behind it. */
 static bool agrees(const witness *w, const roberts_segment *s, roberts_vec3 P, bool *certain)
 {
     double beyond = beyond_near(w->camera, P);

@@ -17,7 +17,7 @@
 #include "model/scene.h"
 #include "whole_file.h"
 
-/* How far lengths, distances and planes may be off, as a part of the solid's circumradius or nearest like it:
+/* How far lengths, distances and planes may be off, as a part of the solid's circumradius or a similar length:
  * coordinates are rounded to 1e-16, and some are sums of a few terms. */
 static const double ROUNDING = 1e-12;
 
@@ -311,7 +311,8 @@ static void check_closed(const known_solid *k, const roberts_mesh *m)
         }
 }
 
-/* Normals by the winding point outward, corners lie in their face's plane, all other vertices strictly inside. */
+/* Normals that follow the winding point outward. Corners lie in their face's plane, and all other vertices strictly
+ * inside. */
 static void check_convex(const known_solid *k, const roberts_mesh *m)
 {
     for (size_t f = 0; f < m->face_count; f++) {
@@ -415,7 +416,7 @@ static void solids_are_what_they_are_called(void **state)
 
 /* ---- the scenes for tests 1 to 4 ------------------------------------------------------------------------------- */
 
-/* What the comment of a scene claims of edge AB against face 0, and what the definitions give. Coordinates are small
+/* What the comment of a scene claims about edge AB and face 0, and what the definitions give. Coordinates are small
  * integers and crossings lie at halves and quarters, so that all of it is exact. */
 typedef struct outcome {
     int test;
@@ -612,6 +613,10 @@ static void families_have_the_number_of_solids_they_promise(void **state)
         {"wall 1000", 1000, 6000},
         {"plates 1", 1, 6},
         {"plates 2000 8", 2000, 12000},
+        {"galaxy 100 3", 100, 600},
+        {"posts 10", 10, 60},
+        {"shells 10", 10, 60},
+        {"plain 2", 17, 0},
         {"stack 1", 1, 6},
         {"stack 500 2", 500, 3000},
         {"needles 1 1", 1, 6},

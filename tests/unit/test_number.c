@@ -310,7 +310,7 @@ static void reads_short_decimals(void **state)
     }
 }
 
-/* Every power in the table takes part: 1e-326 to 1e308, with the digits that bring out its last bits. */
+/* Tests every power in the table, from 1e-326 to 1e308, with digits that show its last bits. */
 static void reads_every_power(void **state)
 {
     static const char *const digits[] = {"1",

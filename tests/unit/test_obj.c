@@ -1,4 +1,4 @@
-/* test_obj.c - Wavefront OBJ: corners in all their forms, groups, colours from .mtl files, what is passed and what is
+/* test_obj.c - Wavefront OBJ: all forms of corners, groups, colours from .mtl files, what is skipped and what is
  * refused. */
 #include <setjmp.h>
 #include <stdarg.h>

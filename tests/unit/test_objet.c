@@ -129,7 +129,7 @@ static polygon random_ellipse(rng *r, double a, double b)
     return g;
 }
 
-/* Corners on the borders of cells, if there are 8 or 16 columns and 4 or 8 rows, but for the margin. */
+/* Corners on the borders of cells, except for the margin, if there are 8 or 16 columns and 4 or 8 rows. */
 static polygon random_on_borders(rng *r)
 {
     int x0 = rng_int(r, -2, 12), x1 = rng_int(r, x0 + 1, 14), y0 = rng_int(r, 4, 11), y1 = rng_int(r, y0 + 1, 12);
@@ -180,8 +180,9 @@ static scan_frame frame_of(size_t i)
 
 /* ---- the scan -------------------------------------------------------------------------------------------------- */
 
-/* Every cell is listed that the closed polygon touches, also where it only reaches into the margin; and none that it
- * misses by some margins. A cell called wholly inside has its corners inside; one well inside is called so. */
+/* Every cell that the closed polygon touches is listed, even if it only reaches into the margin. No cell is listed that
+ * it misses by several margins. A cell that counts as inside has its corners inside, and a cell well inside counts as
+ * inside. */
 static void expect_scan(const scan *s, const scan_frame *f, const polygon *g, int kind)
 {
     for (uint32_t i = 0; i < f->nx; i++) {
@@ -436,7 +437,7 @@ static bool apart_in_cell(float a0, float a1, float b0, float b1, double low, do
     return (a1 + gap < b0 && a1 + gap < high && b0 > low + gap) || (b1 + gap < a0 && b1 + gap < high && a0 > low + gap);
 }
 
-/* Boxes that meet are kept apart in no cell; those that are apart in a cell by a hundredth of it are there. */
+/* Boxes that meet are not separated in any cell. Boxes that are a hundredth of a cell apart are separated there. */
 static void sides_tell_boxes_apart(void **state)
 {
     rng r = {75};
@@ -551,7 +552,7 @@ static void lists_by_threads(void **state)
     model_free(&m);
 }
 
-/* Of copies at the same place one front counts, the first; of solids that differ a little, each. */
+/* Of copies at the same place, only the first front counts. Solids that differ a little all count. */
 static void copies_count_once(void **state)
 {
     static const struct {
@@ -651,7 +652,8 @@ static void add_covers(cover *c, scan *s, front *g, rng *r)
     }
 }
 
-/* In a cell with a cover every point has, `slack` nearer than the cover's depth, the front that is said to cover it. */
+/* In a cell with a cover, the front that is said to cover it lies over every point, at least `slack` nearer than the
+ * cover's depth. */
 static void covers_cover(void **state)
 {
     rng r = {76};
@@ -719,7 +721,7 @@ static void covers_are_not_wasted(void **state)
     }
 }
 
-/* What is said to lie behind covers does: every point of the box, or of the edge, has a front that much nearer. */
+/* What counts as behind covers really is: every point of the box, or of the edge, has a front that much nearer. */
 static void what_covers_hide_is_hidden(void **state)
 {
     rng r = {78};

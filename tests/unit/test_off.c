@@ -354,8 +354,8 @@ static const struct {
     {"a word that only begins like a format", "plywood\n", ROBERTS_BAD_SYNTAX, 1,
      "the beginning of OFF (keyword or counts), STL, OBJ or PLY expected, found \"plywood\""},
     {"ZIP", "PK\x03\x04", ROBERTS_BAD_SYNTAX, 1,
-     "this is a ZIP archive (as 3MF is), but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export "
-     "model.3mf model.stl"},
+     "this is a ZIP archive (as 3MF is), but only OFF, STL, OBJ and PLY can be read; to convert it: echo "
+     "'import(\"model.3mf\");' | openscad -o model.stl -"},
     {"UTF-16", "\xff\xfeO", ROBERTS_BAD_SYNTAX, 1,
      "this is text in UTF-16 (to be saved as UTF-8), but only OFF, STL, OBJ and PLY can be read"},
     {"gzip", "\x1f\x8b\x08", ROBERTS_BAD_SYNTAX, 1,
@@ -658,7 +658,7 @@ static void looks_again_not_for_ever(void **state)
     }
 }
 
-/* Nothing is claimed of the line in which the look ends, after 64 MB: here behind two of its words. */
+/* The look ends after 64 MB. Nothing is claimed about the line in which that happens: here, behind its second word. */
 static void claims_nothing_where_the_look_ends(void **state)
 {
     static const struct {
@@ -736,7 +736,7 @@ static void stops_reading_the_endless(void **state)
     }
 }
 
-/* A pipe whose writer keeps it open: once the last face's line is there, nothing more is asked for. */
+/* A pipe that its writer keeps open: after the line of the last face, no more is read. */
 static void leaves_an_open_pipe_alone(void **state)
 {
     static const char *const rows[] = {"OFF 3 1 0\n" POINTS "3 0 1 2\n",         "OFF 3 1 0\n" POINTS "3 0 1 2\r",
@@ -892,6 +892,39 @@ static void blocks_do_not_matter(void **state)
     free(x);
 }
 
+/* Coordinates that begin alike, at every length, and one that the end of the text cuts off. */
+static void compares_coordinates_to_their_ends(void **state)
+{
+    enum { VERTICES = 3000, LONGEST = 26 };
+    static const char *const digits[] = {"-0.12345678901234567890123", "-0.12345678901234667890123",
+                                         "-0.12345678911234567890123", "-0.12445678901234567890123"};
+    static const char *const tail[] = {"", "1", "7", "e1", "E-2"};
+    char *text = malloc(40 * 3 * VERTICES), written[3 * VERTICES][40];
+    size_t length = (size_t)sprintf(text, "OFF\n%d 0 0\n", VERTICES);
+    uint32_t seed = 7;
+    (void)state;
+    for (size_t i = 0; i < 3 * VERTICES; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        int from = (seed >> 8 & 15) == 0, size = (int)(8 + i * (LONGEST - 8) / (3 * VERTICES));
+        sprintf(written[i], "%.*s%s", size, digits[seed >> 30] + from, tail[i % 17 < 5 ? i % 5 : 0]);
+        length += (size_t)sprintf(text + length, "%s%s", written[i], i % 3 == 2 ? "\n" : i % 7 ? " " : "\t");
+    }
+    const size_t last = length - 1 - strlen(written[3 * VERTICES - 1]);
+    for (; length > last + 3; length--) {
+        roberts_mesh mesh = {0};
+        char *copy = memcpy(malloc(length), text, length);
+        snprintf(written[3 * VERTICES - 1], sizeof *written, "%.*s", (int)(length - last), text + last);
+        assert_int_equal(roberts_mesh_read_memory(&mesh, "a", copy, length, NULL, NULL), ROBERTS_OK);
+        for (size_t v = 0; v < VERTICES; v++)
+            assert_true(mesh.vertex[v].x == strtod(written[3 * v], NULL) &&
+                        mesh.vertex[v].y == strtod(written[3 * v + 1], NULL) &&
+                        mesh.vertex[v].z == strtod(written[3 * v + 2], NULL));
+        free(copy);
+        roberts_mesh_free(&mesh);
+    }
+    free(text);
+}
+
 /* The line of an error far into the input. */
 static void counts_lines_of_all_kinds(void **state)
 {
@@ -930,6 +963,7 @@ int main(void)
         cmocka_unit_test(appends_and_goes_back),
         cmocka_unit_test(blocks_do_not_matter),
         cmocka_unit_test(counts_lines_of_all_kinds),
+        cmocka_unit_test(compares_coordinates_to_their_ends),
     };
     return cmocka_run_group_tests_name("off", tests, NULL, NULL);
 }

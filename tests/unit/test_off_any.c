@@ -1,6 +1,6 @@
-/* test_off_any.c - whatever bytes come in: no crash, no mesh that breaks its promises, an error that says something,
- * the mesh as it was where there is one, and the same result however the bytes arrive. Good files are cut off at each
- * byte, each byte is replaced by every other one, and pieces of different files are put together by chance. */
+/* test_off_any.c - any bytes whatever: no crash, no mesh that breaks its promises, errors with a message, an unchanged
+ * mesh after an error, and the same result however the bytes arrive. Good files are cut off at each byte, each byte is
+ * replaced by every other value, and pieces of different files are combined at random. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

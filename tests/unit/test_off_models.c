@@ -1,5 +1,5 @@
-/* test_off_models.c - published models, and what another reader (that made INDEX.md beside them) found in them: numbers
- * of vertices, faces, thin faces and colours. Skipped where they are not there. */
+/* test_off_models.c - published models, compared with what another reader found in them and listed in INDEX.md: numbers
+ * of vertices, faces, thin faces and colours. Skipped if the models are not there. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>

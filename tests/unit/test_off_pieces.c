@@ -1,6 +1,6 @@
-/* test_off_pieces.c - reading by several threads gives what reading by one gives, mesh, warnings and errors with their
- * lines, wherever pieces begin and end: pieces here have some bytes only, so that each border comes to lie everywhere.
- * And plain lines are read as the parser of all forms reads them, which is asked by giving it a byte or two at a time.
+/* test_off_pieces.c - reading by several threads gives the same mesh, warnings and errors with their lines as reading
+ * by one, wherever pieces begin and end. Pieces have only a few bytes here, so that borders lie everywhere. Plain lines
+ * are also read by the parser of all forms, which gets a byte or two at a time; the results must be equal.
  *
  * Threads are those of POSIX, which the thread sanitizer knows (make test-threads). */
 #include <dirent.h>

@@ -52,7 +52,8 @@ static void fitted(void **state)
     }
 }
 
-/* For any box: corners within the margins, one pair of sides on them, the middle in the middle, angles kept. */
+/* For any box: corners lie within the margins, one pair of sides on them; the middle stays in the middle, and angles
+ * are kept. */
 static void any_box_fits(void **state)
 {
     uint64_t seed = 1;

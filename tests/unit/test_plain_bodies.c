@@ -1,4 +1,4 @@
-/* test_plain_bodies.c - bodies built where they lie are the same as those that are cut, joined and laid out anew.
+/* test_plain_bodies.c - bodies built in place are the same as bodies that are cut, joined and laid out again.
  *
  * Each mesh is built twice: as it is, and with its first face once more, the other way round. A face that repeats an
  * earlier one counts for nothing, but its body is not plain. */

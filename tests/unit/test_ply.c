@@ -1,4 +1,4 @@
-/* test_ply.c - PLY as text and in both orders of bytes: what is used, what is passed, what is refused and where. */
+/* test_ply.c - PLY as text and in both byte orders: what is used, what is skipped, what is refused and where. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -144,7 +144,7 @@ static bytes_built start(bool big, const char *line_end)
     return b;
 }
 
-/* Every type, in both orders; what is not used stands between what is. The first byte of the data looks like a line
+/* Every type, in both orders, with unused values between the used ones. The first byte of the data looks like a line
  * end. */
 static bytes_built build_all_types(bool big, const char *line_end)
 {

@@ -1,6 +1,6 @@
 /* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, or along
- * one axis alone up to 2^20, so that determinants fit into 63 bits; which of them vanish or all but vanish is up to
- * each test. */
+ * one axis alone up to 2^20, so that determinants fit into 63 bits; each test chooses which of them are zero or nearly
+ * zero. */
 #include "hide/refine.h"
 #include "scenes.h"
 #include "whole.h"
@@ -94,7 +94,8 @@ static int64_t side(whole p, whole q, whole x, whole V, bool perspective)
     return whole_dot(whole_cross(whole_sub(q, p), whole_sub(x, p)), V);
 }
 
-/* Two tetrahedra of random corners; of every two, one has vertex 4 in or all but in the sight plane through 0 and 1. */
+/* Two tetrahedra of random corners. In every second pair, vertex 4 lies in or nearly in the sight plane through 0 and
+ * 1. */
 static void random_scene(rng *r, fixture *f, whole p[8], whole *V, bool perspective, bool close)
 {
     model m = {0};

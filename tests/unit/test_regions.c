@@ -1,7 +1,7 @@
 /* test_regions.c - visible regions tile the shadow of a scene's picture, each of the face that is seen there.
  *
  * The shadow is the union of the pictures of all faces. Its area is found here by cutting the picture into upright
- * strips in which no two sides cross. Who is seen at a point is asked of roberts_pick(), which casts a ray. */
+ * strips in which no two sides cross. roberts_pick() says what is seen at a point, by casting a ray. */
 #include <math.h>
 #include <stdio.h>
 
@@ -294,7 +294,7 @@ static void check_corners(const char *name, const roberts_region_list *l, const 
     }
 }
 
-/* At random points the face of the one region that is there is seen, or nothing where there is none. */
+/* At random points, the face of the one region there is seen, or nothing if there is no region. */
 static void check_points(const char *name, const roberts_scene *scene, const roberts_camera *camera,
                          const roberts_region_list *l, const roberts_drawing *d, rng *r, tally *t)
 {

@@ -1,7 +1,7 @@
-/* test_scene.c - solids from polygons: which faces belong together, planes, edges, what is refused and how it is said.
+/* test_scene.c - solids from polygons: which faces belong together, planes, edges, refusals and their messages.
  *
- * Meshes are given as OFF text or made by small helpers. Whatever is accepted goes through check_scene(), which knows
- * the invariants of scene.h and computes nothing the way src/ does. */
+ * Meshes are given as OFF text or made by small helpers. Whatever is accepted is checked by check_scene(), which tests
+ * the invariants of scene.h and computes everything in other ways than src/. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -755,7 +755,7 @@ static void blocks_come_apart(void **state)
             }
 }
 
-/* Welding joins open components with one another only: cubes whole in the file are not torn into it. */
+/* Welding joins only open components: cubes that are complete in the file take no part in it. */
 static void closed_components_are_not_welded(void **state)
 {
     roberts_mesh mesh = {0};
@@ -775,7 +775,7 @@ static void closed_components_are_not_welded(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* Turned and wound at random, cut open at random: the answer does not depend on order, only on the faces. */
+/* Turned, wound and cut open at random: the answer depends only on the faces, not on their order. */
 static void missing_faces_are_noticed(void **state)
 {
     rng r = {21};

@@ -1,5 +1,5 @@
-/* src/hide/schedule.h by threads of the system, so that the thread sanitizer sees them: whatever the threads, segments
- * come in order, each once, and the work ends early where it is told to. */
+/* src/hide/schedule.h with POSIX threads, which the thread sanitizer sees: with any number of threads, segments come in
+ * order, each once, and the work ends early when it is told to. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -137,7 +137,7 @@ static void given_in_order(void **state)
         }
 }
 
-/* Nothing hangs where one thread has no memory, and no segment comes after those of the chunk that is missing. */
+/* If one thread has no memory, nothing hangs, and no segments come after those of the missing chunk. */
 static void ends_without_memory(void **state)
 {
     (void)state;

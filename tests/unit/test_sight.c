@@ -1,4 +1,4 @@
-/* Sight lines against faces of many corners: what is told from samples of the corners is what all sides say. */
+/* Sight lines against faces of many corners: samples of the corners give the same answer as all sides. */
 #include "ray/sight.h"
 #include "scenes.h"
 

@@ -1,5 +1,5 @@
-/* test_solids_same.c - solids built by several threads, or from a mesh that is taken over: the same scene, and of
- * several faults always the first. */
+/* test_solids_same.c - solids built by several threads, or from a mesh that is taken over, give the same scene. If
+ * there are several faults, the first one is reported. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

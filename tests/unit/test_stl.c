@@ -120,7 +120,7 @@ static bytes_built build_tetrahedron(const char *begins)
     return b;
 }
 
-/* Whatever the 80 bytes are: also the beginnings of all the other formats, and a text that fills them. */
+/* Any 80 bytes of header: among them the beginnings of all other formats, and a text that fills them. */
 static void reads_binary(void **state)
 {
     static const char *const begins[] = {
@@ -188,7 +188,7 @@ static void reads_binary_of_unknown_size(void **state)
     }
 }
 
-/* What is no STL although bytes of it are like those of STL: another binary format says at its beginning which. */
+/* Files that look like STL in places but are not: other binary formats name themselves at their beginning. */
 static void knows_other_binary(void **state)
 {
     static const struct row {
@@ -211,7 +211,7 @@ static void knows_other_binary(void **state)
     }
 }
 
-/* A pipe that stays open after a small model: every byte is there that the model needs, and no more is asked for. */
+/* A pipe that stays open after a small model: all bytes of the model are there, and no more is read. */
 static ptrdiff_t read_once(void *context, void *buffer, size_t size)
 {
     read_pieces *pieces = context;

@@ -535,8 +535,9 @@ static roberts_segment *random_lines(size_t count, double length)
     return segment;
 }
 
-/* The pen's ways shrink, the strokes stay the same. A tour through n random places in a square of side a is some
- * 0.71 a sqrt(n) long (Beardwood, Halton, Hammersley 1959); here each stroke has two ends to choose from. */
+/* The ways of the lifted pen get shorter, and the strokes stay the same. A tour through n random places in a square of
+ * side a is some 0.71 a sqrt(n) long (Beardwood, Halton, Hammersley 1959); here each stroke has two ends to choose
+ * from. */
 static void ways_are_short(void **state)
 {
     const size_t counts[] = {1, 2, 3, 10, 1000, 30000};
@@ -561,8 +562,8 @@ static void ways_are_short(void **state)
     }
 }
 
-/* A square of four strokes that a greedy pen gets wrong: 2-opt mends it. Greedy from the upper left goes from the long
- * stroke's far end; the best tour is known by trying all. */
+/* A square of four strokes in which a greedy pen goes wrong, and 2-opt mends it. All tours are tried to know the best
+ * one. */
 static double best_tour(const roberts_segment *segment, int count, int done, unsigned used, roberts_vec2 pen)
 {
     double best = INFINITY;
@@ -754,7 +755,7 @@ static void frame_lies_on_the_margins(void **state)
     strokes_free(&s);
 }
 
-/* Fitted, at the left or true to scale, a drawing keeps clear of the frame; a window reaches to it. */
+/* A drawing keeps clear of the frame whether it is fitted, at the left or true to scale. A window reaches to it. */
 static void drawings_keep_from_the_frame(void **state)
 {
     static const struct {

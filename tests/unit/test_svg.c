@@ -404,7 +404,7 @@ static void too_long_a_pdf_is_refused(void **state)
     roberts_drawing_free(&drawing);
 }
 
-/* Whatever the numbers of strokes per path of Cairo's and per surface are, none is lost where one ends. */
+/* However many strokes a path of Cairo and a surface take, none is lost where one of these ends. */
 static void no_stroke_is_lost(void **state)
 {
     static const size_t counts[] = {1, 2, 999, 1000, 1001, 2000, 49999, 50000, 50001, 100000, 123456};

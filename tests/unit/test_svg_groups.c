@@ -282,7 +282,7 @@ static bool has_names(const drawn *d, const roberts_segment *s, const xml_elemen
            strcmp(by, e->by) == 0;
 }
 
-/* Each element has the names of a segment, and is as long as that, or shorter where it lies under another line. */
+/* Each element has the names of a segment and its length, or is shorter if it lies under another line. */
 static void elements_have_names(void **state)
 {
     (void)state;

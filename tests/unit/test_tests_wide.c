@@ -1,4 +1,4 @@
-/* Polygons of very many corners: tests 2 to 4 by runs of sides against the tests side by side, to the last bit. */
+/* Polygons of very many corners: tests 2 to 4 by runs of sides give the same as testing every side, to the last bit. */
 #include "hide/tests_wide.h"
 #include "bare_points.h"
 #include "scenes.h"
@@ -146,8 +146,8 @@ static bool same_part(const fixture *f, kind k, const hide_interval *a, const hi
     return k == COLLINEAR || k == HAIRS ? off <= 0.25 * f->space.epsilon : memcmp(a, b, sizeof *a) == 0;
 }
 
-/* Counted the same; where several sides are a straight one, an end within epsilon of them may be inside of one and
- * outside of another, and then it is another test that finds nothing. */
+/* The counts are the same. If several sides form a straight one, an end within epsilon of them may be inside one and
+ * outside another. Then a different test finds nothing. */
 static bool same_tally(kind k, bool found, const roberts_tally *a, const roberts_tally *b)
 {
     return ((k == COLLINEAR || k == HAIRS) && !found) || memcmp(a, b, sizeof *a) == 0;

@@ -1,5 +1,5 @@
-/* test_threads.c - the library called from several threads at once, each with work of its own and all with one scene:
- * every call gives what it gives alone. `make test-threads` runs it under the thread sanitizer. */
+/* test_threads.c - several threads call the library at once, each with its own work, and all with one scene: every call
+ * gives the same result as alone. `make test-threads` runs it under the thread sanitizer. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -108,6 +108,38 @@ static void nothing_collides(void **state)
         }
 }
 
+/* On upright A4 the lower centring mark would run into the title block. It ends at the frame there, and only there. */
+static void mark_ends_at_block(void **state)
+{
+    (void)state;
+    views v;
+    hide_views(&v, "chair", ROBERTS_FIRST_ANGLE);
+    for (int with_block = 0; with_block < 2; with_block++) {
+        strokes s;
+        roberts_draw_options options = roberts_draw_options_default();
+        int upper = 0, lower = 0;
+        options.page.width_mm = 210.0;
+        options.page.height_mm = 297.0;
+        options.frame.off = false;
+        options.lettering.zones = true;
+        options.lettering.title = with_block ? "Chair" : NULL;
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < s.notes.lines.count; k++) {
+            const page_point *p = s.notes.lines.point + s.notes.lines.item[k].first;
+            const double x = p[0].x / s.units_per_mm, y0 = fmin(p[0].y, p[1].y) / s.units_per_mm,
+                         y1 = fmax(p[0].y, p[1].y) / s.units_per_mm;
+            if (fabs(x - 105.0) > 0.01 || p[0].x != p[1].x)
+                continue;
+            upper += y0 < s.frame_mm[0].y && y1 > s.frame_mm[0].y + 4.9;
+            lower += y1 > s.frame_mm[1].y && y0 < s.frame_mm[1].y - 4.9;
+        }
+        assert_int_equal(upper, 1);
+        assert_int_equal(lower, with_block ? 0 : 1);
+        strokes_free(&s);
+    }
+    free_views(&v);
+}
+
 /* Text about as wide as what it measures, or wider, lies on no extension line. */
 static void wide_text(void **state)
 {
@@ -240,8 +272,9 @@ static void numbers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(wide_text),
-                                       cmocka_unit_test(what_it_says),     cmocka_unit_test(extensions_reach_corners),
-                                       cmocka_unit_test(small_pages),      cmocka_unit_test(numbers)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_collides), cmocka_unit_test(mark_ends_at_block),       cmocka_unit_test(wide_text),
+        cmocka_unit_test(what_it_says),     cmocka_unit_test(extensions_reach_corners), cmocka_unit_test(small_pages),
+        cmocka_unit_test(numbers)};
     return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
 }

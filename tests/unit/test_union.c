@@ -1,4 +1,5 @@
-/* test_union.c - the pieces of lines that a union keeps, held against blocks of a grid, where all is plain to see. */
+/* test_union.c - the pieces of lines that a union keeps, compared with blocks of a grid, where the answer is obvious.
+ */
 #include "model/union.h"
 
 #include <stdio.h>

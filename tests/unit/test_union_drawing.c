@@ -59,7 +59,7 @@ static void put_surface(model *m, const cells *c)
                     }
 }
 
-/* Is there an edge about which two opposite cells are filled? The body that is modelled as one falls in two there: each
+/* Is there an edge about which two opposite cells are filled? The body that is modelled as one falls apart there: each
  * half has that edge, in a class of its own. */
 static bool is_pinched(const cells *c)
 {
@@ -407,7 +407,7 @@ static void test_random_blocks(void **state)
     }
 }
 
-/* A body alone is its own union, though its faces cross and wind twice round its middle. */
+/* A single body is its own union, even if its faces cross and wind twice round its middle. */
 static void test_star_bodies(void **state)
 {
     static const char *const file[] = {"great-dodecahedron",

@@ -1,5 +1,5 @@
-/* test_verify.c - the second opinion on drawings: none on right ones, always one on spoiled ones; picking by table; the
- * tree of boxes against asking every box. */
+/* test_verify.c - the second opinion on drawings: no contradiction of right ones, always one of spoiled ones; picking
+ * by table; the tree of boxes, compared with testing every box. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -255,8 +255,8 @@ static size_t find_spoiled(const roberts_scene *scene, const roberts_camera *cam
     return s.here;
 }
 
-/* Each row of a drawing, turned from visible to hidden or back, left out, shortened or lengthened by a hundredth,
- * alone: always found, on that edge and on no other. */
+/* One row of a drawing is turned from visible to hidden or back, left out, or shortened or lengthened by a hundredth.
+ * This is always found, on that edge and on no other. */
 static void test_spoiled_rows(void **state)
 {
     rng r = {2};
@@ -312,8 +312,8 @@ static void keep_finding(void *context, const roberts_contradiction *c)
     f->item[f->count++] = *c;
 }
 
-/* A drawing wrong in many places: the same contradictions in the same order, by edge and t, from any number
- * of threads. */
+/* A drawing that is wrong in many places: any number of threads gives the same contradictions in the same order, by
+ * edge and t. */
 static void test_threads(void **state)
 {
     static findings found[4];
@@ -504,7 +504,7 @@ static void test_sliver(void **state)
     }
 }
 
-/* Up to a hundredth of the scene counts as touching: what an edge or a face loses by that is no contradiction. */
+/* Up to a hundredth of the scene counts as touching. What an edge or a face loses by that is no contradiction. */
 static void test_wide_epsilon(void **state)
 {
     rng r = {5};
@@ -591,7 +591,8 @@ static void test_rule(void **state)
     }
 }
 
-/* A corner over the very middle of the edge hides one point of it, which has no length: no contradiction, undecided. */
+/* A corner exactly over the middle of the edge hides a single point, which has no length. This is undecided, not a
+ * contradiction. */
 static void test_corner_over_edge(void **state)
 {
     roberts_camera camera = preset("top");

@@ -113,7 +113,7 @@ static void presets_foreshorten(void **state)
     roberts_scene_free(scene);
 }
 
-/* Trimetric: three scales, each what the projection along dir leaves of a unit of its axis. */
+/* Trimetric: three scales, each the projected length of a unit of its axis. */
 static void trimetric_has_three_scales(void **state)
 {
     roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
@@ -418,7 +418,7 @@ static void orthographic_is_a_rigid_motion(void **state)
     roberts_scene_free(scene);
 }
 
-/* Points together are what they are one by one, bit for bit, and faces are turned as their planes are. */
+/* Points mapped together are the same as points mapped one by one, bit for bit. Faces are turned like their planes. */
 static void together_as_one_by_one(void **state)
 {
     rng r = {25};

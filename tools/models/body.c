@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Makes room for one more element of `size` bytes at `count`. */
 static void *grown(void *array, size_t *room, size_t count, size_t size)
@@ -81,6 +82,13 @@ void body_add(body *b, const body *part, motion move)
     }
 }
 
+void body_color(body *b, const uint32_t *color)
+{
+    size_t room = b->face_count;
+    b->color = grown(b->color, &room, b->face_count, sizeof *b->color);
+    memcpy(b->color, color, b->face_count * sizeof *color);
+}
+
 void body_clear(body *b)
 {
     b->vertex_count = b->face_count = b->corner_count = 0;
@@ -88,6 +96,7 @@ void body_clear(body *b)
 
 void body_free(body *b)
 {
+    free(b->color);
     free(b->vertex);
     free(b->face_end);
     free(b->corner);

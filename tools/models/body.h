@@ -16,6 +16,7 @@ typedef struct body {
     roberts_vec3 *vertex;
     uint32_t *face_end; /* face f has the corners corner[face_end[f - 1]] .. corner[face_end[f] - 1] */
     uint32_t *corner;
+    uint32_t *color; /* for each face 0xrrggbb; NULL: no colours */
     size_t vertex_room, face_room, corner_room;
 } body;
 
@@ -41,7 +42,10 @@ size_t body_face_start(const body *b, size_t f);
 /* Returns twice the vector area of face f, which points outward. */
 roberts_vec3 body_face_normal(const body *b, size_t f);
 
-/* Adds a moved copy of `part`. */
+/* Gives each face its colour. The table has room for them all. */
+void body_color(body *b, const uint32_t *color);
+
+/* Adds a moved copy of `part`, without its colours. */
 void body_add(body *b, const body *part, motion move);
 
 /* Empties a body, but keeps its memory; releases it. */

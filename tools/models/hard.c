@@ -46,14 +46,40 @@ void crowd_solid(body *b, const plan *p, uint64_t index)
     body_add(b, &p->cube, rng_turn(&r, 0.25, middle));
 }
 
-/* Cubes of all sizes about the middle of a disc: the nearer to it, the smaller. */
+/* Cubes of sixteen sizes about one point: the smaller, the nearer to it. Those of one size fill a ring, which is half
+ * as wide as the next one. In the picture from above, each lies in a place of its own. */
 void galaxy_solid(body *b, const plan *p, uint64_t index)
 {
     rng r = rng_of(p->seed, index);
-    roberts_vec2 at = half_angle(2 * rng_unit(&r) - 1);
-    double scale = ldexp(1 + rng_unit(&r), -(int)rng_between(&r, 0, 15)), side = rng_unit(&r) < 0.5 ? -scale : scale;
-    double size = 8.0 * scale / sqrt((double)p->n);
-    body_add(b, &p->cube, rng_turn(&r, size, vec3(side * at.x, side * at.y, 0.25 * scale * (rng_unit(&r) - 0.5))));
+    uint64_t places = 1, of_ring = index / 16;
+    while (64 * places * places < p->n + 16)
+        places++; /* across a ring; four times as many are along it */
+    double m = (double)places, scale = ldexp(1, -(int)(index % 16));
+    uint64_t along = of_ring / places % (4 * places);
+    roberts_vec2 at = half_angle(((double)(along / 2) + 0.5) / m - 1);
+    double far = scale * (1 + ((double)(of_ring % places) + 0.5) / m), side = along % 2 ? -far : far;
+    body_add(b, &p->cube,
+             rng_turn(&r, 0.25 * scale / m, vec3(side * at.x, side * at.y, 0.25 * scale * (rng_unit(&r) - 0.5))));
+}
+
+/* Posts side by side. From nearly above, their long edges are seen nearly end-on. */
+void posts_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    uint64_t width = 1;
+    while (width * width < p->n)
+        width++;
+    double x = (double)(index % width), y = (double)(index / width), high = 500 + 500 * rng_unit(&r);
+    body_box(b, vec3(x, y, 0), vec3(x + 0.5 + 0.25 * rng_unit(&r), y + 0.5 + 0.25 * rng_unit(&r), high));
+}
+
+/* Square shells from wide to narrow, each turned anyhow. */
+void shells_solid(body *b, const plan *p, uint64_t index)
+{
+    rng r = rng_of(p->seed, index);
+    double z = (double)index, side = 1.0 + ((double)p->n - z) / (double)p->n;
+    roberts_vec2 a = half_angle(2.0 * rng_unit(&r) - 1.0);
+    body_turned_box(b, vec3(-side, -side, z), vec3(side, side, z + 0.5), a.x, a.y);
 }
 
 /* Thin sheets one above the other, each turned and moved a little. */

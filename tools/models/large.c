@@ -111,6 +111,21 @@ static void city_solid(body *b, const plan *p, uint64_t index)
         podium_part(b, &r, at, height, index % 4);
 }
 
+/* The same on a plate 300 times as wide. */
+static uint64_t plain_count(uint64_t n)
+{
+    return city_count(n) + 1;
+}
+
+static void plain_solid(body *b, const plan *p, uint64_t index)
+{
+    double width = 16 * (double)p->n;
+    if (index > 0)
+        city_solid(b, p, index - 1);
+    else
+        body_box(b, vec3(-150 * width, -150 * width, -1), vec3(150 * width, 150 * width, 0));
+}
+
 /* ---- wall ------------------------------------------------------------------------------------------------------ */
 
 /* Bricks of 4 x 2 x 1 in running bond: courses of `width` whole bricks alternate with courses that have a half brick at
@@ -481,6 +496,18 @@ static const struct {
     {{"spines", "N [SEED]", "N spines that point away from one point, in all directions.", 1, 50000000, true},
      one_each,
      spines_solid,
+     NULL},
+    {{"posts", "N [SEED]", "N posts side by side, a thousand times as high as wide.", 1, 50000000, true},
+     one_each,
+     posts_solid,
+     NULL},
+    {{"shells", "N [SEED]", "N square shells from wide to narrow, each turned at random.", 1, 50000000, true},
+     one_each,
+     shells_solid,
+     NULL},
+    {{"plain", "N [SEED]", "City of N x N blocks on a plate 300 times as wide.", 1, 2000, true},
+     plain_count,
+     plain_solid,
      NULL},
 };
 

@@ -35,5 +35,7 @@ void galaxy_solid(body *b, const plan *p, uint64_t index);
 void sheets_solid(body *b, const plan *p, uint64_t index);
 void floors_solid(body *b, const plan *p, uint64_t index);
 void spines_solid(body *b, const plan *p, uint64_t index);
+void posts_solid(body *b, const plan *p, uint64_t index);
+void shells_solid(body *b, const plan *p, uint64_t index);
 
 #endif

@@ -161,6 +161,10 @@ void off_faces(off_writer *w, const body *b, uint64_t base)
             put_char(w, ' ');
             put_count(w, base + b->corner[i]);
         }
+        for (int shift = 16; b->color && shift >= 0; shift -= 8) {
+            put_char(w, ' ');
+            put_count(w, b->color[f] >> shift & 255);
+        }
         put_char(w, '\n');
     }
 }

@@ -25,6 +25,7 @@ typedef struct star {
     int distance;    /* length of the edges: 1 is the least distance of two corners, 2 the next larger one, and so on */
     polygon face[3]; /* up to the first with 0 corners */
     bool half;       /* only the triangles over four of the eight octants */
+    bool colored;    /* a colour for each direction of faces, which are six */
 } star;
 
 static const star stars[] = {
@@ -33,78 +34,91 @@ static const star stars[] = {
      ICOSAHEDRON,
      2,
      {{5, 2}},
-     false},
+     false,
+     true},
     {"great-dodecahedron",
      "Great dodecahedron: 12 pentagons, five at each corner of the icosahedron.",
      ICOSAHEDRON,
      1,
      {{5, 1}},
-     false},
+     false,
+     true},
     {"great-stellated-dodecahedron",
      "Great stellated dodecahedron: 12 pentagrams, three at each corner of the dodecahedron.",
      DODECAHEDRON,
      4,
      {{5, 2}},
-     false},
+     false,
+     true},
     {"great-icosahedron",
      "Great icosahedron: 20 triangles, five at each corner of the icosahedron.",
      ICOSAHEDRON,
      2,
      {{3, 1}},
+     false,
      false},
     {"tetrahemihexahedron",
      "Tetrahemihexahedron: every second triangle of the octahedron, and three squares through the centre.",
      OCTAHEDRON,
      1,
      {{3, 1}, {4, 1}},
-     true},
+     true,
+     false},
     {"octahemioctahedron",
      "Octahemioctahedron: the triangles of the cuboctahedron, and four hexagons through the centre.",
      CUBOCTAHEDRON,
      1,
      {{3, 1}, {6, 1}},
+     false,
      false},
     {"cubohemioctahedron",
      "Cubohemioctahedron: the squares of the cuboctahedron, and four hexagons through the centre.",
      CUBOCTAHEDRON,
      1,
      {{4, 1}, {6, 1}},
+     false,
      false},
     {"small-ditrigonal-icosidodecahedron",
      "Small ditrigonal icosidodecahedron: 20 triangles and 12 pentagrams on the corners of the dodecahedron.",
      DODECAHEDRON,
      2,
      {{3, 1}, {5, 2}},
+     false,
      false},
     {"ditrigonal-dodecadodecahedron",
      "Ditrigonal dodecadodecahedron: 12 pentagons and 12 pentagrams on the corners of the dodecahedron.",
      DODECAHEDRON,
      2,
      {{5, 1}, {5, 2}},
+     false,
      false},
     {"great-ditrigonal-icosidodecahedron",
      "Great ditrigonal icosidodecahedron: 20 triangles and 12 pentagons on the corners of the dodecahedron.",
      DODECAHEDRON,
      2,
      {{3, 1}, {5, 1}},
+     false,
      false},
     {"dodecadodecahedron",
      "Dodecadodecahedron: 12 pentagons and 12 pentagrams on the corners of the icosidodecahedron.",
      ICOSIDODECAHEDRON,
      2,
      {{5, 1}, {5, 2}},
+     false,
      false},
     {"great-icosidodecahedron",
      "Great icosidodecahedron: 20 triangles and 12 pentagrams on the corners of the icosidodecahedron.",
      ICOSIDODECAHEDRON,
      5,
      {{3, 1}, {5, 2}},
+     false,
      false},
     {"small-icosihemidodecahedron",
      "Small icosihemidodecahedron: the triangles of the icosidodecahedron, and six decagons through the\ncentre.",
      ICOSIDODECAHEDRON,
      1,
      {{3, 1}, {10, 1}},
+     false,
      false},
     {"great-dodecahemicosahedron",
      "Great dodecahemicosahedron: 12 pentagons on the corners of the icosidodecahedron, and ten hexagons\nthrough the "
@@ -112,6 +126,7 @@ static const star stars[] = {
      ICOSIDODECAHEDRON,
      2,
      {{5, 1}, {6, 1}},
+     false,
      false},
     {"great-dodecahemidodecahedron",
      "Great dodecahemidodecahedron: 12 pentagrams on the corners of the icosidodecahedron, and six decagrams\n{10/3} "
@@ -119,12 +134,14 @@ static const star stars[] = {
      ICOSIDODECAHEDRON,
      5,
      {{5, 2}, {10, 3}},
+     false,
      false},
     {"small-dodecicosidodecahedron",
      "Small dodecicosidodecahedron: the triangles and pentagons of the rhombicosidodecahedron, and 12 decagons.",
      RHOMBICOSIDODECAHEDRON,
      1,
      {{3, 1}, {5, 1}, {10, 1}},
+     false,
      false},
     {"small-stellated-truncated-dodecahedron",
      "Small stellated truncated dodecahedron: 12 pentagons and 12 decagrams {10/3} on the corners of "
@@ -132,6 +149,7 @@ static const star stars[] = {
      RHOMBICOSIDODECAHEDRON,
      7,
      {{5, 1}, {10, 3}},
+     false,
      false},
 };
 
@@ -247,6 +265,22 @@ static bool left_out(const body *all, size_t f)
     return all->face_end[f] - body_face_start(all, f) == 3 && n.x * n.y * n.z < 0;
 }
 
+/* Faces in parallel planes get one colour. The six are those of Okabe and Ito that differ most, "Color universal
+ * design" (2008): people who are colour-blind can tell them apart. */
+static void color_directions(body *b)
+{
+    static const uint32_t six[6] = {0xe69f00, 0x56b4e9, 0x009e73, 0xf0e442, 0xd55e00, 0xcc79a7};
+    uint32_t color[12], directions = 0;
+    for (size_t f = 0; f < b->face_count; f++) {
+        roberts_vec3 n = body_face_normal(b, f);
+        size_t g = 0;
+        while (g < f && vec3_length(vec3_cross(n, body_face_normal(b, g))) > SAME * vec3_dot(n, n))
+            g++;
+        color[f] = g < f ? color[g] : six[directions++];
+    }
+    body_color(b, color);
+}
+
 static void make_on_corners(body *b, const star *s)
 {
     body solid = {0}, all = {0};
@@ -263,6 +297,8 @@ static void make_on_corners(body *b, const star *s)
     for (size_t f = 0; f < all.face_count; f++)
         if (!s->half || !left_out(&all, f))
             body_face(b, all.corner + body_face_start(&all, f), all.face_end[f] - body_face_start(&all, f));
+    if (s->colored)
+        color_directions(b);
     body_free(&all);
     body_free(&solid);
 }
