@@ -176,11 +176,24 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, comple
 	    ldconfig; fi
 	@echo 'installed below $(TO)'
 
+PYTHON   ?= python3
+# Where Python looks for packages below PREFIX: Debian's own packages are elsewhere than what is installed locally.
+PYTHONTO ?= $(PREFIX)/lib/$(if $(filter /usr,$(PREFIX)),python3/dist-packages,$\
+            $(shell $(PYTHON) -c 'import sys; v = sys.version_info; print("python%d.%d" % v[:2])')/$\
+            $(if $(filter /usr/local,$(PREFIX)),dist,site)-packages)
+install-python: install ## the same, and the Python package (PYTHON=python3, PYTHONTO= its folder)
+	$(Q)install -d '$(DESTDIR)$(PYTHONTO)/roberts'
+	$(Q)install -m 644 src/python/roberts/*.py src/python/roberts/py.typed '$(DESTDIR)$(PYTHONTO)/roberts/'
+	$(Q)sed 's|^INSTALLED = .*|INSTALLED = "$(LIBDIR)/$(SONAME)"|' src/python/roberts/_library.py \
+	    >'$(DESTDIR)$(PYTHONTO)/roberts/_library.py'
+	@echo 'the package is in $(DESTDIR)$(PYTHONTO)'
+
 uninstall: ## removes the installed files
 	$(Q)rm -f '$(TO)/bin/roberts' '$(TO)/include/roberts.h' '$(LIB)/libroberts.a' '$(LIB)'/libroberts.so* \
 	    '$(LIB)/pkgconfig/roberts.pc' '$(TO)/share/man/man1/roberts.1' \
 	    '$(TO)/share/bash-completion/completions/roberts' '$(TO)/share/zsh/site-functions/_roberts' \
 	    '$(TO)/share/fish/vendor_completions.d/roberts.fish'
+	$(Q)rm -rf '$(DESTDIR)$(PYTHONTO)/roberts'
 
 ##@ To check
 check-includes: ## checks that the includes of src/ point one way (part of `make test`)
@@ -352,7 +365,7 @@ JOBS     ?= $(CPUS)
 export JOBS
 
 .PHONY: all bench bench-baseline bench-meshes check check-includes check-long clean demo drawings figures force fuzz \
-    fuzzers gallery goldens help install lint lint-cppcheck lint-format lint-tidy models test test-quick \
+    fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test test-quick \
     test-sanitize test-threads tools uninstall
 .SECONDARY:
 .DELETE_ON_ERROR:

@@ -155,6 +155,18 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
  * _BAD_INDEX. */
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
 
+/**
+ * Appends vertices and faces, all or nothing.
+ * vertex      [vertex_count]
+ * face_start  [face_count + 1] as in roberts_mesh: it begins with 0 and does not descend; NULL where there is no face
+ * corner      [face_start[face_count]] numbers of vertices, from 0 for the first one of `vertex`
+ * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER, _BAD_INDEX or _BAD_ARGUMENT (face_start). On failure `mesh` is as it
+ * was.
+ */
+roberts_status roberts_mesh_add(roberts_mesh *mesh, const roberts_vec3 *vertex, size_t vertex_count,
+                                const uint32_t *face_start, const uint32_t *corner, size_t face_count,
+                                roberts_error *error);
+
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);
 

@@ -30,6 +30,10 @@ has_fuzzer() {
     ls "$(clang -print-runtime-dir 2>/dev/null)"/libclang_rt.fuzzer* >/dev/null 2>&1
 }
 
+has_numpy() {
+    python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null
+}
+
 # The tests draw pages in Chromium, or in a browser made from it.
 has_browser() {
     has_command chromium || has_command chromium-browser || has_command google-chrome
@@ -70,6 +74,7 @@ find_missing() {
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
             need assimp-utils has_command assimp
             need librsvg2-bin has_command rsvg-convert
+            need python3-numpy has_numpy
             need chromium has_browser
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;

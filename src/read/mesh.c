@@ -244,6 +244,58 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
     return ROBERTS_OK;
 }
 
+/* Checks what roberts_mesh_add() is given. */
+static roberts_status check_arrays(const roberts_vec3 *vertex, size_t vertex_count, const uint32_t *face_start,
+                                   const uint32_t *corner, size_t face_count, roberts_error *error)
+{
+    for (size_t v = 0; v < vertex_count; v++)
+        if (!mesh_position(vertex[v]))
+            return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
+                             v, MESH_COORDINATE_MAX);
+    if (face_count && face_start[0] != 0)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start begins with %lu, not with 0",
+                         (unsigned long)face_start[0]);
+    for (size_t f = 0; f < face_count; f++) {
+        if (face_start[f + 1] < face_start[f])
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start descends behind face %zu", f);
+        for (size_t i = face_start[f]; i < face_start[f + 1]; i++)
+            if (corner[i] >= vertex_count)
+                return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu", f,
+                                 (unsigned long)corner[i], vertex_count);
+    }
+    return ROBERTS_OK;
+}
+
+roberts_status roberts_mesh_add(roberts_mesh *mesh, const roberts_vec3 *vertex, size_t vertex_count,
+                                const uint32_t *face_start, const uint32_t *corner, size_t face_count,
+                                roberts_error *error)
+{
+    const size_t vertices = mesh->vertex_count, faces = mesh->face_count, corners = mesh->corner_count;
+    error_set_file(error, "");
+    roberts_status status = check_arrays(vertex, vertex_count, face_start, corner, face_count, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const size_t corner_count = face_count ? face_start[face_count] : 0;
+    const mesh_mark mark = mesh_here(mesh);
+    if (!mesh_room(mesh, vertices + vertex_count, faces + face_count, corners + corner_count) ||
+        (mesh->vertex_color &&
+         !fill(&mesh->vertex_color, &mesh->vertex_color_room, vertices, vertices + vertex_count)) ||
+        (mesh->face_color && !fill(&mesh->face_color, &mesh->face_color_room, faces, faces + face_count))) {
+        mesh_back(mesh, mark);
+        return error_no_memory(error);
+    }
+    for (size_t v = 0; v < vertex_count; v++)
+        mesh->vertex[vertices + v] = vertex[v];
+    for (size_t i = 0; i < corner_count; i++)
+        mesh->corner[corners + i] = corner[i] + (uint32_t)vertices;
+    for (size_t f = 0; f < face_count; f++)
+        mesh->face_start[faces + f + 1] = face_start[f + 1] + (uint32_t)corners;
+    mesh->vertex_count += vertex_count;
+    mesh->face_count += face_count;
+    mesh->corner_count += corner_count;
+    return ROBERTS_OK;
+}
+
 void roberts_mesh_free(roberts_mesh *mesh)
 {
     if (!mesh)

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -93,6 +94,50 @@ static void adds_to_a_coloured_mesh(void **state)
     roberts_mesh_free(&mesh);
 }
 
+/* Arrays at once give what vertices and faces one by one give. Faces name vertices of their own call. */
+static void adds_arrays(void **state)
+{
+    static const roberts_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const uint32_t start[] = {0, 3, 3, 7}, corner[] = {0, 1, 2, 3, 2, 1, 0};
+    roberts_mesh mesh = {0};
+    (void)state;
+    mesh.vertex_color = calloc(1, sizeof *mesh.vertex_color); /* room for none: the rows are "none" */
+    mesh.vertex_color_room = 1;
+    for (uint32_t i = 0; i < 3; i++)
+        assert_int_equal(roberts_mesh_add(&mesh, vertex, 4, start, corner, 3, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_mesh_add(&mesh, vertex, 1, NULL, NULL, 0, NULL), ROBERTS_OK);
+    assert_true(mesh.vertex_count == 13 && mesh.face_count == 9 && mesh.corner_count == 21);
+    for (uint32_t i = 0; i < 9; i++) {
+        assert_int_equal(mesh.face_start[i], 7 * (i / 3) + start[i % 3]);
+        assert_int_equal(mesh.vertex_color[i].count, 0);
+    }
+    assert_int_equal(mesh.face_start[9], 21);
+    for (uint32_t i = 0; i < 21; i++)
+        assert_int_equal(mesh.corner[i], 4 * (i / 7) + corner[i % 7]);
+    assert_memory_equal(&mesh.vertex[8], vertex, sizeof vertex);
+    roberts_mesh_free(&mesh);
+}
+
+static void refuses_bad_arrays(void **state)
+{
+    static const roberts_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, bad[] = {{0, 0, 0}, {0, NAN, 0}};
+    static const uint32_t corner[] = {0, 1, 2}, beyond[] = {0, 1, 3}, start[] = {0, 3}, late[] = {1, 3},
+                          back[] = {0, 3, 2};
+    roberts_mesh mesh = {0};
+    roberts_error error;
+    (void)state;
+    assert_int_equal(roberts_mesh_add(&mesh, bad, 2, NULL, NULL, 0, &error), ROBERTS_BAD_NUMBER);
+    assert_string_equal(error.message, "vertex 1 has a coordinate that is infinite or beyond 1e+150");
+    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, start, beyond, 1, &error), ROBERTS_BAD_INDEX);
+    assert_string_equal(error.message, "face 0 names vertex 3, but there are 3");
+    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, late, corner, 1, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "face_start begins with 1, not with 0");
+    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, back, corner, 2, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "face_start descends behind face 1");
+    assert_true(mesh.vertex_count == 0 && !mesh.vertex && mesh.face_count == 0 && !mesh.corner);
+    roberts_mesh_free(&mesh);
+}
+
 static void frees_what_is_empty(void **state)
 {
     roberts_mesh mesh = {0};
@@ -110,7 +155,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(adds_vertices_and_faces), cmocka_unit_test(refuses_bad_coordinates),
         cmocka_unit_test(refuses_bad_corners),     cmocka_unit_test(adds_to_a_coloured_mesh),
-        cmocka_unit_test(frees_what_is_empty),
+        cmocka_unit_test(frees_what_is_empty),     cmocka_unit_test(adds_arrays),
+        cmocka_unit_test(refuses_bad_arrays),
     };
     return cmocka_run_group_tests_name("mesh", tests, NULL, NULL);
 }

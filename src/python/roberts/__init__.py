@@ -1,0 +1,519 @@
+"""Exact hidden-line drawings of polyhedra.
+
+    import roberts
+    scene = roberts.read("table.off")          # a path, or the bytes of an OFF, STL, OBJ or PLY file
+    scene = roberts.Scene(vertices, faces)     # or arrays, as a mesh of trimesh has them
+    drawing = scene.hide("iso")                # visible segments, as a numpy array
+    drawing.segments["p0"], drawing.segments["p1"]
+    drawing.save("table.pdf")
+
+In a notebook, a scene and a drawing show themselves. Arrays that the library gives are read-only views of its own
+memory, which lives as long as one of them does. Numbers of vertices, faces and bodies count from 0; roberts.NONE stands
+for none. What the library refuses is a roberts.Error, with file and line; its warnings are roberts.RobertsWarning.
+The names and the rules are those of roberts.h, the header of the library.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import warnings as _warnings
+import weakref
+from typing import Any, Mapping, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _library as c
+from ._library import NONE, Error, RobertsWarning
+
+__all__ = ["NONE", "VISIBLE", "HIDDEN", "CLIPPED", "LINES", "Error", "RobertsWarning", "Scene", "View", "Drawing",
+           "Regions", "read", "view"]
+
+VISIBLE, HIDDEN, CLIPPED = 0, 1, 2
+"""The values of segments["state"]."""
+
+LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_outline")
+"""The names of the values of segments["line"]."""
+
+_KINDS = ("convex", "closed", "open")
+_HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
+_GROUPS = {"class": 0, "body": 1, "element": 2}
+_LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
+
+_vec2, _vec3 = np.dtype((np.float64, 2)), np.dtype((np.float64, 3))
+_SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), ("t0", "f8"), ("t1", "f8"),
+                     ("p0", _vec2), ("p1", _vec2), ("z0", "f8"), ("z1", "f8"), ("state", "u1"), ("line", "u1"),
+                     ("level", "u2"), ("edge", "u4")])
+_CROSSING = np.dtype([("face", "u4", 2), ("end", "f8", (2, 3))])
+_COLOR = np.dtype([("count", "u1"), ("value", "f4", 4)], align=True)
+_REGION = np.dtype([("solid", "u4"), ("face", "u4"), ("first_ring", np.uintp), ("ring_count", np.uintp),
+                    ("area", "f8"), ("z_min", "f8"), ("z_max", "f8"), ("normal", _vec3), ("steep", _vec2),
+                    ("level", _vec2), ("foot", _vec2), ("color", _COLOR)], align=True)
+
+PathOrBytes = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview]
+ViewLike = Union[str, "View", None]
+
+
+class _Memory:
+    """Memory of the library, as numpy reads it. The array keeps this object, and this object keeps the owner."""
+
+    def __init__(self, owner: Any, address: int, shape: tuple, dtype: np.dtype) -> None:
+        self.owner = owner
+        base, inner = dtype.subdtype or (dtype, ())
+        self.__array_interface__ = {"version": 3, "shape": shape + inner, "typestr": base.str, "descr": base.descr,
+                                    "data": (address, True)}
+
+
+def _array(owner: Any, address: Optional[int], count: int, dtype: Any) -> np.ndarray:
+    """A read-only array over the library's memory."""
+    dtype = np.dtype(dtype)
+    if not address or not count:
+        empty = np.empty(0, dtype)
+        empty.flags.writeable = False
+        return empty
+    raw = np.asarray(_Memory(owner, address, (count * dtype.itemsize,), np.dtype("u1")))
+    return raw.view(dtype.base).reshape((count,) + dtype.shape) if dtype.subdtype else raw.view(dtype)
+
+
+class _Warned:
+    """Collects the warnings of one call, and issues them after it."""
+
+    def __init__(self) -> None:
+        self.said: list[str] = []
+        self.function = c.WARNING_FN(self._warn)
+        self.struct = c.warnings(self.function, None)
+
+    def _warn(self, _context: Any, file: Optional[bytes], line: int, message: bytes) -> None:
+        self.said.append(c.place(c.text(file or b""), line) + c.text(message))
+
+    def issue(self) -> None:
+        for message in self.said:
+            _warnings.warn(message, RobertsWarning, stacklevel=4)
+
+
+def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
+    """Sets fields of a struct by name."""
+    names = {name for name, *_ in struct._fields_}
+    for name, value in values.items():
+        if name not in names:
+            raise TypeError(f"{what}: there is no {name!r}")
+        setattr(struct, name, value)
+
+
+def _choice(table: Mapping[str, int], value: str, what: str) -> int:
+    if value not in table:
+        raise ValueError(f"{what}: {value!r} is none of {', '.join(table)}")
+    return table[value]
+
+
+# ---- views ----------------------------------------------------------------------------------------------------------
+
+
+class View:
+    """Where the viewer stands; made by roberts.view()."""
+
+    def __init__(self, camera: c.camera) -> None:
+        self._camera = camera
+
+    def __repr__(self) -> str:
+        at = self._camera.eye if self._camera.projection else self._camera.dir
+        kind = "eye" if self._camera.projection else "direction"
+        return f"<roberts.View {kind}=({at.x:g}, {at.y:g}, {at.z:g})>"
+
+
+def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: float = 0.0, roll: float = 0.0,
+         direction: Optional[Sequence[float]] = None, eye: Optional[Sequence[float]] = None,
+         look_at: Optional[Sequence[float]] = None, up: Optional[Sequence[float]] = None, fov: float = 0.0,
+         near: float = 0.0) -> View:
+    """A view, by one of four ways to say it.
+
+    preset              iso, dimetric, trimetric, front, back, right, left, top, bottom, cavalier, cabinet
+    azimuth, elevation  degrees: 0, 0 is the front; azimuth 90 the right; elevation -90 to 90
+    direction           three numbers: from the scene toward the viewer, at any length but 0
+    eye                 three numbers, model units: a perspective from there
+    look_at             perspective: the point in the middle of the picture; None: the middle of the scene's box
+    up                  what points up in the picture; None: +z
+    roll                degrees: turns the picture counter-clockwise
+    fov                 perspective: the field of view in degrees; 0: the whole scene
+    near                perspective: what is nearer to the eye is cut off, model units; 0: chosen
+    Raises ValueError.
+    """
+    camera = c.camera()
+    if azimuth is not None:
+        if not c.lib.roberts_camera_angles(azimuth, elevation, roll, ctypes.byref(camera)):
+            raise ValueError(f"view: azimuth {azimuth}, elevation {elevation} is no view")
+    elif direction is None and eye is None:
+        if not c.lib.roberts_camera_preset(preset.encode(), ctypes.byref(camera)):
+            raise ValueError(f"view: there is no {preset!r}")
+    if direction is not None:
+        camera.dir = c.vec3(*direction)
+    if eye is not None:
+        camera.projection, camera.eye = 1, c.vec3(*eye)
+    if look_at is not None:
+        camera.look_at, camera.has_look_at = c.vec3(*look_at), True
+    if up is not None:
+        camera.up = c.vec3(*up)
+    camera.roll_degrees = roll if azimuth is None else camera.roll_degrees
+    camera.fov_degrees, camera.near_distance = fov, near
+    return View(camera)
+
+
+def _camera(where: ViewLike) -> c.camera:
+    if where is None:
+        where = "iso"
+    return (view(where) if isinstance(where, str) else where)._camera
+
+
+# ---- scenes ---------------------------------------------------------------------------------------------------------
+
+
+class Scene:
+    """Bodies of any shape, ready to be seen from any side.
+
+    vertices    (n, 3) numbers, model units; copied
+    faces       (m, k) vertex numbers, or a sequence of m sequences of any lengths; copied
+    hull        what is no convex solid is replaced by its hull
+    solids      what is no convex solid is refused
+    tolerance   how far a corner may lie off its face's plane, as a part of the solid's size; 0: 1e-5
+    even_odd    the inside of a face that crosses itself is what its border winds round an odd number of times
+    Raises Error, MemoryError, ValueError.
+    """
+
+    def __init__(self, vertices: Any, faces: Any, *, hull: bool = False, solids: bool = False, tolerance: float = 0.0,
+                 even_odd: bool = False) -> None:
+        mesh = c.mesh()
+        free = weakref.finalize(self, c.lib.roberts_mesh_free, ctypes.byref(mesh))
+        points = np.ascontiguousarray(vertices, np.float64)
+        if points.ndim != 2 or points.shape[1] != 3:
+            raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
+        start, corners = _pack(faces)
+        c.check("mesh_add", ctypes.byref(mesh), points.ctypes.data, len(points), start.ctypes.data,
+                corners.ctypes.data, len(start) - 1)
+        self._build(mesh, free, hull, solids, tolerance, even_odd, _Warned())
+
+    def _build(self, mesh: c.mesh, free: Any, hull: bool, solids: bool, tolerance: float, even_odd: bool,
+               warned: _Warned) -> None:
+        options = c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
+                                  warnings=warned.struct)
+        handle = ctypes.c_void_p()
+        c.check("scene_build", ctypes.byref(mesh), ctypes.byref(options), ctypes.byref(handle))
+        weakref.finalize(self, c.lib.roberts_scene_free, handle)
+        self._mesh, self._handle, self._free_mesh = mesh, handle, free
+        self.name = ""
+        warned.issue()
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """(n, 3) float64: the vertices of the input. A view of the library's memory."""
+        return _array(self, self._mesh.vertex, self._mesh.vertex_count, _vec3)
+
+    @property
+    def face_start(self) -> np.ndarray:
+        """(m + 1,) uint32: face f has the corners corners[face_start[f]:face_start[f + 1]]. A view."""
+        count = self._mesh.face_count
+        return _array(self, self._mesh.face_start, count + 1 if count else 0, np.uint32)
+
+    @property
+    def corners(self) -> np.ndarray:
+        """(k,) uint32: vertex numbers of all faces, one after the other. A view."""
+        return _array(self, self._mesh.corner, self._mesh.corner_count, np.uint32)
+
+    @property
+    def faces(self) -> Union[np.ndarray, list[np.ndarray]]:
+        """(m, k) uint32 if all faces have k corners, else a list of m arrays. Views, too."""
+        count, corners = self._mesh.face_count, self.corners
+        if count and self._mesh.corner_count % count == 0:
+            k = self._mesh.corner_count // count
+            if k and np.all(np.diff(self.face_start) == k):
+                return corners.reshape(count, k)
+        return np.split(corners, self.face_start[1:-1]) if count else []
+
+    @property
+    def body_count(self) -> int:
+        return c.lib.roberts_scene_solid_count(self._handle)
+
+    def body_kind(self, body: int) -> str:
+        """convex, closed or open."""
+        if not 0 <= body < self.body_count:
+            raise IndexError(f"there is no body {body}")
+        return _KINDS[c.lib.roberts_scene_body_kind(self._handle, body)]
+
+    def body_name(self, body: int) -> str:
+        """The name of the body's group in the file; "" if it has none."""
+        if not 0 <= body < self.body_count:
+            raise IndexError(f"there is no body {body}")
+        return c.text(c.lib.roberts_scene_name(self._handle, body))
+
+    def hide(self, where: ViewLike = None, **options: Any) -> Drawing:
+        """Removes the hidden lines, as seen by `where`: a View, or the name of a preset.
+
+        options  fields of roberts_hide_options: keep_hidden (give hidden segments, too), unite (draw all closed bodies
+                 as one), crease_degrees, crease_auto, all_edges, levels, nameless, epsilon, threads. If
+                 crease_degrees is given, it holds for curved bodies, too.
+        Raises Error, MemoryError.
+        """
+        return Drawing(self, _camera(where), options)
+
+    def regions(self, where: ViewLike = None, **options: Any) -> Regions:
+        """What is seen of each face. options: merge_regions, unite, epsilon, threads. Raises Error, MemoryError."""
+        return Regions(self, _camera(where), options)
+
+    def _repr_svg_(self) -> str:
+        return self.hide()._repr_svg_()
+
+    def __repr__(self) -> str:
+        return (f"<roberts.Scene {self.name!r}: {self.body_count} bodies, {self._mesh.vertex_count} vertices, "
+                f"{self._mesh.face_count} faces>")
+
+
+def _pack(faces: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Faces as starts and corners, uint32 and contiguous."""
+    if isinstance(faces, np.ndarray) and faces.ndim == 2:
+        count, k = faces.shape
+        lengths, corners = np.full(count, k), faces.reshape(-1)
+    else:
+        rows = [np.asarray(face).reshape(-1) for face in faces]
+        lengths = np.array([len(row) for row in rows], np.int64)
+        corners = np.concatenate(rows) if rows else np.empty(0, np.uint32)
+    if corners.size and corners.dtype.kind not in "iu":
+        raise ValueError("Scene: faces are made of whole numbers")
+    if corners.size and (corners.min() < 0 or corners.max() >= NONE):
+        raise ValueError("Scene: a face names a vertex below 0, or beyond 4294967294")
+    start = np.concatenate([[0], np.cumsum(lengths)])
+    if start[-1] > NONE:
+        raise ValueError("Scene: there are too many corners")
+    return np.ascontiguousarray(start, np.uint32), np.ascontiguousarray(corners, np.uint32)
+
+
+def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, solids: bool = False,
+         tolerance: float = 0.0, even_odd: bool = False) -> Scene:
+    """Reads an OFF, STL, OBJ or PLY file, text or binary; its content decides which.
+
+    what  a path ("-" is standard input), or the bytes of a file
+    name  what messages and the drawing's title call it; None: the path's last part
+    The others are those of Scene. Raises Error (with file and line), MemoryError.
+    """
+    scene = Scene.__new__(Scene)
+    mesh, warned = c.mesh(), _Warned()
+    free = weakref.finalize(scene, c.lib.roberts_mesh_free, ctypes.byref(mesh))
+    if isinstance(what, (bytes, bytearray, memoryview)):
+        data = bytes(what)
+        c.check("mesh_read_memory", ctypes.byref(mesh), (name or "data").encode(), data, len(data),
+                ctypes.byref(warned.struct))
+    else:
+        path = os.fspath(what)
+        name = name or os.path.basename(path)
+        c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
+    scene._build(mesh, free, hull, solids, tolerance, even_odd, warned)
+    scene.name = name or ""
+    return scene
+
+
+# ---- what is seen ---------------------------------------------------------------------------------------------------
+
+
+def _hide_options(values: Mapping[str, Any]) -> c.hide_options:
+    options = c.lib.roberts_hide_options_default()
+    if "crease_degrees" in values:
+        options.crease_auto = False
+    _fill(options, values, "hide")
+    return options
+
+
+class Regions:
+    """What is seen of each face; made by Scene.regions(). All arrays are views of the library's memory.
+
+    regions     (n,) structured: solid, face, first_ring, ring_count, area, z_min, z_max, normal, steep, level, foot,
+                color; as roberts_region
+    ring_start  (r + 1,): ring i has the corners corners[ring_start[i]:ring_start[i + 1]]
+    corners     (k, 2) float64, picture, model units, y up
+    """
+
+    def __init__(self, scene: Scene, camera: c.camera, options: Mapping[str, Any]) -> None:
+        self._list = c.region_list()
+        weakref.finalize(self, c.lib.roberts_regions_free, ctypes.byref(self._list))
+        choice = _hide_options(options)
+        c.check("regions", scene._handle, ctypes.byref(camera), ctypes.byref(choice), ctypes.byref(self._list))
+
+    @property
+    def regions(self) -> np.ndarray:
+        return _array(self, self._list.region, self._list.count, _REGION)
+
+    @property
+    def ring_start(self) -> np.ndarray:
+        rings = self._list.ring_count
+        return _array(self, self._list.ring_start, rings + 1 if rings else 0, np.uintp)
+
+    @property
+    def corners(self) -> np.ndarray:
+        return _array(self, self._list.corner, self._list.corner_count, _vec2)
+
+    def rings(self, region: int) -> list[np.ndarray]:
+        """The rings of a region, (k, 2) each: counter-clockwise round a piece, clockwise round a hole in it."""
+        row, start, corners = self.regions[region], self.ring_start, self.corners
+        first = int(row["first_ring"])
+        return [corners[int(start[i]):int(start[i + 1])] for i in range(first, first + int(row["ring_count"]))]
+
+    def __len__(self) -> int:
+        return self._list.count
+
+
+class Drawing:
+    """The segments of all lines of a scene, seen from one side; made by Scene.hide().
+
+    All arrays are views of the library's memory.
+    """
+
+    def __init__(self, scene: Scene, camera: c.camera, options: Mapping[str, Any]) -> None:
+        self._scene, self._camera, self._options = scene, camera, dict(options)
+        self._drawing = c.drawing()
+        self._keeps_hidden = bool(options.get("keep_hidden", False))
+        weakref.finalize(self, c.lib.roberts_drawing_free, ctypes.byref(self._drawing))
+        choice = _hide_options(options)
+        c.check("hide", scene._handle, ctypes.byref(camera), ctypes.byref(choice), ctypes.byref(self._drawing))
+
+    @property
+    def segments(self) -> np.ndarray:
+        """(n,) structured: solid, v0, v1, by, t0, t1, p0, p1, z0, z1, state, line, level, edge; as roberts_segment.
+
+        p0 and p1 are (n, 2), in the picture, model units, y up.
+        """
+        return _array(self, self._drawing.segment, self._drawing.count, _SEGMENT)
+
+    @property
+    def crossings(self) -> np.ndarray:
+        """(n,) structured: face (2), end (2, 3): where faces cross, in the model."""
+        return _array(self, self._drawing.crossing, self._drawing.crossing_count, _CROSSING)
+
+    @property
+    def window(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        """The lower left and the upper right corner of the picture, model units."""
+        low, high = self._drawing.window_min, self._drawing.window_max
+        return (low.x, low.y), (high.x, high.y)
+
+    def __len__(self) -> int:
+        return self._drawing.count
+
+    def save(self, path: Union[str, "os.PathLike[str]"], *, format: Optional[str] = None, **options: Any) -> None:
+        """Writes the drawing; a file appears whole or not at all.
+
+        format   svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv or json; None: as the path's ending says
+        options  see svg()
+        Raises Error, MemoryError, ValueError.
+        """
+        path, number = os.fspath(path), ctypes.c_int()
+        if not (c.lib.roberts_format_by_name(format.encode(), ctypes.byref(number)) if format is not None
+                else c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(number))):
+            raise ValueError(f"save: no format is called {format!r}" if format is not None
+                             else f"save: {path!r} does not end in the name of a format")
+        page = _Page(self, number.value, options)
+        c.check("drawing_save", ctypes.byref(page.drawing), ctypes.byref(page.options), os.fsencode(path))
+        page.warned.issue()
+
+    def svg(self, **options: Any) -> str:
+        """The drawing as SVG: the bytes that the program writes, if title and description are the same.
+
+        hidden            none, dashed or solid: hidden lines; default: dashed if hide() kept them, else none
+        page              (width, height) or (width, height, margin), mm; default: A4 upright with margins of 10
+        scale             mm on paper for each model unit; default: as large as the margins allow
+        pens              a dict of pens by class (outline, border, crease, intersection, wire, back, frame, hatch,
+                          text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
+                          255), off
+        background        (red, green, blue)
+        fill              white, model, body, or (red, green, blue)
+        shaded            fills are darker where less light falls
+        hatch             True, or a dict with fields of roberts_hatching
+        light             toward the light, as the viewer sees it: three numbers
+        labels            a sequence of vertices, edges, faces, bodies
+        group             class, body or element: the structure of the SVG
+        id_prefix, title, description    strings
+        dpi, real_dashes, number_layers  as in roberts_draw_options
+        Raises Error, MemoryError, TypeError, ValueError.
+        """
+        page, parts = _Page(self, 0, options), []
+
+        def write(_context: Any, data: int, size: int) -> bool:
+            parts.append(ctypes.string_at(data, size))
+            return True
+
+        c.check("drawing_write", ctypes.byref(page.drawing), ctypes.byref(page.options), c.WRITE_FN(write), None)
+        page.warned.issue()
+        return b"".join(parts).decode("utf-8")
+
+    def _repr_svg_(self) -> str:
+        (x0, y0), (x1, y1) = self.window
+        wide, high = max(x1 - x0, 0.0), max(y1 - y0, 0.0)
+        unit = 150.0 / max(wide, high) if max(wide, high) > 0.0 else 1.0
+        return self.svg(page=(max(wide * unit, 10.0) + 4.0, max(high * unit, 10.0) + 4.0, 2.0),
+                        background=(255, 255, 255))
+
+    def __repr__(self) -> str:
+        return f"<roberts.Drawing {self._scene.name!r}: {len(self)} segments>"
+
+
+class _Page:
+    """The options of one page, and what they borrow."""
+
+    def __init__(self, of: Drawing, format: int, given: Mapping[str, Any]) -> None:
+        given = dict(given)
+        o = self.options = c.lib.roberts_draw_options_default()
+        self.warned = _Warned()
+        self.drawing = c.drawing.from_buffer_copy(of._drawing)  # shares the segments; they stay those of `of`
+        self.regions = None
+        o.format, o.scene, o.lettering.warnings = format, of._scene._handle, self.warned.struct
+        o.hidden = _choice(_HIDDEN, given.pop("hidden", "dashed" if of._keeps_hidden else "none"), "hidden")
+        o.grouping = _choice(_GROUPS, given.pop("group", "class"), "group")
+        self._texts(of, given)
+        self._paper(given)
+        if self._paint(given):
+            regions = {name: of._options[name] for name in ("unite", "epsilon", "threads", "grid")
+                       if name in of._options}
+            self.regions = Regions(of._scene, of._camera, regions)
+            self.drawing.regions = ctypes.addressof(self.regions._list)
+        for name in ("dpi", "real_dashes", "number_layers"):
+            if name in given:
+                setattr(o, name, given.pop(name))
+        if given:
+            raise TypeError(f"there is no option {next(iter(given))!r}")
+
+    def _texts(self, of: Drawing, given: dict) -> None:
+        for name, default in (("title", of._scene.name or None), ("description", None), ("id_prefix", None)):
+            value = given.pop(name, default)
+            setattr(self.options, name, value.encode("utf-8") if value is not None else None)
+
+    def _paper(self, given: dict) -> None:
+        o = self.options
+        if "page" in given:
+            width, height, *margin = given.pop("page")
+            o.page = c.page(width, height, margin[0] if margin else o.page.margin_mm)
+        if "scale" in given:
+            o.placement.scale = given.pop("scale")
+        for name, values in given.pop("pens", {}).items():
+            if name not in c.PENS:
+                raise ValueError(f"pens: {name!r} is none of {', '.join(c.PENS)}")
+            pen = getattr(o, name)
+            values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
+            if "color" in values:
+                pen.red, pen.green, pen.blue = values.pop("color")
+            if values:
+                pen.off = False
+            _fill(pen, values, "pens")
+        if "background" in given:
+            o.background = c.background(True, *given.pop("background"))
+
+    def _paint(self, given: dict) -> bool:
+        """Fills, hatching and labels. Returns whether they need regions."""
+        o, fill, hatch = self.options, given.pop("fill", None), given.pop("hatch", None)
+        if fill is not None and not isinstance(fill, str):
+            o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*fill)
+        elif fill is not None:
+            o.fill = _choice({"white": 1, "model": 2, "body": 3}, fill, "fill")
+        o.shaded = given.pop("shaded", False)
+        if "light" in given:
+            o.light = c.vec3(*given.pop("light"))
+        if hatch:
+            o.hatching.on = True
+            _fill(o.hatching, hatch if isinstance(hatch, Mapping) else {}, "hatch")
+        for name in given.pop("labels", ()):
+            o.lettering.labels |= _choice(_LABELS, name, "labels")
+        return bool(o.fill or o.hatching.on or o.lettering.labels & 12)

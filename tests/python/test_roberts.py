@@ -1,0 +1,235 @@
+"""The Python package: tests/python/test_roberts.py BUILD FOLDER, with ROBERTS_LIBRARY set and from the top folder.
+
+What it gives is compared with what the program in BUILD writes.
+"""
+
+import csv
+import ctypes
+import gc
+import html
+import io
+import os
+import re
+import subprocess
+import sys
+import unittest
+import warnings
+
+import numpy as np
+
+import roberts
+from roberts import _library
+
+BUILD, HERE = sys.argv[1:3]
+CUBE = "models/platonic/cube.off"
+
+
+def program(*arguments):
+    return subprocess.run([os.path.join(BUILD, "roberts"), *arguments], check=True, capture_output=True).stdout
+
+
+class Layout(unittest.TestCase):
+    def test_structs_are_those_of_the_compiler(self):
+        lines, expected = [], []
+        for struct in _library.STRUCTS:
+            name = "roberts_" + struct.__name__
+            lines.append(f'printf("%zu\\n", sizeof({name}));')
+            expected.append((name, ctypes.sizeof(struct)))
+            for field, *_ in struct._fields_:
+                lines.append(f'printf("%zu %zu\\n", offsetof({name}, {field}), sizeof((({name} *)0)->{field}));')
+                expected.append((f"{name}.{field}", f"{getattr(struct, field).offset} {getattr(struct, field).size}"))
+        source, binary = os.path.join(HERE, "layout.c"), os.path.join(HERE, "layout")
+        with open(source, "w") as file:
+            file.write('#include <stdio.h>\n#include "roberts.h"\nint main(void)\n{\n' + "\n".join(lines) + "\n}\n")
+        subprocess.run([*os.environ.get("CC", "cc").split(), "-Iinclude", source, "-o", binary], check=True)
+        printed = subprocess.run([binary], check=True, capture_output=True, text=True).stdout.splitlines()
+        self.assertEqual(len(printed), len(expected))
+        for (name, value), line in zip(expected, printed):
+            self.assertEqual(str(value), line, name)
+        self.assertGreater(len(expected), 150)
+
+    def test_array_types_are_the_structs(self):
+        for dtype, struct in ((roberts._SEGMENT, _library.segment), (roberts._CROSSING, _library.crossing),
+                              (roberts._REGION, _library.region), (roberts._COLOR, _library.color)):
+            self.assertEqual(dtype.itemsize, ctypes.sizeof(struct))
+            self.assertEqual([name for name, *_ in struct._fields_], list(dtype.names))
+            for name in dtype.names:
+                self.assertEqual(dtype.fields[name][1], getattr(struct, name).offset, name)
+
+
+class Scenes(unittest.TestCase):
+    def test_cube_by_hand(self):
+        scene = roberts.read(CUBE)
+        self.assertEqual((scene.body_count, scene.body_kind(0), scene.name), (1, "convex", "cube.off"))
+        self.assertEqual(scene.vertices.shape, (8, 3))
+        self.assertEqual(scene.faces.shape, (6, 4))
+        segments = scene.hide("top").segments
+        self.assertEqual(len(segments), 4)
+        length = np.hypot(*(segments["p1"] - segments["p0"]).T)
+        np.testing.assert_allclose(length, 2.0, rtol=1e-12)
+        self.assertRaises(IndexError, scene.body_kind, 1)
+
+    def test_rows_are_those_of_the_table(self):
+        for path, view in (("models/table.off", "iso"), ("models/interpenetrating-cubes.off", "trimetric")):
+            table = program("-f", "csv", "--view", view, "--hidden", "dashed", path).decode()
+            rows = list(csv.DictReader(io.StringIO(table)))
+            segments = roberts.read(path).hide(view, keep_hidden=True).segments
+            self.assertEqual(len(rows), len(segments))
+            self.assertGreater(len(rows), 10)
+            for row, segment in zip(rows, segments):
+                self.assertEqual(row["body"], str(segment["solid"]))
+                self.assertEqual(row["state"], ("visible", "hidden", "clipped")[segment["state"]])
+                self.assertEqual(row["by"], "" if segment["by"] == roberts.NONE else str(segment["by"]))
+                self.assertEqual([float(row[k]) for k in ("t0", "t1", "x0", "y0", "x1", "y1")],
+                                 [segment["t0"], segment["t1"], *segment["p0"], *segment["p1"]])
+
+    def test_arrays_in(self):
+        read = roberts.read("models/table.off")
+        for faces in (read.faces, [list(map(int, face)) for face in read.faces], iter(list(read.faces))):
+            made = roberts.Scene(read.vertices, faces)
+            np.testing.assert_array_equal(made.vertices, read.vertices)
+            np.testing.assert_array_equal(made.corners, read.corners)
+            np.testing.assert_array_equal(made.hide().segments, read.hide().segments)
+        mixed = roberts.Scene([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1]],
+                              [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+        self.assertEqual([len(face) for face in mixed.faces], [4, 3, 3, 3, 3])
+        self.assertEqual(mixed.body_kind(0), "convex")
+
+    def test_bytes(self):
+        with open(CUBE, "rb") as file:
+            data = file.read()
+        for what in (data, bytearray(data), memoryview(data)):
+            scene = roberts.read(what, name="cube.off")
+            self.assertEqual(scene.hide().svg(), roberts.read(CUBE).hide().svg())
+
+    def test_errors(self):
+        with self.assertRaises(roberts.Error) as caught:
+            roberts.read(b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n", name="odd.off")
+        error = caught.exception
+        self.assertEqual((error.status, error.file, error.line), ("BAD_INDEX", "odd.off", 6))
+        self.assertTrue(str(error).startswith("odd.off:6: "), str(error))
+        with self.assertRaises(roberts.Error) as caught:
+            roberts.read("none.off")
+        self.assertEqual((caught.exception.status, caught.exception.file), ("IO", "none.off"))
+        triangle = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+        for vertices, faces, status in ((triangle, [[0, 1, 3]], "BAD_INDEX"), ([[np.nan, 0, 0]], [[0]], "BAD_NUMBER")):
+            with self.assertRaises(roberts.Error) as caught:
+                roberts.Scene(vertices, faces)
+            self.assertEqual(caught.exception.status, status)
+        for vertices, faces in ((triangle, [[0, 1, -1]]), (triangle, [[0.5, 1, 2]]), ([[0, 0]], [[0]])):
+            self.assertRaises(ValueError, roberts.Scene, vertices, faces)
+        scene = roberts.Scene(triangle, [[0, 1, 2]])
+        self.assertRaises(ValueError, scene.hide, "nowhere")
+        self.assertRaises(TypeError, scene.hide, odd=1)
+        self.assertRaises(ValueError, scene.hide().save, "a.odd")
+        self.assertRaises(ValueError, scene.hide().svg, fill="odd")
+        self.assertRaises(TypeError, scene.hide().svg, odd=1)
+        with self.assertRaises(roberts.Error) as caught:
+            scene.hide(roberts.view(direction=(0, 0, 0)))
+        self.assertEqual(caught.exception.status, "BAD_VIEW")
+        self.assertRaises(roberts.Error, roberts.Scene, triangle, [[0, 1, 2]], solids=True)
+
+    def test_warnings(self):
+        with self.assertWarnsRegex(roberts.RobertsWarning, "colour"):
+            roberts.read(b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 x y\n", name="odd.off")
+
+
+class Memory(unittest.TestCase):
+    def test_arrays_are_views(self):
+        scene = roberts.read("models/table.off")
+        drawing = scene.hide()
+        self.assertEqual(scene.vertices.ctypes.data, scene._mesh.vertex)
+        self.assertEqual(drawing.segments.ctypes.data, drawing._drawing.segment)
+        self.assertEqual(drawing.segments["p0"].base is None, False)
+        self.assertRaises(ValueError, scene.vertices.__setitem__, 0, 1.0)
+        self.assertRaises(ValueError, drawing.segments.__setitem__, "t0", 1.0)
+
+    def test_arrays_keep_their_memory(self):
+        vertices = roberts.read("models/table.off").vertices
+        points = roberts.read("models/table.off").hide().segments["p0"]
+        before = vertices.copy(), points.copy()
+        gc.collect()
+        for _ in range(50):
+            roberts.read("models/tower.off").hide()
+        np.testing.assert_array_equal(vertices, before[0])
+        np.testing.assert_array_equal(points, before[1])
+
+    def test_memory_comes_back(self):
+        freed = []
+        free = _library.lib.roberts_drawing_free
+        scene = roberts.read(CUBE)
+        drawing = scene.hide()
+        roberts.weakref.finalize(drawing, freed.append, True)
+        points = drawing.segments["p0"]
+        del drawing
+        gc.collect()
+        self.assertEqual(freed, [])
+        del points
+        gc.collect()
+        self.assertEqual(freed, [True])
+        self.assertIsNotNone(free)
+
+
+class Pages(unittest.TestCase):
+    def same(self, drawing, *arguments, **options):
+        """The description of the program's drawing is its command line; all else must be the same."""
+        expected = program(*arguments, "-f", "svg").decode()
+        about = html.unescape(re.search("<desc>(.*?)</desc>", expected).group(1))
+        self.assertEqual(drawing.svg(description=about, **options), expected)
+
+    def test_svg_is_that_of_the_program(self):
+        for path in ("models/table.off", "models/temple.off", "models/interpenetrating-cubes.off"):
+            scene = roberts.read(path)
+            self.same(scene.hide(), path)
+            self.same(scene.hide("top", keep_hidden=True), path, "--view", "top", "--hidden", "dashed", "--fill",
+                      "shade:body", fill="body", shaded=True)
+            self.same(scene.hide(unite=True), path, "--style", "outline:width=0.7,color=#ff0000", "--page", "100x80",
+                      "--margin", "5", "--group", "element", "--union", page=(100, 80, 5), group="element",
+                      pens={"outline": {"width": 0.7, "color": (255, 0, 0)}})
+
+    def test_angles_and_perspective(self):
+        path = "models/table.off"
+        scene = roberts.read(path)
+        self.same(scene.hide(roberts.view(azimuth=20, elevation=30)), path, "--azimuth", "20", "--elevation", "30")
+        self.same(scene.hide(roberts.view(eye=(9, -20, 8))), path, "--eye", "9,-20,8")
+        self.assertIn("eye", repr(roberts.view(eye=(9, -20, 8))))
+
+    def test_save(self):
+        drawing = roberts.read(CUBE).hide()
+        for name in ("a.svg", "a.pdf", "a.png", "a.dxf", "a.csv"):
+            drawing.save(os.path.join(HERE, name))
+            self.assertGreater(os.path.getsize(os.path.join(HERE, name)), 100)
+        drawing.save(os.path.join(HERE, "a.odd"), format="svg")
+        with open(os.path.join(HERE, "a.odd"), "rb") as file:
+            self.assertEqual(file.read().decode(), drawing.svg())
+        with self.assertRaises(roberts.Error) as caught:
+            drawing.save(os.path.join(HERE, "none", "a.svg"))
+        self.assertEqual(caught.exception.status, "IO")
+
+    def test_notebook(self):
+        drawing = roberts.read("models/table.off").hide()
+        svg = drawing._repr_svg_()
+        self.assertIn("<svg", svg)
+        self.assertIn("</svg>", svg)
+        self.assertIn("<svg", drawing._scene._repr_svg_())
+
+
+class Seen(unittest.TestCase):
+    def test_regions_of_a_cube(self):
+        regions = roberts.read(CUBE).regions("top")
+        self.assertEqual(len(regions), 1)
+        self.assertAlmostEqual(float(regions.regions["area"][0]), 4.0, 12)
+        (ring,) = regions.rings(0)
+        x, y = ring.T
+        self.assertAlmostEqual(0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))), 4.0, 12)
+        np.testing.assert_allclose(regions.regions["normal"][0], (0, 0, 1), atol=1e-12)
+
+    def test_crossings(self):
+        crossings = roberts.read("models/interpenetrating-cubes.off").hide().crossings
+        self.assertGreater(len(crossings), 0)
+        self.assertTrue(np.all(crossings["face"][:, 0] < crossings["face"][:, 1]))
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error", ResourceWarning)
+    unittest.main(argv=sys.argv[:1])
