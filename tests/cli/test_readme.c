@@ -232,6 +232,8 @@ static const struct {
 } other_blocks[] = {
     {"README.md", "c", 1, "test_example() compiles it"},
     {"README.md", "", 1, "a path from file to file"},
+    {"README.md", "python", 1, "tests/python/test_roberts.py runs it"},
+    {"models/recipes.md", "python octahedron.py", 1, "tests/python/test_roberts.py runs it"},
     {"models/recipes.md", "latex", 1, "a part of a document, which has no end of its own"},
     {"models/gallery/README.md", "sh", 1, "test_gallery.c runs its commands"},
     {"src/README.md", "", 1, "a path from file to file"},

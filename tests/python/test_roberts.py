@@ -214,6 +214,19 @@ class Pages(unittest.TestCase):
         self.assertIn("<svg", drawing._scene._repr_svg_())
 
 
+class Examples(unittest.TestCase):
+    def test_blocks_of_the_pages(self):
+        """The blocks of README and recipes that use the package draw what they say."""
+        os.symlink(os.path.abspath("models"), os.path.join(HERE, "models"))
+        for page, output in (("README.md", "table.svg"), ("models/recipes.md", "octahedron.svg")):
+            with open(page, encoding="utf-8") as file:
+                blocks = re.findall(r"^```python[^\n]*\n(.*?)^```", file.read(), re.M | re.S)
+            (block,) = (block for block in blocks if "import roberts" in block)
+            paths = os.environ | {"PYTHONPATH": os.path.abspath("src/python")}
+            subprocess.run([sys.executable, "-c", block], check=True, capture_output=True, cwd=HERE, env=paths)
+            self.assertGreater(os.path.getsize(os.path.join(HERE, output)), 500)
+
+
 class Seen(unittest.TestCase):
     def test_regions_of_a_cube(self):
         regions = roberts.read(CUBE).regions("top")
