@@ -1,8 +1,8 @@
 /* memory.h - makes one allocation after the other fail. For test programs named test_memory_*: only these are linked
  * such that malloc(), calloc(), realloc() and free() of our own code come here. Include it in one file only.
  *
- *     for (size_t n = 1; memory_fails_at(n); n++)
- *         ... call, expect ROBERTS_NO_MEMORY if memory_failed() ... */
+ * memory_fail(n), call, failed = memory_failed(), memory_fail(0): for n = 1, 2, ... until nothing failed. Where
+ * something did, expect ROBERTS_NO_MEMORY and no block left over (memory_blocks). */
 #ifndef ROBERTS_TESTS_MEMORY_H
 #define ROBERTS_TESTS_MEMORY_H
 
