@@ -5,6 +5,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "model/box_tree.h"
 
 /* The second strip is along the longest side that makes an angle with the first whose sine is greater than this. */
 #define ASLANT 0.25
@@ -19,8 +20,7 @@ typedef struct direction {
 
 /* What is known of a front while a tree is built. */
 typedef struct item {
-    uint32_t front, place; /* its place in the list */
-    double middle[3];
+    uint32_t front;
     direction side[2]; /* of its longest side, and of the longest one aslant to it */
     roberts_vec3 up;   /* the outward normal of its largest face in the picture */
     double area;       /* of that face */
@@ -29,7 +29,9 @@ typedef struct item {
 typedef struct building {
     const hide_fronts *fronts;
     front_tree *tree;
-    item *item;
+    item *item;      /* by its place in the list */
+    box3 *box;       /* the same, for box_tree_halve() */
+    uint32_t *place; /* in the order of the tree */
 } building;
 
 static double cross(const direction *a, const direction *b)
@@ -75,14 +77,15 @@ static double picture_area(const roberts_vec3 *P, const hide_face *F)
     return 0.5 * fabs(twice);
 }
 
-static item measure(const hide_fronts *fronts, uint32_t front, uint32_t place)
+static box3 space_box(const hide_box *box)
 {
-    const hide_box *box = &fronts->front_box[front];
-    item of = {.front = front,
-               .place = place,
-               .middle = {0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1),
-                          0.5 * ((double)box->z0 + (double)box->z1)},
-               .up = {0, 0, 1}};
+    return (box3){{(double)box->x0, (double)box->y0, (double)box->z0},
+                  {(double)box->x1, (double)box->y1, (double)box->z1}};
+}
+
+static item measure(const hide_fronts *fronts, uint32_t front)
+{
+    item of = {.front = front, .up = {0, 0, 1}};
     hide_single single = {.front = ROBERTS_NONE};
     uint32_t count;
     const hide_face *face = hide_faces(fronts, front, &count, &single);
@@ -163,16 +166,17 @@ static void widen_slab(bounds *b, const hide_fronts *fronts, const item *of)
     }
 }
 
-static void choose_directions(bounds *b, const item *first, uint32_t count)
+static void choose_directions(bounds *b, const item *all, const uint32_t *place, uint32_t count)
 {
     direction side[2] = {{.x = 0.0}, {.x = 0.0}};
     double area = -1.0;
     for (uint32_t i = 0; i < count; i++) {
-        take_direction(side, &first[i].side[0]);
-        take_direction(side, &first[i].side[1]);
-        if (first[i].area > area) {
-            area = first[i].area;
-            b->up = first[i].up;
+        const item *of = &all[place[i]];
+        take_direction(side, &of->side[0]);
+        take_direction(side, &of->side[1]);
+        if (of->area > area) {
+            area = of->area;
+            b->up = of->up;
         }
     }
     /* as floats, which is how nodes keep them */
@@ -196,15 +200,17 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
 }
 
 /* Sets the bounds of child k. */
-static void bound(const hide_fronts *fronts, front_node *n, int k, const item *first, uint32_t count)
+static void bound(const building *of, front_node *n, int k, const uint32_t *place, uint32_t count)
 {
+    const hide_fronts *fronts = of->fronts;
     bounds b = {
         .box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY}, .low = INFINITY, .high = -INFINITY};
-    choose_directions(&b, first, count);
+    choose_directions(&b, of->item, place, count);
     for (uint32_t i = 0; i < count; i++) {
-        add_box(&b.box, &fronts->front_box[first[i].front], (float)hide_loose(fronts, first[i].front));
-        widen_strips(&b, fronts, &first[i]);
-        widen_slab(&b, fronts, &first[i]);
+        const item *own = &of->item[place[i]];
+        add_box(&b.box, &fronts->front_box[own->front], (float)hide_loose(fronts, own->front));
+        widen_strips(&b, fronts, own);
+        widen_slab(&b, fronts, own);
     }
     n->x0[k] = b.box.x0;
     n->x1[k] = b.box.x1;
@@ -225,89 +231,46 @@ static void bound(const hide_fronts *fronts, front_node *n, int k, const item *f
     n->plane.high[k] = hide_float_above(b.high);
 }
 
-static int widest_axis(const item *first, uint32_t count)
-{
-    int widest = 0;
-    double most = -1.0;
-    for (int k = 0; k < 3; k++) {
-        double low = INFINITY, high = -INFINITY;
-        for (uint32_t i = 0; i < count; i++) {
-            low = lesser(low, first[i].middle[k]);
-            high = greater(high, first[i].middle[k]);
-        }
-        if (high - low > most) {
-            most = high - low;
-            widest = k;
-        }
-    }
-    return widest;
-}
-
-static bool is_before(const item *a, const item *b, int axis)
-{
-    return a->middle[axis] < b->middle[axis] || (a->middle[axis] == b->middle[axis] && a->front < b->front);
-}
-
-/* Puts the lesser items along the axis of their widest spread first: `half` of them (Hoare's selection). */
-static void part_at(item *first, uint32_t count, uint32_t half)
-{
-    const int axis = widest_axis(first, count);
-    uint32_t low = 0, high = count > 0 ? count - 1 : 0;
-    while (low < high) {
-        item pivot = first[low + (high - low) / 2];
-        uint32_t i = low, j = high;
-        for (;;) {
-            while (is_before(&first[i], &pivot, axis))
-                i++;
-            while (is_before(&pivot, &first[j], axis))
-                j--;
-            if (i >= j)
-                break;
-            item swap = first[i];
-            first[i++] = first[j];
-            first[j--] = swap;
-        }
-        if (half <= j)
-            high = j;
-        else
-            low = j + 1;
-    }
-}
-
 /* Builds a node over at least one item, and what is below it. With four children to most nodes and two to four to the
  * others, there are at most two nodes for three items. */
-static uint32_t build_node(building *b, item *first, uint32_t count)
+static uint32_t build_node(building *b, uint32_t *first, uint32_t count)
 {
     const uint32_t at = b->tree->count++;
     uint32_t begin[5] = {0, count / 4, count / 2, count / 2 + (count - count / 2) / 2, count};
     front_node *n = &b->tree->node[at];
     *n = (front_node){.x0 = {INFINITY, INFINITY, INFINITY, INFINITY}, .x1 = {INFINITY, INFINITY, INFINITY, INFINITY}};
-    part_at(first, count, begin[2]);
-    part_at(first, begin[2], begin[1]);
-    part_at(first + begin[2], count - begin[2], begin[3] - begin[2]);
+    box_tree_halve(b->box, first, count, begin[2]);
+    box_tree_halve(b->box, first, begin[2], begin[1]);
+    box_tree_halve(b->box, first + begin[2], count - begin[2], begin[3] - begin[2]);
     for (int k = 0; k < 4; k++) {
         uint32_t size = begin[k + 1] - begin[k];
-        item *own = first + begin[k];
+        uint32_t *own = first + begin[k];
         if (size == 0)
             continue;
-        bound(b->fronts, n, k, own, size);
+        bound(b, n, k, own, size);
         for (uint32_t i = 0; i < size; i++)
-            n->last[k] = own[i].place > n->last[k] ? own[i].place : n->last[k];
-        n->child[k] = size == 1 ? own->place | FRONT_TREE_LEAF : build_node(b, own, size);
+            n->last[k] = own[i] > n->last[k] ? own[i] : n->last[k];
+        n->child[k] = size == 1 ? *own | FRONT_TREE_LEAF : build_node(b, own, size);
     }
     return at;
 }
 
 bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count)
 {
-    building b = {fronts, tree, alloc_array(count, sizeof *b.item)};
+    building b = {fronts, tree, alloc_array(count, sizeof *b.item), alloc_array(count, sizeof *b.box),
+                  alloc_array(count, sizeof *b.place)};
     *tree = (front_tree){.node = alloc_array(2 * (size_t)count / 3 + 1, sizeof *tree->node)}; /* see build_node() */
-    bool done = b.item && tree->node;
-    for (uint32_t i = 0; done && i < count; i++)
-        b.item[i] = measure(fronts, front[i], i);
+    bool done = b.item && b.box && b.place && tree->node;
+    for (uint32_t i = 0; done && i < count; i++) {
+        b.item[i] = measure(fronts, front[i]);
+        b.box[i] = space_box(&fronts->front_box[front[i]]);
+        b.place[i] = i;
+    }
     if (done)
-        build_node(&b, b.item, count);
+        build_node(&b, b.place, count);
     free(b.item);
+    free(b.box);
+    free(b.place);
     return done;
 }
 

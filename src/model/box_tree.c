@@ -14,11 +14,24 @@ static double middle(const box3 *box, int axis)
     return axis == 0 ? box->lo.x + box->hi.x : axis == 1 ? box->lo.y + box->hi.y : box->lo.z + box->hi.z;
 }
 
-/* Moves the `half` boxes with the smallest centres to the front (C. A. R. Hoare, "Algorithm 65: Find", CACM 4(7),
- * 1961). Ties are broken by number, so the order of equal boxes is the same in every run. */
-static void halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half, int axis)
+static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
 {
-    uint32_t from = 0, to = count - 1;
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (uint32_t i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = lesser(low[k], middle(&box[item[i]], k));
+            high[k] = greater(high[k], middle(&box[item[i]], k));
+        }
+    int axis = high[1] - low[1] > high[0] - low[0];
+    return high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
+}
+
+/* C. A. R. Hoare, "Algorithm 65: Find", CACM 4(7), 1961. Ties are broken by number, so the order of equal boxes is the
+ * same in every run. */
+void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half)
+{
+    const int axis = longest_axis(box, item, count);
+    uint32_t from = 0, to = count > 0 ? count - 1 : 0;
     while (from < to) {
         uint32_t pivot = item[from + (to - from) / 2], i = from, j = to;
         double at = middle(&box[pivot], axis);
@@ -40,18 +53,6 @@ static void halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half
     }
 }
 
-static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
-{
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
-    for (uint32_t i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) {
-            low[k] = lesser(low[k], middle(&box[item[i]], k));
-            high[k] = greater(high[k], middle(&box[item[i]], k));
-        }
-    int axis = high[1] - low[1] > high[0] - low[0];
-    return high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
-}
-
 /* Builds the subtree over the items from `first` on. Numbers in `item` start at 0 until the tree is complete. False: no
  * memory. */
 static bool build(box_tree *tree, const box3 *box, uint32_t first, uint32_t count)
@@ -68,7 +69,7 @@ static bool build(box_tree *tree, const box3 *box, uint32_t first, uint32_t coun
     bool leaf = count <= LEAF;
     tree->node[at] = (box_tree_node){.box = all, .first = first, .count = leaf ? count : 0};
     if (!leaf) {
-        halve(box, item, count, count / 2, longest_axis(box, item, count));
+        box_tree_halve(box, item, count, count / 2);
         if (!build(tree, box, first, count / 2) || !build(tree, box, first + count / 2, count - count / 2))
             return false;
     }

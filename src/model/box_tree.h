@@ -40,6 +40,10 @@ bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base
 
 void box_tree_free(box_tree *tree);
 
+/* Moves the numbers of `half` boxes to the front of item[0 .. count - 1]: those with the smallest centres, along the
+ * axis on which the centres are spread farthest. */
+void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half);
+
 static inline bool box3_meet(const box3 *a, const box3 *b)
 {
     return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y && a->lo.z <= b->hi.z &&
