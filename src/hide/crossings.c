@@ -308,6 +308,14 @@ static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t co
     return count;
 }
 
+/* Tests entry i with entry k, unless they surely do not cross or an earlier cell has tested them. */
+BITS_INLINE bool meet_listed(finder *t, const cell_list *c, uint32_t i, uint32_t k)
+{
+    const uint32_t a = c->list[i].front, b = c->list[k].front;
+    return filter_apart(t->filter, a, b) || !boxes_meet(&t->fronts->front_box[a], &t->fronts->front_box[b]) ||
+           is_met_before(t, c, a, b) || meet_entries(t, c->list, i, k);
+}
+
 /* Tests entry i with those that follow it. Fronts are listed nearest first, so the first front behind it ends the
  * search. */
 static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
@@ -330,12 +338,9 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
             uint32_t at = k + (uint32_t)bits_trailing_zeros(near);
             if (at < kept && share_star(&t->star[i], &t->star[at - first]))
                 continue;
-            const hide_box *box = &fronts->front_box[grid->entry[at].front];
-            if (box->z1 < own->z0)
+            if (fronts->front_box[grid->entry[at].front].z1 < own->z0)
                 return true;
-            if (!filter_apart(t->filter, c->list[i].front, grid->entry[at].front) && boxes_meet(own, box) &&
-                !is_met_before(t, c, c->list[i].front, grid->entry[at].front) &&
-                !meet_entries(t, c->list, i, at - first))
+            if (!meet_listed(t, c, i, at - first))
                 return false;
         }
     }
@@ -357,9 +362,7 @@ static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, 
         }
         if (k <= i || k >= c->count || (k < KEPT_FACES && t->star && share_star(&t->star[i], &t->star[k])))
             continue;
-        const uint32_t a = c->list[i].front, b = c->list[k].front;
-        if (!filter_apart(t->filter, a, b) && boxes_meet(own.box, &t->fronts->front_box[b]) &&
-            !is_met_before(t, c, a, b) && !meet_entries(t, c->list, i, k))
+        if (!meet_listed(t, c, i, k))
             return false;
     }
     return true;
