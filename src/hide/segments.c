@@ -15,6 +15,18 @@ typedef struct line_writer {
     bool all, nameless, perspective; /* all: hidden parts are wanted too; nameless: without the body seen there */
 } line_writer;
 
+BITS_INLINE line_writer writer_for(const hide_job *job, hide_chunk *out, uint32_t body)
+{
+    const view *v = &job->seen.view;
+    return (line_writer){.seen = &job->seen,
+                         .out = out,
+                         .body = body,
+                         .unit = v->unit,
+                         .all = job->options->keep_hidden,
+                         .nameless = job->options->nameless,
+                         .perspective = v->perspective};
+}
+
 /* What all segments of a line share. */
 typedef struct line_row {
     uint32_t v[2], edge;
@@ -232,9 +244,7 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
 
 static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
-    const view *v = &job->seen.view;
-    line_writer writer = {&job->seen,    out, body, v->unit, job->options->keep_hidden, job->options->nameless,
-                          v->perspective};
+    line_writer writer = writer_for(job, out, body);
     bool levels = writer.all && job->options->levels;
     for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
         const size_t first = out->count;
@@ -424,9 +434,7 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
 bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
 {
     const crossings *c = &job->crossings;
-    const view *v = &job->seen.view;
-    line_writer writer = {&job->seen,    out, 0, v->unit, job->options->keep_hidden, job->options->nameless,
-                          v->perspective};
+    line_writer writer = writer_for(job, out, 0);
     bool levels = writer.all && job->options->levels;
     for (size_t k = first; k < end;) {
         hide_worker_begin(w, ROBERTS_NONE);
