@@ -211,12 +211,23 @@ void mesh_groups_free(roberts_group *group, size_t count)
     free(group);
 }
 
+static roberts_status bad_vertex(roberts_error *error, size_t vertex)
+{
+    return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g", vertex,
+                     MESH_COORDINATE_MAX);
+}
+
+static roberts_status bad_corner(roberts_error *error, size_t face, uint32_t corner, size_t vertices)
+{
+    return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu", face,
+                     (unsigned long)corner, vertices);
+}
+
 roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
 {
     error_set_file(error, "");
     if (!mesh_position(position))
-        return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
-                         mesh->vertex_count, MESH_COORDINATE_MAX);
+        return bad_vertex(error, mesh->vertex_count);
     if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill(&mesh->vertex_color, &mesh->vertex_color_room,
                                                                  mesh->vertex_count, mesh->vertex_count + 1)))
         return error_no_memory(error);
@@ -231,8 +242,7 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
     error_set_file(error, "");
     for (size_t i = 0; i < count; i++) {
         if (corners[i] >= mesh->vertex_count)
-            return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu",
-                             mesh->face_count, (unsigned long)corners[i], mesh->vertex_count);
+            return bad_corner(error, mesh->face_count, corners[i], mesh->vertex_count);
     }
     if (!mesh_corner_room(mesh, count) || !mesh_face_room(mesh) ||
         !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
@@ -250,8 +260,7 @@ static roberts_status check_arrays(const roberts_vec3 *vertex, size_t vertex_cou
 {
     for (size_t v = 0; v < vertex_count; v++)
         if (!mesh_position(vertex[v]))
-            return error_set(error, ROBERTS_BAD_NUMBER, 0, "vertex %zu has a coordinate that is infinite or beyond %g",
-                             v, MESH_COORDINATE_MAX);
+            return bad_vertex(error, v);
     if (face_count && face_start[0] != 0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start begins with %lu, not with 0",
                          (unsigned long)face_start[0]);
@@ -260,8 +269,7 @@ static roberts_status check_arrays(const roberts_vec3 *vertex, size_t vertex_cou
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start descends behind face %zu", f);
         for (size_t i = face_start[f]; i < face_start[f + 1]; i++)
             if (corner[i] >= vertex_count)
-                return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu", f,
-                                 (unsigned long)corner[i], vertex_count);
+                return bad_corner(error, f, corner[i], vertex_count);
     }
     return ROBERTS_OK;
 }
