@@ -303,12 +303,13 @@ bool scene_lay_out(roberts_scene *scene, const polygons *faces, const uint32_t *
 
 /* ---- questions --------------------------------------------------------------------------------------------------- */
 
-uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face)
+/* The last body that begins at this face or edge, or before it. */
+static uint32_t body_of(const roberts_scene *scene, bool is_edge, uint32_t number)
 {
     uint32_t low = 0, high = scene->solid_count;
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].face <= face)
+        if ((is_edge ? scene->solid[middle].edge : scene->solid[middle].face) <= number)
             low = middle;
         else
             high = middle;
@@ -316,17 +317,14 @@ uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face)
     return low;
 }
 
+uint32_t scene_body_of_face(const roberts_scene *scene, uint32_t face)
+{
+    return body_of(scene, false, face);
+}
+
 uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge)
 {
-    uint32_t low = 0, high = scene->solid_count;
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (scene->solid[middle].edge <= edge)
-            low = middle;
-        else
-            high = middle;
-    }
-    return low;
+    return body_of(scene, true, edge);
 }
 
 size_t roberts_scene_solid_count(const roberts_scene *scene)
