@@ -9,9 +9,6 @@
 /* Sets width, dashes, caps and colour for a class of lines. The unit of `cairo` is the mm. */
 void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line);
 
-/* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
-void surface_add_line(cairo_t *cairo, const polylines *lines, const polyline *line, double units);
-
 /* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
 void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end);
 

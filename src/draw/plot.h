@@ -18,7 +18,7 @@ typedef struct plotter {
 } plotter;
 
 /* Hands all strokes to `to`, class by class, without points in the middle of straight runs. Stops early after a failed
- * write to `out`. Returns ROBERTS_OK, _NO_MEMORY or _IO. */
+ * write to `out`. Returns ROBERTS_OK or _NO_MEMORY. */
 roberts_status plot_strokes(const strokes *s, const plotter *to, const output *out, roberts_error *error);
 
 #endif

@@ -1,7 +1,7 @@
 /* svg.c - the page as SVG: size and user units in mm, one layer and one path per class of lines.
  *
- * The paths come from Cairo (plot.c). The text is written here, because the SVG of Cairo 1.16 has no layers, and
- * numbers its groups by a counter of the process. */
+ * It is written here and not by Cairo: the SVG of Cairo 1.16 has no layers, and numbers its groups by a counter of the
+ * process. */
 #include "draw/svg.h"
 
 #include "base/error.h"
