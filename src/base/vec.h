@@ -73,31 +73,4 @@ static inline double plane_at(plane F, roberts_vec3 P)
     return F.a * P.x + F.b * P.y + F.c * P.z + F.d;
 }
 
-/* Returns the unit vector at `degrees`, any finite number, from the x axis. Views are mostly turned by 30, 45 or 90
- * degrees: at all multiples of these, the coordinates are the nearest doubles (0, 1/2 and 1 exactly). Angles at the
- * same position in two quadrants give coordinates of equal absolute value. */
-static inline roberts_vec2 angle_unit(double degrees)
-{
-    double whole = fmod(degrees, 360.0); /* exact */
-    double quarters = nearbyint(whole / 90.0), rest = whole - 90.0 * quarters, a = fabs(rest), c, s;
-    if (a == 0.0 || a == 30.0 || a == 45.0) {
-        c = a == 0.0 ? 1.0 : a == 30.0 ? 0.86602540378443865 : 0.70710678118654752;
-        s = a == 0.0 ? 0.0 : a == 30.0 ? 0.5 : 0.70710678118654752;
-    } else {
-        c = cos(a * (3.14159265358979323846 / 180.0));
-        s = sin(a * (3.14159265358979323846 / 180.0));
-    }
-    s = rest < 0.0 ? -s : s;
-    switch (((int)quarters + 4) % 4) {
-    case 0:
-        return (roberts_vec2){c, s};
-    case 1:
-        return (roberts_vec2){0.0 - s, c};
-    case 2:
-        return (roberts_vec2){0.0 - c, 0.0 - s};
-    default:
-        return (roberts_vec2){s, 0.0 - c};
-    }
-}
-
 #endif

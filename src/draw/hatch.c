@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/angle.h"
 #include "base/array.h"
 #include "base/error.h"
 #include "base/vec.h"

@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "base/angle.h"
 #include "base/vec.h"
 #include "base/error.h"
 #include "draw/dimensions.h"

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "base/angle.h"
 #include "base/vec.h"
 #include "model/scene.h"
 #include "view/clip.h"

@@ -4,6 +4,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/angle.h"
 #include "base/bits.h"
 #include "base/vec.h"
 #include "base/error.h"

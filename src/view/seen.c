@@ -4,12 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/angle.h"
 #include "base/array.h"
 
 /* Degrees: the crease angle of bodies that count as curved. */
 #define SMOOTH_CREASE 30.0
-
-static const double pi = 3.14159265358979323846;
 
 roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                           roberts_error *error)
@@ -50,7 +49,7 @@ void seen_end(seen *s)
 /* Returns the squared distance of two unit normals at this angle. */
 static double square_chord(double degrees)
 {
-    double chord = 2.0 * sin(degrees * pi / 360.0);
+    double chord = 2.0 * angle_unit(degrees / 2.0).y;
     return chord * chord;
 }
 
