@@ -195,6 +195,8 @@ uninstall: ## removes the installed files
 	    '$(TO)/share/fish/vendor_completions.d/roberts.fish'
 	$(Q)rm -rf '$(DESTDIR)$(PYTHONTO)/roberts'
 
+include src/web/module.mk
+
 ##@ To check
 check-includes: ## checks that the includes of src/ point one way (part of `make test`)
 	@tools/check-includes.sh
@@ -205,7 +207,7 @@ clean: ## removes build/
 	rm -rf $(BUILD)
 
 help: ## lists the targets
-	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile | expand -t 24
+	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile src/web/module.mk | expand -t 24
 	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
@@ -366,7 +368,7 @@ export JOBS
 
 .PHONY: all bench bench-baseline bench-meshes check check-includes check-long clean demo drawings figures force fuzz \
     fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test test-quick \
-    test-sanitize test-threads tools uninstall
+    test-sanitize test-threads tools uninstall web
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

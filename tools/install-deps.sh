@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz]
+# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz] [web]
 #
 # A package counts as installed if the needed part works (a command runs, a header is found) or if dpkg says so.
 # If nothing is missing, on Debian or elsewhere, it installs nothing. It installs as root or with passwordless sudo;
@@ -8,6 +8,7 @@
 #   test   packages for building and running the tests
 #   lint   the second compiler, the formatter and the static checks
 #   fuzz   clang with libFuzzer and the sanitizers
+#   web    clang and a C library for WebAssembly, and what runs it
 set -eu
 
 cc=${CC:-cc}
@@ -28,6 +29,10 @@ has_library() {
 
 has_fuzzer() {
     ls "$(clang -print-runtime-dir 2>/dev/null)"/libclang_rt.fuzzer* >/dev/null 2>&1
+}
+
+has_wasm_runtime() {
+    [ -e "$(clang --target=wasm32-wasi --rtlib=compiler-rt -print-libgcc-file-name 2>/dev/null)" ]
 }
 
 has_numpy() {
@@ -89,8 +94,17 @@ find_missing() {
             need clang has_command clang
             need libclang-rt-dev has_fuzzer
             ;;
+        web)
+            need clang has_command clang
+            need lld has_command wasm-ld
+            need wasi-libc test -e /usr/include/wasm32-wasi/stdio.h
+            need libclang-rt-dev-wasm32 has_wasm_runtime
+            need bzip2 has_command bzip2
+            need nodejs has_command node
+            need chromium has_browser
+            ;;
         *)
-            echo "usage: $0 [build] [test] [lint] [fuzz]" >&2
+            echo "usage: $0 [build] [test] [lint] [fuzz] [web]" >&2
             exit 2
             ;;
         esac

@@ -501,6 +501,14 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
     return result;
 }
 
+int picture_load(const cli_options *options, roberts_scene **scene)
+{
+    run_stats run = {0};
+    roberts_error error = {0};
+    *scene = NULL;
+    return load(options, scene, &run, &error) == ROBERTS_OK ? EXIT_DONE : fail(options, &error);
+}
+
 int picture_make(const cli_options *given)
 {
     cli_options own = *given;

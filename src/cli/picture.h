@@ -8,4 +8,8 @@
  * options. Returns the exit status. */
 int picture_make(const cli_options *given);
 
+/* Reads the inputs and builds their scene, which the caller releases; NULL on failure. Messages go to the log. Returns
+ * the exit status. */
+int picture_load(const cli_options *options, roberts_scene **scene);
+
 #endif

@@ -1,0 +1,51 @@
+/** The formats that are written. PS, EPS and PNG need the program. */
+export type Format = "svg" | "pdf" | "tikz" | "dxf" | "hpgl" | "csv" | "json";
+
+type Value = string | number | boolean;
+
+/**
+ * The options of the program by their long names: `{ hidden: "dashed", crease: 30, allEdges: true }` is
+ * `--hidden=dashed --crease=30 --all-edges`. A list gives an option several times, and `false` or `undefined` not at all.
+ * `roberts --help` lists them.
+ */
+export interface Options {
+  /** What the drawing and the messages call the model (default: "model"). */
+  name?: string;
+  /** Further files that the model or an option names, such as materials of OBJ. */
+  files?: Record<string, Uint8Array>;
+  view?: "iso" | "dimetric" | "trimetric" | "front" | "back" | "right" | "left" | "top" | "bottom" | "cavalier" | "cabinet";
+  azimuth?: number;
+  elevation?: number;
+  /** Perspective from this point: `[x, y, z]` or "x,y,z". */
+  eye?: string | [number, number, number];
+  dir?: string | [number, number, number];
+  hidden?: "none" | "dashed" | "solid";
+  /** Degrees. */
+  crease?: number;
+  allEdges?: boolean;
+  union?: boolean;
+  hull?: boolean;
+  page?: string;
+  landscape?: boolean;
+  /** mm */
+  margin?: number;
+  scale?: string | number;
+  fill?: string;
+  style?: string | string[];
+  [option: string]: Value | Value[] | Record<string, Uint8Array> | undefined;
+}
+
+/** The drawing of a model (OFF, STL, OBJ or PLY; its content decides) as SVG, the same bytes as the program's. */
+export function draw(bytes: Uint8Array, options?: Options): Promise<{ svg: string; warnings: string[] }>;
+
+/** The same in any format. */
+export function save(bytes: Uint8Array, format: Format, options?: Options): Promise<{ bytes: Uint8Array; warnings: string[] }>;
+
+/** The arguments of the command line that options stand for, without files. */
+export function toArguments(options?: Options): string[];
+
+/** What was wrong, in the words of the program. */
+export class RobertsError extends Error {
+  /** The program's exit status: 1 for the model, 2 for the options. */
+  status: number;
+}

@@ -1,0 +1,61 @@
+/* index.js - the npm package: a drawing of a model in memory, by the program itself. */
+import { run } from "./program.js";
+
+export class RobertsError extends Error {
+  constructor(message, status) {
+    super(message);
+    this.name = "RobertsError";
+    this.status = status;
+  }
+}
+
+let loading;
+
+/* The compiled module. It is compiled once; every drawing has an instance, and so a memory, of its own. */
+function load() {
+  loading ??= (async () => {
+    const url = new URL("./roberts.wasm", import.meta.url);
+    if (url.protocol !== "file:") return WebAssembly.compile(await (await fetch(url)).arrayBuffer());
+    const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
+    return WebAssembly.compile(await readFile(url));
+  })();
+  loading.catch(() => (loading = undefined));
+  return loading;
+}
+
+const notOptions = new Set(["name", "files"]);
+
+function argument(name, value) {
+  return value === true ? `--${name}` : `--${name}=${value}`;
+}
+
+/* A list of numbers is one value (a point); any other list is an option given several times. */
+function values(value) {
+  if (value === undefined || value === null || value === false) return [];
+  if (!Array.isArray(value)) return [value];
+  return value.length > 0 && value.every((one) => typeof one === "number") ? [value.join(",")] : value;
+}
+
+export function toArguments(options = {}) {
+  return Object.entries(options)
+    .filter(([name]) => !notOptions.has(name))
+    .flatMap(([name, value]) => {
+      const long = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+      return values(value).map((one) => argument(long, one));
+    });
+}
+
+export async function save(bytes, format, options = {}) {
+  const name = options.name ?? "model";
+  const module = await load();
+  const files = { ...options.files, [name]: bytes };
+  const { status, messages, output } = run(module, [...toArguments(options), "-f", format, "--", name], files);
+  const lines = messages.split("\n").filter((line) => line !== "");
+  if (status !== 0) throw new RobertsError(lines.join("\n"), status);
+  return { bytes: output, warnings: lines };
+}
+
+export async function draw(bytes, options = {}) {
+  const { bytes: svg, warnings } = await save(bytes, "svg", options);
+  return { svg: new TextDecoder().decode(svg), warnings };
+}

@@ -1,0 +1,71 @@
+/* missing.c - what WASI has not, and the formats that need Cairo, which is not part of the module. */
+#include "missing.h"
+
+#include <errno.h>
+
+#include "base/error.h"
+#include "draw/formats.h"
+
+/* ---- functions of POSIX ---- */
+
+/* Nobody else holds a lock. */
+int flock(int descriptor, int operation)
+{
+    (void)descriptor;
+    (void)operation;
+    return 0;
+}
+
+static int fail(int reason)
+{
+    errno = reason;
+    return -1;
+}
+
+int fchown(int descriptor, uid_t owner, gid_t group)
+{
+    (void)descriptor;
+    (void)owner;
+    (void)group;
+    return fail(ENOSYS);
+}
+
+/* Files have no modes. */
+int fchmod(int descriptor, mode_t mode)
+{
+    (void)descriptor;
+    (void)mode;
+    return 0;
+}
+
+uid_t geteuid(void)
+{
+    return 0;
+}
+
+int dup(int descriptor)
+{
+    (void)descriptor;
+    return fail(ENOSYS);
+}
+
+/* ---- formats ---- */
+
+static roberts_status refuse(const strokes *s, roberts_error *error, const char *format)
+{
+    (void)s;
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "%s is not written here; the program that you install writes it",
+                     format);
+}
+
+roberts_status surface_write(const strokes *s, output *out, roberts_error *error)
+{
+    (void)out;
+    return refuse(s, error, s->options->format == ROBERTS_EPS ? "EPS" : "PostScript");
+}
+
+roberts_status image_write(const strokes *s, output *out, roberts_error *error)
+{
+    (void)out;
+    return refuse(s, error, "PNG");
+}

@@ -1,0 +1,52 @@
+/* test_web.c - what `make web` builds: the npm package in node (tests/web/npm.js), and the page in Chromium
+ * (tests/web/page.js). Both are skipped where it has not run. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "skip.h"
+#include "temporary.h"
+
+static const char *build_folder(void)
+{
+    const char *build = getenv("ROBERTS_BUILD");
+    return build && *build ? build : "build";
+}
+
+/* Runs a shell command with the folder of the build as $BUILD and the temporary one as $HERE. */
+static int shell(const char *command)
+{
+    char line[4096];
+    snprintf(line, sizeof line, "BUILD='%s' HERE='%s'; export BUILD HERE; %s", build_folder(), temporary, command);
+    return system(line); /* NOLINT(cert-env33-c): a user's commands are shell commands */
+}
+
+#define NEED_WEB()                                                                                                     \
+    do {                                                                                                               \
+        if (shell("test -e \"$BUILD/web/npm/roberts.wasm\"") != 0)                                                     \
+            SKIP_BECAUSE("`make web` has not run");                                                                    \
+        if (shell("command -v node >\"$HERE/node\"") != 0)                                                             \
+            SKIP_BECAUSE("no node");                                                                                   \
+    } while (0)
+
+static void package_draws_as_the_program(void **state)
+{
+    (void)state;
+    NEED_WEB();
+    assert_int_equal(shell("timeout 300 node tests/web/npm.js \"$BUILD/roberts\" \"$BUILD/web/npm\" models "
+                           "models/archimedean models/star models/shapes models/tests >\"$HERE/said\" 2>&1 || "
+                           "{ cat \"$HERE/said\" >&2; exit 1; }"),
+                     0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(package_draws_as_the_program)};
+    return cmocka_run_group_tests_name("web", tests, temporary_make, temporary_remove);
+}

@@ -1,0 +1,62 @@
+/* The npm package against the program: the same bytes, the same messages, the same status.
+ * node tests/web/npm.js PROGRAM PACKAGE FOLDER... : draws every small model of the folders in several ways. */
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync, readdirSync, statSync } from "node:fs";
+import path from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [program, folder, ...models] = process.argv.slice(2);
+const { draw, save, toArguments, RobertsError } = await import(pathToFileURL(path.resolve(folder, "index.js")));
+const LARGEST = 40000; // bytes of a model
+const CASES = [
+  ["svg", { hidden: "dashed", azimuth: 33.7, elevation: 21.3 }],
+  ["svg", { eye: [9, 8, 7], union: true, group: "element" }],
+  ["pdf", { fill: "body", hatch: "on", hull: true }],
+  ["dxf", { label: "vertices", dash: "real", hidden: "dashed" }],
+  ["tikz", { sheet: "first", landscape: true, dimensions: "overall" }],
+  ["csv", { azimuth: 123.4, elevation: -12.5, hidden: "solid" }],
+  ["hpgl", { view: "cabinet", allEdges: true }],
+];
+
+/* What the program writes for this file, from its folder. */
+function program_draws(file, format, options) {
+  const args = [...toArguments(options), "-f", format, "--", path.basename(file)];
+  const done = spawnSync(path.resolve(program), args, { cwd: path.dirname(file), maxBuffer: 1 << 29 });
+  return { status: done.status, bytes: done.stdout, messages: done.stderr.toString().split("\n").filter((line) => line) };
+}
+
+async function package_draws(file, format, options) {
+  const name = path.basename(file);
+  try {
+    const { bytes, warnings } = await save(readFileSync(file), format, { ...options, name });
+    return { status: 0, bytes: Buffer.from(bytes), messages: warnings };
+  } catch (error) {
+    if (!(error instanceof RobertsError)) throw error;
+    return { status: error.status, bytes: Buffer.alloc(0), messages: error.message.split("\n") };
+  }
+}
+
+let count = 0;
+for (const file of models.flatMap((one) => readdirSync(one).map((name) => path.join(one, name)))) {
+  if (!/\.(off|stl|obj|ply)$/.test(file) || statSync(file).size > LARGEST) continue;
+  const [format, options] = CASES[count++ % CASES.length];
+  const expected = program_draws(file, format, options), got = await package_draws(file, format, options);
+  const what = `${file} as ${format} with ${toArguments(options).join(" ")}`;
+  assert.equal(got.status, expected.status, what);
+  assert.deepEqual(got.messages, expected.messages, what);
+  assert.ok(got.bytes.equals(expected.bytes), `other bytes: ${what}`);
+}
+assert.ok(count >= 50, `only ${count} models`);
+
+const cube = readFileSync("models/table.off");
+const { svg, warnings } = await draw(cube, { name: "table.off" });
+assert.ok(svg.startsWith("<?xml") && svg.includes("<title>table.off</title>"));
+assert.deepEqual(warnings, []);
+await assert.rejects(draw(new TextEncoder().encode("OFF\n3 1 0\n0 0 x\n")), { status: 1, message: /model:3: z of vertex 0/ });
+await assert.rejects(draw(cube, { hiden: "dashed" }), { status: 2, message: /--hiden is unknown; did you mean --hidden\?/ });
+await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
+assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
+  "--all-edges", "--style=hidden:off", "--style=wire:off", "--eye=1,2,3",
+]);
+console.log(`note: ${count} models, the same bytes as the program's`);
