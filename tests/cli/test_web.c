@@ -45,8 +45,21 @@ static void package_draws_as_the_program(void **state)
                      0);
 }
 
+static void page_works_in_a_browser(void **state)
+{
+    (void)state;
+    NEED_WEB();
+    if (shell("command -v chromium chromium-browser google-chrome >\"$HERE/browser\"; test -s \"$HERE/browser\"") != 0)
+        SKIP_BECAUSE("no Chromium");
+    assert_int_equal(shell("mkdir \"$HERE/page\" && timeout 300 node tests/web/page.js \"$BUILD/roberts\" "
+                           "\"$BUILD/web/page\" \"$HERE/page\" >\"$HERE/said\" 2>&1; status=$?; "
+                           "[ $status -eq 0 ] || { cat \"$HERE/said\" >&2; exit 1; }; grep '^note: ' \"$HERE/said\""),
+                     0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(package_draws_as_the_program)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(package_draws_as_the_program),
+                                       cmocka_unit_test(page_works_in_a_browser)};
     return cmocka_run_group_tests_name("web", tests, temporary_make, temporary_remove);
 }

@@ -1,0 +1,134 @@
+/* browser.js - a headless Chromium under test, by the protocol of its developer tools over a pipe; and a file server on
+ * the loopback address. */
+import { spawn, spawnSync } from "node:child_process";
+import { createReadStream, existsSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import path from "node:path";
+
+const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
+
+/* Serves a folder. Returns its address, the paths asked for, and how to end it. */
+export async function serve(folder) {
+  const asked = [];
+  const server = createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, "http://x").pathname);
+    const file = path.join(folder, path.normalize(name === "/" ? "/index.html" : name));
+    asked.push(name);
+    if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end();
+    response.writeHead(200, { "Content-Type": types[path.extname(file)] ?? "application/octet-stream" });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return { address: `http://127.0.0.1:${server.address().port}/`, asked, end: () => server.close() };
+}
+
+export function findBrowser() {
+  return ["chromium", "chromium-browser", "google-chrome"].find((name) => spawnSync(name, ["--version"]).status === 0);
+}
+
+export class Browser {
+  constructor(program, folder) {
+    this.process = spawn(program, ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-extensions",
+      "--disable-background-networking", "--disable-component-update", "--disable-dev-shm-usage",
+      `--user-data-dir=${folder}`, "--remote-debugging-pipe", "--window-size=1280,900", "about:blank"],
+      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    this.waiting = new Map();
+    this.listeners = [];
+    this.next = 1;
+    let kept = "";
+    this.process.stdio[4].setEncoding("utf8").on("data", (text) => {
+      const parts = (kept + text).split("\0");
+      kept = parts.pop();
+      for (const part of parts) this.take(JSON.parse(part));
+    });
+  }
+
+  take(message) {
+    if (!message.id) return this.listeners.forEach((listen) => listen(message));
+    const { resolve, reject } = this.waiting.get(message.id);
+    this.waiting.delete(message.id);
+    if (message.error) reject(new Error(message.error.message));
+    else resolve(message.result);
+  }
+
+  send(method, params = {}) {
+    const id = this.next++;
+    this.process.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId: this.session })}\0`);
+    return new Promise((resolve, reject) => this.waiting.set(id, { resolve, reject }));
+  }
+
+  async open(address) {
+    const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
+    this.session = (await this.send("Target.attachToTarget", { targetId, flatten: true })).sessionId;
+    await this.send("Page.enable");
+    await this.send("Runtime.enable");
+    await this.send("Page.navigate", { url: address });
+  }
+
+  async evaluate(expression) {
+    const { result, exceptionDetails } = await this.send("Runtime.evaluate",
+      { expression, returnByValue: true, awaitPromise: true });
+    if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
+    return result.value;
+  }
+
+  /* Waits until the expression is true. */
+  async until(expression, seconds = 60) {
+    const end = Date.now() + 1000 * seconds;
+    for (;;) {
+      if (await this.evaluate(expression).catch(() => false)) return;
+      if (Date.now() > end) throw new Error(`in vain: ${expression}`);
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+  }
+
+  /* The middle of an element. */
+  place(selector) {
+    return this.evaluate(`(() => { const e = document.querySelector(${JSON.stringify(selector)});
+      e.scrollIntoView({ block: "center" });
+      const b = e.getBoundingClientRect(); return { x: b.x + b.width / 2, y: b.y + b.height / 2 }; })()`);
+  }
+
+  mouse(type, at, buttons = 0) {
+    return this.send("Input.dispatchMouseEvent", { type, ...at, button: "left", buttons, clickCount: 1 });
+  }
+
+  async click(selector) {
+    const at = await this.place(selector);
+    await this.mouse("mousePressed", at, 1);
+    await this.mouse("mouseReleased", at);
+  }
+
+  /* Presses the mouse on an element, moves it in some steps, and lets it go. */
+  async drag(selector, dx, dy, steps = 8) {
+    const at = await this.place(selector);
+    await this.mouse("mousePressed", at, 1);
+    for (let i = 1; i <= steps; i++)
+      await this.mouse("mouseMoved", { x: at.x + (dx * i) / steps, y: at.y + (dy * i) / steps }, 1);
+    await this.mouse("mouseReleased", { x: at.x + dx, y: at.y + dy });
+  }
+
+  async key(key, modifiers = 0) {
+    await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers });
+    await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
+  }
+
+  /* Drops a file of this machine on an element. */
+  async drop(selector, file) {
+    const at = await this.place(selector), data = { items: [], files: [file], dragOperationsMask: 1 };
+    for (const type of ["dragEnter", "dragOver", "drop"]) await this.send("Input.dispatchDragEvent", { type, ...at, data });
+  }
+
+  async picture() {
+    return Buffer.from((await this.send("Page.captureScreenshot")).data, "base64");
+  }
+
+  async end() {
+    const gone = new Promise((resolve) => this.process.on("exit", resolve));
+    this.session = undefined;
+    await this.send("Browser.close").catch(() => {});
+    const timer = setTimeout(() => this.process.kill("SIGKILL"), 5000);
+    await gone;
+    clearTimeout(timer);
+  }
+}
