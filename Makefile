@@ -140,6 +140,9 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-meshes: all tools ## measures only triangle meshes, up to 1.4 million triangles
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh all-meshes
 
+bench-web: web tools ## measures the frames per second of the page's drawing, in node
+	node tools/bench-web.mjs $(BUILD)
+
 bench-baseline: all tools ## counts instructions (valgrind) and writes them to tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline
 
@@ -366,7 +369,7 @@ lint-cppcheck:
 JOBS     ?= $(CPUS)
 export JOBS
 
-.PHONY: all bench bench-baseline bench-meshes check check-includes check-long clean demo drawings figures force fuzz \
+.PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures force fuzz \
     fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test test-quick \
     test-sanitize test-threads tools uninstall web
 .SECONDARY:

@@ -1,7 +1,8 @@
 /* lanes.h - two doubles or four floats at a time.
  *
- * With SSE2, which every x86-64 processor has, each operation is one instruction. The plain C beside it gives the same
- * bits everywhere, and a test compares them. Nothing here rounds differently from the scalar expression. */
+ * With SSE2, which every x86-64 processor has, and with the lanes of WebAssembly, each operation is one instruction or
+ * a few. The plain C beside it gives the same bits everywhere, and a test compares them. Nothing here rounds
+ * differently from the scalar expression. */
 #ifndef ROBERTS_BASE_LANES_H
 #define ROBERTS_BASE_LANES_H
 
@@ -424,6 +425,136 @@ static inline bool four_shifted(const uint32_t *a, const uint32_t *b, uint32_t s
     __m128i apart = _mm_sub_epi32(_mm_loadu_si128((const __m128i *)b), _mm_loadu_si128((const __m128i *)a));
     return _mm_movemask_epi8(_mm_cmpeq_epi32(apart, _mm_set1_epi32((int)shift))) == 0xffff;
 }
+
+#elif defined(__wasm_simd128__)
+
+#include <wasm_simd128.h>
+
+typedef v128_t two;
+typedef v128_t four;
+
+static inline two two_load_aligned(const double *p)
+{
+    return wasm_v128_load(p);
+}
+
+static inline void two_store(double *p, two a)
+{
+    wasm_v128_store(p, a);
+}
+
+static inline two two_of(double x0, double x1)
+{
+    return wasm_f64x2_make(x0, x1);
+}
+
+static inline two two_side(two a)
+{
+    return wasm_v128_or(wasm_f64x2_splat(1.0),
+                        wasm_v128_and(wasm_f64x2_splat(-0.0), wasm_f64x2_lt(a, wasm_f64x2_splat(0.0))));
+}
+
+static inline void two_part(double *p, double *q, two a)
+{
+    *p = wasm_f64x2_extract_lane(a, 0);
+    *q = wasm_f64x2_extract_lane(a, 1);
+}
+
+static inline void two_part_floats(float *p, float *q, two a)
+{
+    *p = (float)wasm_f64x2_extract_lane(a, 0);
+    *q = (float)wasm_f64x2_extract_lane(a, 1);
+}
+
+/* wasm_f64x2_pmin(b, a) is a < b ? a : b. */
+static inline two two_lesser(two a, two b)
+{
+    return wasm_f64x2_pmin(b, a);
+}
+
+static inline two two_greater(two a, two b)
+{
+    return wasm_f64x2_pmax(b, a);
+}
+
+static inline unsigned two_at_most(two a, two b)
+{
+    return wasm_i64x2_bitmask(wasm_f64x2_le(a, b));
+}
+
+static inline double two_least(two a)
+{
+    double p = wasm_f64x2_extract_lane(a, 0), q = wasm_f64x2_extract_lane(a, 1);
+    return p < q ? p : q;
+}
+
+static inline four four_load(const float *p)
+{
+    return wasm_v128_load(p);
+}
+
+static inline void four_store(float *p, four a)
+{
+    wasm_v128_store(p, a);
+}
+
+static inline four four_lesser(four a, four b)
+{
+    return wasm_f32x4_pmin(b, a);
+}
+
+static inline four four_greater(four a, four b)
+{
+    return wasm_f32x4_pmax(b, a);
+}
+
+static inline unsigned four_at_most(four a, four b)
+{
+    return wasm_i32x4_bitmask(wasm_f32x4_le(a, b));
+}
+
+static inline uint32_t four_bytes(four a)
+{
+    const four low = wasm_f32x4_splat(0.0f), high = wasm_f32x4_splat(255.0f);
+    v128_t whole = wasm_i32x4_trunc_sat_f32x4(four_lesser(four_greater(a, low), high));
+    whole = wasm_i16x8_narrow_i32x4(whole, whole);
+    return (uint32_t)wasm_i32x4_extract_lane(wasm_u8x16_narrow_i16x8(whole, whole), 0);
+}
+
+static inline unsigned four_bytes_at_most(const uint32_t *a, uint32_t most)
+{
+    v128_t odd = wasm_i32x4_shuffle(wasm_v128_load(a), wasm_v128_load(a + 4), 1, 3, 5, 7);
+    v128_t within = wasm_i8x16_eq(wasm_u8x16_min(odd, wasm_i32x4_splat((int)most)), odd);
+    return wasm_i32x4_bitmask(wasm_i32x4_eq(within, wasm_i32x4_splat(-1)));
+}
+
+static inline four four_same(const uint32_t *a, uint32_t x)
+{
+    return wasm_i32x4_eq(wasm_v128_load(a), wasm_i32x4_splat((int)x));
+}
+
+static inline bool four_shifted(const uint32_t *a, const uint32_t *b, uint32_t shift)
+{
+    v128_t apart = wasm_i32x4_sub(wasm_v128_load(b), wasm_v128_load(a));
+    return wasm_i32x4_all_true(wasm_i32x4_eq(apart, wasm_i32x4_splat((int)shift)));
+}
+
+#define two_all wasm_f64x2_splat
+#define two_add wasm_f64x2_add
+#define two_sub wasm_f64x2_sub
+#define two_mul wasm_f64x2_mul
+#define two_div wasm_f64x2_div
+#define two_sqrt wasm_f64x2_sqrt
+#define two_abs wasm_f64x2_abs
+#define two_signs (unsigned)wasm_i64x2_bitmask
+#define four_all wasm_f32x4_splat
+#define four_below wasm_f32x4_lt
+#define four_either wasm_v128_or
+#define four_signs (unsigned)wasm_i32x4_bitmask
+#define four_sub wasm_f32x4_sub
+#define four_mul wasm_f32x4_mul
+#define four_add wasm_f32x4_add
+#define four_div wasm_f32x4_div
 
 #else
 

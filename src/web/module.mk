@@ -7,7 +7,7 @@ WASM_CC ?= clang
 WASM_LD ?= wasm-ld
 WASI    ?= /usr/include/wasm32-wasi
 WASM_AS := --target=wasm32-wasi -nostdlibinc -isystem $(WASI) -O3 -ffp-contract=off -fno-math-errno -mmutable-globals \
-           -mnontrapping-fptoint -msign-ext -D_WASI_EMULATED_PROCESS_CLOCKS -Isrc/web/wasi
+           -mnontrapping-fptoint -msign-ext -msimd128 -D_WASI_EMULATED_PROCESS_CLOCKS -Isrc/web/wasi
 WASM_ZLIB  := adler32 crc32 deflate trees zutil
 WASM_QHULL := geom2_r geom_r global_r io_r libqhull_r mem_r merge_r poly2_r poly_r qset_r random_r stat_r user_r \
               usermem_r userprintf_r
