@@ -16,7 +16,7 @@ WASM_SRC := $(filter-out src/draw/cairo.c src/draw/image.c src/cli/signals.c,$(L
 WASM_OBJ := $(WASM_SRC:%.c=$(WEB)/obj/%.o) $(WASM_ZLIB:%=$(WEB)/obj/zlib/%.o) $(WASM_QHULL:%=$(WEB)/obj/qhull/%.o)
 
 ##@ For browsers and JavaScript
-web: $(WEB)/npm/roberts.wasm $(WEB)/page/index.html ## the page and the npm package, in build/web/ (tools/install-deps.sh web)
+web: $(WEB)/npm/roberts.wasm $(WEB)/page/index.html ## the page and the npm package, in build/web/
 
 $(WEB)/sources/%/unpacked:
 	$(call show,GET,$*)
@@ -27,8 +27,9 @@ $(WEB)/obj/src/%.o: src/%.c $(WEB)/sources/zlib/unpacked $(WEB)/sources/qhull/un
     $(BUILD)/generated/draw/letters_data.h
 	@mkdir -p $(@D)
 	$(call show,WASM,$<)
-	$(Q)$(WASM_CC) $(STD) $(WASM_AS) $(WARN) -Wno-unknown-pragmas -Wno-gnu-statement-expression $(WERROR) -include src/web/wasi/missing.h -Iinclude -Isrc \
-	    -I$(BUILD)/generated -isystem $(WEB)/sources/zlib -isystem $(WEB)/sources/qhull/src -MMD -MP -c -o $@ $<
+	$(Q)$(WASM_CC) $(STD) $(WASM_AS) $(WARN) -Wno-unknown-pragmas -Wno-gnu-statement-expression $(WERROR) \
+	    -include src/web/wasi/missing.h -Iinclude -Isrc -I$(BUILD)/generated -isystem $(WEB)/sources/zlib \
+	    -isystem $(WEB)/sources/qhull/src -MMD -MP -c -o $@ $<
 
 # Their makers' code, their makers' warnings
 $(WEB)/obj/zlib/%.o: $(WEB)/sources/zlib/unpacked

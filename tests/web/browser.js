@@ -28,10 +28,24 @@ export function findBrowser() {
 
 export class Browser {
   constructor(program, folder) {
-    this.process = spawn(program, ["--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-extensions",
-      "--disable-background-networking", "--disable-component-update", "--disable-dev-shm-usage",
-      `--user-data-dir=${folder}`, "--remote-debugging-pipe", "--window-size=1280,900", "about:blank"],
-      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    this.process = spawn(
+      program,
+      [
+        "--headless=new",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--no-first-run",
+        "--disable-extensions",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-dev-shm-usage",
+        `--user-data-dir=${folder}`,
+        "--remote-debugging-pipe",
+        "--window-size=1280,900",
+        "about:blank",
+      ],
+      { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
+    );
     this.waiting = new Map();
     this.listeners = [];
     this.next = 1;
@@ -66,8 +80,11 @@ export class Browser {
   }
 
   async evaluate(expression) {
-    const { result, exceptionDetails } = await this.send("Runtime.evaluate",
-      { expression, returnByValue: true, awaitPromise: true });
+    const { result, exceptionDetails } = await this.send("Runtime.evaluate", {
+      expression,
+      returnByValue: true,
+      awaitPromise: true,
+    });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
@@ -115,8 +132,10 @@ export class Browser {
 
   /* Drops a file of this machine on an element. */
   async drop(selector, file) {
-    const at = await this.place(selector), data = { items: [], files: [file], dragOperationsMask: 1 };
-    for (const type of ["dragEnter", "dragOver", "drop"]) await this.send("Input.dispatchDragEvent", { type, ...at, data });
+    const at = await this.place(selector),
+      data = { items: [], files: [file], dragOperationsMask: 1 };
+    for (const type of ["dragEnter", "dragOver", "drop"])
+      await this.send("Input.dispatchDragEvent", { type, ...at, data });
   }
 
   async picture() {

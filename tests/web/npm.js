@@ -23,7 +23,14 @@ const CASES = [
 function program_draws(file, format, options) {
   const args = [...toArguments(options), "-f", format, "--", path.basename(file)];
   const done = spawnSync(path.resolve(program), args, { cwd: path.dirname(file), maxBuffer: 1 << 29 });
-  return { status: done.status, bytes: done.stdout, messages: done.stderr.toString().split("\n").filter((line) => line) };
+  return {
+    status: done.status,
+    bytes: done.stdout,
+    messages: done.stderr
+      .toString()
+      .split("\n")
+      .filter((line) => line),
+  };
 }
 
 async function package_draws(file, format, options) {
@@ -41,7 +48,8 @@ let count = 0;
 for (const file of models.flatMap((one) => readdirSync(one).map((name) => path.join(one, name)))) {
   if (!/\.(off|stl|obj|ply)$/.test(file) || statSync(file).size > LARGEST) continue;
   const [format, options] = CASES[count++ % CASES.length];
-  const expected = program_draws(file, format, options), got = await package_draws(file, format, options);
+  const expected = program_draws(file, format, options),
+    got = await package_draws(file, format, options);
   const what = `${file} as ${format} with ${toArguments(options).join(" ")}`;
   assert.equal(got.status, expected.status, what);
   assert.deepEqual(got.messages, expected.messages, what);
@@ -53,10 +61,19 @@ const cube = readFileSync("models/table.off");
 const { svg, warnings } = await draw(cube, { name: "table.off" });
 assert.ok(svg.startsWith("<?xml") && svg.includes("<title>table.off</title>"));
 assert.deepEqual(warnings, []);
-await assert.rejects(draw(new TextEncoder().encode("OFF\n3 1 0\n0 0 x\n")), { status: 1, message: /model:3: z of vertex 0/ });
-await assert.rejects(draw(cube, { hiden: "dashed" }), { status: 2, message: /--hiden is unknown; did you mean --hidden\?/ });
+await assert.rejects(draw(new TextEncoder().encode("OFF\n3 1 0\n0 0 x\n")), {
+  status: 1,
+  message: /model:3: z of vertex 0/,
+});
+await assert.rejects(draw(cube, { hiden: "dashed" }), {
+  status: 2,
+  message: /--hiden is unknown; did you mean --hidden\?/,
+});
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
 assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
-  "--all-edges", "--style=hidden:off", "--style=wire:off", "--eye=1,2,3",
+  "--all-edges",
+  "--style=hidden:off",
+  "--style=wire:off",
+  "--eye=1,2,3",
 ]);
 console.log(`note: ${count} models, the same bytes as the program's`);

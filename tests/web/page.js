@@ -3,12 +3,24 @@
  * command that the page shows. FOLDER is for files. */
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { Browser, findBrowser, serve } from "./browser.js";
 
-const program = path.resolve(process.argv[2]), page = process.argv[3], folder = path.resolve(process.argv[4]);
+const program = path.resolve(process.argv[2]),
+  page = process.argv[3],
+  folder = path.resolve(process.argv[4]);
 const MOST_BYTES = 1500000; // of the page, compressed
 const LONGEST_GAP = 1500; // ms without a turn of the page's loop; a page that reads 100 MB itself stops for longer
 const here = (name) => path.join(folder, name);
@@ -17,7 +29,8 @@ const here = (name) => path.join(folder, name);
 
 function files(of) {
   return readdirSync(of, { withFileTypes: true }).flatMap((one) =>
-    one.isDirectory() ? files(path.join(of, one.name)) : [path.join(of, one.name)]);
+    one.isDirectory() ? files(path.join(of, one.name)) : [path.join(of, one.name)],
+  );
 }
 const weight = files(page).reduce((sum, file) => sum + gzipSync(readFileSync(file)).length, 0);
 assert.ok(weight < MOST_BYTES, `${weight} bytes, compressed`);
@@ -30,7 +43,10 @@ copyFileSync("models/table.off", here("table.off"));
 writeFileSync(here("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
 writeFileSync(here("words.stl"), "This is a letter, not a model.\n");
 const many = 4500000;
-writeFileSync(here("large.off"), `OFF\n${many + 3} 1 0\n0 0 0\n1 0 0\n0 1 0\n${"0.123456 0.234567 0.5\n".repeat(many)}3 0 1 2\n`);
+writeFileSync(
+  here("large.off"),
+  `OFF\n${many + 3} 1 0\n0 0 0\n1 0 0\n0 1 0\n${"0.123456 0.234567 0.5\n".repeat(many)}3 0 1 2\n`,
+);
 assert.ok(statSync(here("large.off")).size > 95e6);
 mkdirSync(here("bin"));
 mkdirSync(here("saved"));
@@ -38,14 +54,20 @@ writeFileSync(here("bin/roberts"), `#!/bin/sh\nexec '${program}' "$@"\n`, { mode
 
 /* Runs a command of the page in a shell, where `roberts` is the program. */
 function shell(command) {
-  const done = spawnSync("sh", ["-c", command], { cwd: folder, env: { ...process.env, PATH: `${here("bin")}:${process.env.PATH}` } });
+  const done = spawnSync("sh", ["-c", command], {
+    cwd: folder,
+    env: { ...process.env, PATH: `${here("bin")}:${process.env.PATH}` },
+  });
   return { status: done.status, messages: done.stderr.toString() };
 }
 
-const server = await serve(page), browser = new Browser(findBrowser(), here("profile"));
-const wrong = [], asked = [];
+const server = await serve(page),
+  browser = new Browser(findBrowser(), here("profile"));
+const wrong = [],
+  asked = [];
 browser.listeners.push(({ method, params }) => {
-  if (method === "Runtime.exceptionThrown") wrong.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+  if (method === "Runtime.exceptionThrown")
+    wrong.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
   if (method === "Network.requestWillBeSent") asked.push(params.request.url);
 });
 
@@ -53,12 +75,14 @@ const text = (selector) => browser.evaluate(`document.querySelector("${selector}
 const drawn = `document.querySelector("#stage").dataset.state === "drawn" && document.querySelector("#busy").hidden &&
   !document.querySelector("#stage").classList.contains("turning")`;
 /* Until the page has drawn this, at rest. */
-const rest = (command) => browser.until(`${drawn} && document.querySelector("#command").textContent.includes(${JSON.stringify(command)})`);
+const rest = (command) =>
+  browser.until(`${drawn} && document.querySelector("#command").textContent.includes(${JSON.stringify(command)})`);
 
 async function save(format) {
   await browser.click(`[data-format=${format}]`);
   const end = Date.now() + 30000;
-  const complete = () => readdirSync(here("saved")).find((name) => !name.endsWith(".crdownload") && !name.startsWith(".org."));
+  const complete = () =>
+    readdirSync(here("saved")).find((name) => !name.endsWith(".crdownload") && !name.startsWith(".org."));
   while (!complete()) {
     assert.ok(Date.now() < end, `nothing was saved as ${format}`);
     await new Promise((resolve) => setTimeout(resolve, 30));
@@ -71,7 +95,8 @@ async function save(format) {
 /* Saves, and compares with what the command writes. */
 async function compare(format) {
   const command = (await text("#command")).replace(/\.svg('?)$/, `.${format}$1`);
-  const saved = await save(format), done = shell(command);
+  const saved = await save(format),
+    done = shell(command);
   assert.equal(done.status, 0, `${command}: ${done.messages}`);
   const output = readdirSync(folder).find((name) => name.endsWith(`.${format}`));
   assert.ok(output, `no output of ${command}`);
@@ -81,7 +106,9 @@ async function compare(format) {
 }
 
 async function choose(name, presses) {
-  await browser.evaluate(`(() => { const e = document.querySelector("[name=${name}]"); e.scrollIntoView(); e.focus(); })()`);
+  await browser.evaluate(
+    `(() => { const e = document.querySelector("[name=${name}]"); e.scrollIntoView(); e.focus(); })()`,
+  );
   for (let i = 0; i < presses; i++) await browser.key("ArrowDown");
 }
 
@@ -128,7 +155,8 @@ try {
   for (const name of ["broken.off", "words.stl"]) {
     await browser.drop("#stage", here(name));
     await browser.until(`document.querySelector("#about").textContent === "${name} is not drawn."`);
-    const said = await text("#messages"), done = shell(`roberts ${name}`);
+    const said = await text("#messages"),
+      done = shell(`roberts ${name}`);
     assert.equal(done.status, 1);
     assert.equal(said, done.messages);
   }
@@ -147,13 +175,23 @@ try {
 
   // each control has a name for a screen reader, and nobody else was asked for anything
   const { nodes } = await browser.send("Accessibility.getFullAXTree");
-  const unnamed = nodes.filter((node) => !node.ignored && !node.name?.value && node.properties?.some((one) =>
-    one.name === "focusable" && one.value.value) && !["RootWebArea", "group"].includes(node.role.value));
-  assert.deepEqual(unnamed.map((node) => node.role.value), []);
+  const unnamed = nodes.filter(
+    (node) =>
+      !node.ignored &&
+      !node.name?.value &&
+      node.properties?.some((one) => one.name === "focusable" && one.value.value) &&
+      !["RootWebArea", "group"].includes(node.role.value),
+  );
+  assert.deepEqual(
+    unnamed.map((node) => node.role.value),
+    [],
+  );
   const foreign = asked.filter((url) => !url.startsWith(server.address) && !/^(blob|data):/.test(url));
   assert.deepEqual(foreign, []);
   assert.deepEqual(wrong, []);
-  console.log(`note: the page has ${Math.round(weight / 1000)} kB, compressed; with 100 MB it paused for ${Math.round(gap)} ms at most`);
+  console.log(
+    `note: ${Math.round(weight / 1000)} kB, compressed; with 100 MB it paused for ${Math.round(gap)} ms at most`,
+  );
 } catch (error) {
   if (existsSync(folder)) writeFileSync(here("page.png"), await browser.picture());
   console.error(`command: ${await text("#command")}\nsaid: ${await text("#messages")}\nscript: ${wrong.join("\n")}`);

@@ -5,7 +5,7 @@ type Value = string | number | boolean;
 
 /**
  * The options of the program by their long names: `{ hidden: "dashed", crease: 30, allEdges: true }` is
- * `--hidden=dashed --crease=30 --all-edges`. A list gives an option several times, and `false` or `undefined` not at all.
+ * `--hidden=dashed --crease=30 --all-edges`. A list gives an option several times, `false` or `undefined` not at all.
  * `roberts --help` lists them.
  */
 export interface Options {
@@ -13,7 +13,8 @@ export interface Options {
   name?: string;
   /** Further files that the model or an option names, such as materials of OBJ. */
   files?: Record<string, Uint8Array>;
-  view?: "iso" | "dimetric" | "trimetric" | "front" | "back" | "right" | "left" | "top" | "bottom" | "cavalier" | "cabinet";
+  view?:
+    "iso" | "dimetric" | "trimetric" | "front" | "back" | "right" | "left" | "top" | "bottom" | "cavalier" | "cabinet";
   azimuth?: number;
   elevation?: number;
   /** Perspective from this point: `[x, y, z]` or "x,y,z". */
@@ -39,7 +40,11 @@ export interface Options {
 export function draw(bytes: Uint8Array, options?: Options): Promise<{ svg: string; warnings: string[] }>;
 
 /** The same in any format. */
-export function save(bytes: Uint8Array, format: Format, options?: Options): Promise<{ bytes: Uint8Array; warnings: string[] }>;
+export function save(
+  bytes: Uint8Array,
+  format: Format,
+  options?: Options,
+): Promise<{ bytes: Uint8Array; warnings: string[] }>;
 
 /** The arguments of the command line that options stand for, without files. */
 export function toArguments(options?: Options): string[];

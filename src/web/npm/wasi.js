@@ -92,8 +92,15 @@ export class System {
 
   vectors(at, count) {
     const view = this.view();
-    return Array.from({ length: count }, (_, i) =>
-      new Uint8Array(this.exports.memory.buffer, view.getUint32(at + 8 * i, true), view.getUint32(at + 8 * i + 4, true)));
+    return Array.from(
+      { length: count },
+      (_, i) =>
+        new Uint8Array(
+          this.exports.memory.buffer,
+          view.getUint32(at + 8 * i, true),
+          view.getUint32(at + 8 * i + 4, true),
+        ),
+    );
   }
 
   putStat(at, type, inode, size) {
@@ -198,7 +205,8 @@ export class System {
       fd_pwrite: (...call) => this.positioned(this.write, ...call),
       fd_seek: (...call) => this.seek(...call),
       path_filestat_get: (_root, _flags, path, length, at) => {
-        const name = this.text(path, length), file = this.file.get(name);
+        const name = this.text(path, length),
+          file = this.file.get(name);
         if (name === "" || name === ".") return this.putStat(at, TYPE.folder, 0, 0);
         return file ? this.putStat(at, TYPE.regular, file.inode, file.size) : ERRNO.noent;
       },
@@ -206,7 +214,8 @@ export class System {
         this.openFile(this.text(path, length), flags, result),
       path_readlink: (_root, path, length) => (this.file.has(this.text(path, length)) ? ERRNO.inval : ERRNO.noent),
       path_rename: (_root, path, length, _to, toPath, toLength) => {
-        const name = this.text(path, length), file = this.file.get(name);
+        const name = this.text(path, length),
+          file = this.file.get(name);
         if (!file) return ERRNO.noent;
         this.file.delete(name);
         this.file.set(this.text(toPath, toLength), file);

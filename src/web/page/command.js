@@ -3,8 +3,16 @@
 /* Views with a name, and about where they are seen from: azimuth and elevation, from which the model is turned on. */
 export const presets = {
   iso: [45, Math.atan(Math.SQRT1_2) * (180 / Math.PI)],
-  dimetric: [20.7, 19.5], trimetric: [26.6, 30.8], front: [0, 0], right: [90, 0], back: [180, 0], left: [270, 0],
-  top: [0, 90], bottom: [0, -90], cavalier: [0, 0], cabinet: [0, 0],
+  dimetric: [20.7, 19.5],
+  trimetric: [26.6, 30.8],
+  front: [0, 0],
+  right: [90, 0],
+  back: [180, 0],
+  left: [270, 0],
+  top: [0, 90],
+  bottom: [0, -90],
+  cavalier: [0, 0],
+  cabinet: [0, 0],
 };
 
 export const pens = { outline: 0.5, crease: 0.35, border: 0.5, intersection: 0.35, wire: 0.35, hidden: 0.25 };
@@ -23,18 +31,24 @@ function rounded(value, digits) {
 
 /* The direction toward the viewer, by the axis that points up in the file. */
 export function direction(azimuth, elevation, up) {
-  const a = radians(azimuth), e = radians(elevation);
-  const x = Math.sin(a) * Math.cos(e), y = -Math.cos(a) * Math.cos(e), z = Math.sin(e);
+  const a = radians(azimuth),
+    e = radians(elevation);
+  const x = Math.sin(a) * Math.cos(e),
+    y = -Math.cos(a) * Math.cos(e),
+    z = Math.sin(e);
   return up === "y" ? [x, z, -y] : [x, y, z];
 }
 
 function viewArguments(state, scene) {
-  const { view, azimuth, elevation, up } = state, distance = Number(state.perspective);
+  const { view, azimuth, elevation, up } = state,
+    distance = Number(state.perspective);
   const toward = direction(azimuth, elevation, up);
   const args = [];
   if (distance > 0 && scene) {
     const digits = Math.max(0, 3 - Math.floor(Math.log10(scene.diameter)));
-    const eye = toward.map((part, i) => rounded(scene.centre[i] + part * distance * scene.diameter, Math.min(digits, 15)));
+    const eye = toward.map((part, i) =>
+      rounded(scene.centre[i] + part * distance * scene.diameter, Math.min(digits, 15)),
+    );
     args.push(`--eye=${eye.join(",")}`);
   } else if (up === "y") {
     args.push(`--dir=${toward.map((part) => rounded(part, 5)).join(",")}`);
@@ -78,7 +92,8 @@ function pageArguments(state) {
 
 function penArguments(state) {
   return Object.entries(pens).flatMap(([name, width]) => {
-    const pen = state.pens[name], parts = [];
+    const pen = state.pens[name],
+      parts = [];
     if (!pen.on) return name === "hidden" && state.hidden === "none" ? [] : [`--style=${name}:off`];
     if (Number(pen.width) !== width) parts.push(`width=${pen.width}`);
     if (pen.color !== black) parts.push(`color=${pen.color}`);
@@ -98,8 +113,13 @@ export function outputName(name, format) {
 /* All arguments of the program for a drawing in this format. */
 export function programArguments(state, scene, format) {
   return [
-    ...sceneArguments(state), ...lineArguments(state, scene), ...pageArguments(state), ...penArguments(state),
-    asFile(state.name), "-o", outputName(state.name, format),
+    ...sceneArguments(state),
+    ...lineArguments(state, scene),
+    ...pageArguments(state),
+    ...penArguments(state),
+    asFile(state.name),
+    "-o",
+    outputName(state.name, format),
   ];
 }
 

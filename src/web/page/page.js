@@ -3,7 +3,11 @@ import { classes } from "./live.js";
 import { lineArguments, outputName, pens, presets, programArguments, quoted, sceneArguments } from "./command.js";
 
 const by = (id) => document.getElementById(id);
-const controls = by("controls"), stage = by("stage"), paper = by("paper"), still = by("still"), canvas = by("canvas");
+const controls = by("controls"),
+  stage = by("stage"),
+  paper = by("paper"),
+  still = by("still"),
+  canvas = by("canvas");
 const SLOW = 120; // ms of a frame above which hidden lines are left out while the model is turned
 const REST = 250; // ms without a change before the page is drawn
 
@@ -19,7 +23,8 @@ class Helper {
       this.waiting.get(data.id)?.(data);
       this.waiting.delete(data.id);
     };
-    this.worker.onerror = (event) => say(`The page cannot work here: ${event.message ?? "its worker did not start"}`, true);
+    this.worker.onerror = (event) =>
+      say(`The page cannot work here: ${event.message ?? "its worker did not start"}`, true);
   }
 
   ask(kind, rest) {
@@ -46,14 +51,33 @@ function state() {
   const text = (name) => String(form.get(name) ?? "").trim();
   const is = (name) => form.has(name);
   return {
-    name: model?.name ?? "model.off", ...view,
-    perspective: text("perspective"), up: text("up"), hidden: text("hidden"), crease: text("crease"),
-    allEdges: is("allEdges"), union: is("union"), hull: is("hull"), fill: text("fill"), hatch: is("hatch"),
-    page: text("page"), landscape: is("landscape"), scale: text("scale"), unit: text("unit"), margin: text("margin"),
+    name: model?.name ?? "model.off",
+    ...view,
+    perspective: text("perspective"),
+    up: text("up"),
+    hidden: text("hidden"),
+    crease: text("crease"),
+    allEdges: is("allEdges"),
+    union: is("union"),
+    hull: is("hull"),
+    fill: text("fill"),
+    hatch: is("hatch"),
+    page: text("page"),
+    landscape: is("landscape"),
+    scale: text("scale"),
+    unit: text("unit"),
+    margin: text("margin"),
     frame: is("frame"),
-    pens: Object.fromEntries(Object.keys(pens).map((name) => [name, {
-      on: is(`${name}-on`), width: text(`${name}-width`) || pens[name], color: text(`${name}-color`),
-    }])),
+    pens: Object.fromEntries(
+      Object.keys(pens).map((name) => [
+        name,
+        {
+          on: is(`${name}-on`),
+          width: text(`${name}-width`) || pens[name],
+          color: text(`${name}-color`),
+        },
+      ]),
+    ),
   };
 }
 
@@ -72,31 +96,48 @@ function count(number, one, many = `${one}s`) {
 
 function tellScene() {
   by("about").textContent = scene
-    ? `${model.name}: ${count(scene.bodies, "body", "bodies")}, ${count(scene.faces, "face")}` : "";
+    ? `${model.name}: ${count(scene.bodies, "body", "bodies")}, ${count(scene.faces, "face")}`
+    : "";
 }
 
 function showCommand() {
-  by("command").textContent = model ? ["roberts", ...programArguments(state(), scene, "svg")].map(quoted).join(" ") : "";
+  by("command").textContent = model
+    ? ["roberts", ...programArguments(state(), scene, "svg")].map(quoted).join(" ")
+    : "";
 }
 
 /* ---- the page on the screen ---- */
 
-const sizes = { a5: [148, 210], a4: [210, 297], a3: [297, 420], a2: [420, 594], letter: [215.9, 279.4],
-  legal: [215.9, 355.6], tabloid: [279.4, 431.8] };
+const sizes = {
+  a5: [148, 210],
+  a4: [210, 297],
+  a3: [297, 420],
+  a2: [420, 594],
+  letter: [215.9, 279.4],
+  legal: [215.9, 355.6],
+  tabloid: [279.4, 431.8],
+};
 
 function sheet() {
-  const { page, landscape } = state(), [short, long] = sizes[page];
+  const { page, landscape } = state(),
+    [short, long] = sizes[page];
   return landscape ? [long, short] : [short, long];
 }
 
 /* Lays the paper in the middle of the stage, as large as it fits. Returns its place in pixels, and pixels per mm. */
 function layPaper() {
-  const [width, height] = sheet(), room = 14;
+  const [width, height] = sheet(),
+    room = 14;
   const per = Math.min((stage.clientWidth - 2 * room) / width, (stage.clientHeight - 2 * room) / height);
   const box = { width: width * per, height: height * per, per };
   box.x = (stage.clientWidth - box.width) / 2;
   box.y = (stage.clientHeight - box.height) / 2;
-  Object.assign(paper.style, { left: `${box.x}px`, top: `${box.y}px`, width: `${box.width}px`, height: `${box.height}px` });
+  Object.assign(paper.style, {
+    left: `${box.x}px`,
+    top: `${box.y}px`,
+    width: `${box.width}px`,
+    height: `${box.height}px`,
+  });
   return box;
 }
 
@@ -104,27 +145,36 @@ let zoom; // pixels per unit of the model, kept while the model is turned
 
 function fitted(window, box) {
   const margin = (Number(state().margin) || 10) * box.per;
-  const wide = window[2] - window[0], high = window[3] - window[1];
+  const wide = window[2] - window[0],
+    high = window[3] - window[1];
   const least = Math.min((box.width - 2 * margin) / wide, (box.height - 2 * margin) / high);
   return Number.isFinite(least) ? least : 1;
 }
 
 function paint(frame) {
-  const box = layPaper(), dots = window.devicePixelRatio || 1, { pens: pen, hidden } = state();
-  if (canvas.width !== Math.round(stage.clientWidth * dots) || canvas.height !== Math.round(stage.clientHeight * dots)) {
+  const box = layPaper(),
+    dots = window.devicePixelRatio || 1,
+    { pens: pen, hidden } = state();
+  if (
+    canvas.width !== Math.round(stage.clientWidth * dots) ||
+    canvas.height !== Math.round(stage.clientHeight * dots)
+  ) {
     canvas.width = Math.round(stage.clientWidth * dots);
     canvas.height = Math.round(stage.clientHeight * dots);
   }
   const [x0, y0, x1, y1] = frame.window;
   zoom ??= fitted(frame.window, box);
-  const scale = zoom, context = canvas.getContext("2d");
+  const scale = zoom,
+    context = canvas.getContext("2d");
   const middle = [box.x + box.width / 2 - ((x0 + x1) / 2) * scale, box.y + box.height / 2 + ((y0 + y1) / 2) * scale];
   context.setTransform(dots, 0, 0, dots, 0, 0);
   context.clearRect(0, 0, stage.clientWidth, stage.clientHeight);
   context.lineCap = "round";
   const starts = frame.count.reduce((list, some) => [...list, list.at(-1) + some], [0]);
-  for (let c = classes.length - 1; c >= 0; c--) { // hidden lines lie below all others
-    const name = classes[c], { lines } = frame;
+  for (let c = classes.length - 1; c >= 0; c--) {
+    // hidden lines lie below all others
+    const name = classes[c],
+      { lines } = frame;
     if (!pen[name].on) continue;
     context.beginPath();
     for (let i = 4 * starts[c]; i < 4 * starts[c + 1]; i += 4) {
@@ -141,7 +191,10 @@ function paint(frame) {
 
 /* ---- frames ---- */
 
-let wanted = false, drawing = false, slow = false, restTimer;
+let wanted = false,
+  drawing = false,
+  slow = false,
+  restTimer;
 
 /* Something has changed: a frame now, the page when nothing more changes. */
 function changed({ turning = false } = {}) {
@@ -161,7 +214,9 @@ async function frame(turning) {
     wanted = false;
     const now = state();
     const hidden = turning && slow ? "none" : now.hidden;
-    const drawn = await of.live.ask("draw", { args: [...sceneArguments(now), ...lineArguments(now, scene, hidden), "--", now.name] });
+    const drawn = await of.live.ask("draw", {
+      args: [...sceneArguments(now), ...lineArguments(now, scene, hidden), "--", now.name],
+    });
     if (of !== model) return;
     if (!drawn.count) {
       say(drawn.messages, true);
@@ -180,7 +235,8 @@ async function frame(turning) {
 /* The model rests: the program draws its page. */
 let resting = 0;
 async function rest() {
-  const of = model, turn = ++resting;
+  const of = model,
+    turn = ++resting;
   by("busy").hidden = false;
   const done = await printed("svg");
   if (of !== model || turn !== resting) return;
@@ -211,7 +267,10 @@ async function printed(format, keep = false) {
   }
   const { printer } = model;
   printing++;
-  const done = await printer.ask("run", { args: programArguments(now, scene, format), output: outputName(now.name, format).replace(/^\.\//, "") });
+  const done = await printer.ask("run", {
+    args: programArguments(now, scene, format),
+    output: outputName(now.name, format).replace(/^\.\//, ""),
+  });
   if (printer === model.printer) printing--;
   return done;
 }
@@ -327,7 +386,8 @@ for (const name of ["pointerup", "pointercancel"])
 
 const keys = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 stage.addEventListener("keydown", (event) => {
-  const by = keys[event.key], step = event.shiftKey ? 1 : 5;
+  const by = keys[event.key],
+    step = event.shiftKey ? 1 : 5;
   if (event.ctrlKey || event.altKey || event.metaKey || !(by || event.key === "Home")) return;
   event.preventDefault();
   if (by) turnTo(view.azimuth + by[0] * step, view.elevation + by[1] * step);
@@ -369,10 +429,12 @@ controls.addEventListener("input", (event) => {
   if (name === "hull" && model) return open(model);
   changed();
 });
-controls.addEventListener("reset", () => setTimeout(() => {
-  turnTo(...presets.iso, "iso");
-  if (model) open(model);
-}));
+controls.addEventListener("reset", () =>
+  setTimeout(() => {
+    turnTo(...presets.iso, "iso");
+    if (model) open(model);
+  }),
+);
 
 by("copy").addEventListener("click", async () => {
   const text = by("command").textContent;
@@ -386,10 +448,17 @@ by("copy").addEventListener("click", async () => {
   setTimeout(() => (by("copy").textContent = "Copy"), 1500);
 });
 
-const types = { svg: "image/svg+xml", pdf: "application/pdf", dxf: "image/vnd.dxf", tikz: "text/x-tex", hpgl: "application/vnd.hp-hpgl" };
+const types = {
+  svg: "image/svg+xml",
+  pdf: "application/pdf",
+  dxf: "image/vnd.dxf",
+  tikz: "text/x-tex",
+  hpgl: "application/vnd.hp-hpgl",
+};
 for (const button of document.querySelectorAll("[data-format]"))
   button.addEventListener("click", async () => {
-    const { format } = button.dataset, of = model;
+    const { format } = button.dataset,
+      of = model;
     if (!of?.ready) return say("There is no drawing to save yet.", true);
     of.saving = true;
     const name = outputName(of.name, format).replace(/^\.\//, "");
@@ -412,4 +481,7 @@ new ResizeObserver(() => {
 
 showAngles();
 layPaper();
-compiled.then(() => takeExample(by("model").value), (error) => say(`The program cannot run here: ${error.message}`, true));
+compiled.then(
+  () => takeExample(by("model").value),
+  (error) => say(`The program cannot run here: ${error.message}`, true),
+);

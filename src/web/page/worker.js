@@ -39,7 +39,8 @@ onmessage = ({ data }) => {
       const result = await handlers[data.kind](data);
       postMessage({ id: data.id, ...result }, [result.lines?.buffer, result.bytes?.buffer].filter(Boolean));
     } catch (error) {
-      const why = error instanceof RangeError || /memory|unreachable/i.test(error.message) ? "not enough memory" : error;
+      const why =
+        error instanceof RangeError || /memory|unreachable/i.test(error.message) ? "not enough memory" : error;
       postMessage({ id: data.id, status: 1, messages: `roberts: ${name}: ${why}\n` });
     }
   });
