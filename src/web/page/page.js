@@ -193,6 +193,7 @@ function paint(frame) {
 
 let wanted = false,
   drawing = false,
+  isTurning = false,
   slow = false,
   restTimer;
 
@@ -200,31 +201,40 @@ let wanted = false,
 function changed({ turning = false } = {}) {
   if (!model?.ready) return showCommand();
   wanted = true;
+  isTurning = turning;
   clearTimeout(restTimer);
   restTimer = setTimeout(rest, REST);
   if (!turning) zoom = undefined;
-  if (!drawing) frame(turning);
+  if (!drawing) drawFrames();
   showCommand();
 }
 
-async function frame(turning) {
+/* Asks for a frame if one is wanted. */
+function nextFrame() {
+  if (!wanted) return undefined;
+  wanted = false;
+  const now = state(),
+    hidden = isTurning && slow ? "none" : now.hidden;
+  const args = [...sceneArguments(now), ...lineArguments(now, scene, hidden), "--", now.name];
+  return model.live.ask("draw", { args });
+}
+
+/* Draws frames as long as any is wanted. While one is painted, the worker draws the next. */
+async function drawFrames() {
   const of = model;
   drawing = true;
-  while (wanted) {
-    wanted = false;
-    const now = state();
-    const hidden = turning && slow ? "none" : now.hidden;
-    const drawn = await of.live.ask("draw", {
-      args: [...sceneArguments(now), ...lineArguments(now, scene, hidden), "--", now.name],
-    });
+  for (let coming = nextFrame(); coming; coming ??= nextFrame()) {
+    const drawn = await coming;
     if (of !== model) return;
+    coming = nextFrame();
     if (!drawn.count) {
       say(drawn.messages, true);
-      break;
+      continue;
     }
     slow = slow || drawn.ms > SLOW;
     scene = { centre: drawn.centre, diameter: drawn.diameter, bodies: drawn.bodies, faces: drawn.faces };
     await new Promise((resolve) => requestAnimationFrame(resolve));
+    if (of !== model) return;
     stage.classList.add("turning");
     paint(drawn);
     stage.dataset.frames = Number(stage.dataset.frames ?? 0) + 1;
@@ -235,6 +245,10 @@ async function frame(turning) {
 /* The model rests: the program draws its page. */
 let resting = 0;
 async function rest() {
+  if (drawing) {
+    restTimer = setTimeout(rest, REST); // a frame that came later would cover the page
+    return;
+  }
   const of = model,
     turn = ++resting;
   by("busy").hidden = false;
@@ -330,6 +344,12 @@ async function open(own) {
   changed();
 }
 
+function takeOwn(file) {
+  if (!file) return;
+  by("model").selectedIndex = -1;
+  take(file);
+}
+
 async function takeExample(name) {
   const answer = await fetch(`./models/${name}`);
   if (!answer.ok) return say(`The model ${name} is not on this server.`, true);
@@ -337,7 +357,7 @@ async function takeExample(name) {
 }
 
 by("file").addEventListener("change", (event) => {
-  if (event.target.files[0]) take(event.target.files[0]);
+  takeOwn(event.target.files[0]);
   event.target.value = "";
 });
 by("model").addEventListener("change", (event) => takeExample(event.target.value));
@@ -349,7 +369,7 @@ addEventListener("dragleave", (event) => event.relatedTarget ?? stage.classList.
 addEventListener("drop", (event) => {
   event.preventDefault();
   stage.classList.remove("over");
-  if (event.dataTransfer.files[0]) take(event.dataTransfer.files[0]);
+  takeOwn(event.dataTransfer.files[0]);
 });
 
 /* ---- turning ---- */
