@@ -51,7 +51,9 @@ $(WEB)/roberts.wasm: $(WASM_OBJ)
 
 $(WEB)/npm/roberts.wasm: $(WEB)/roberts.wasm $(wildcard src/web/npm/*)
 	@mkdir -p $(@D)
-	$(Q)cp src/web/npm/* $(@D)/
+	$(Q)cp src/web/npm/* LICENSE $(@D)/
+	$(Q)cp $(WEB)/sources/zlib/LICENSE $(@D)/LICENSE.zlib
+	$(Q)cp $(WEB)/sources/qhull/COPYING.txt $(@D)/LICENSE.qhull
 	$(Q)sed -i 's/"version": "[^"]*"/"version": "$(VERSION)"/' $(@D)/package.json
 	$(Q)cp $< $@
 
@@ -60,7 +62,7 @@ WEB_MODELS := table temple tower spiral-staircase city goblet bracket locomotive
 
 $(WEB)/page/index.html: $(WEB)/npm/roberts.wasm $(wildcard src/web/page/*)
 	@mkdir -p $(@D)/models
-	$(Q)cp src/web/npm/wasi.js src/web/npm/program.js src/web/npm/live.js $< $(@D)/
+	$(Q)cp src/web/npm/wasi.js src/web/npm/program.js src/web/npm/live.js $(<D)/LICENSE* $< $(@D)/
 	$(Q)cp $(foreach model,$(WEB_MODELS),$(wildcard models/$(model).off models/*/$(model).off)) \
 	    $(@D)/models/
 	$(Q)cp src/web/page/* $(@D)/

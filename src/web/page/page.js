@@ -262,7 +262,7 @@ async function rest() {
   still.src = url;
   still.alt = `Line drawing of ${of.name}`;
   await still.decode().catch(() => {});
-  if (of !== model || turn !== resting) return;
+  if (of !== model || turn !== resting || drawing) return;
   layPaper();
   zoom = undefined;
   stage.classList.remove("turning");
