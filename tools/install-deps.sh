@@ -39,6 +39,11 @@ has_numpy() {
     python3 -c 'import numpy' 2>/dev/null || /usr/bin/python3 -c 'import numpy' 2>/dev/null
 }
 
+# The tests call Debian's Python for this one.
+has_ezdxf() {
+    /usr/bin/python3 -c 'import ezdxf' 2>/dev/null
+}
+
 # The tests draw pages in Chromium, or in a browser made from it.
 has_browser() {
     has_command chromium || has_command chromium-browser || has_command google-chrome
@@ -79,7 +84,9 @@ find_missing() {
             need libmpfr-dev has_header "$cxx" c++ mpfr.h
             need assimp-utils has_command assimp
             need librsvg2-bin has_command rsvg-convert
+            need poppler-utils has_command pdftotext
             need python3-numpy has_numpy
+            need python3-ezdxf has_ezdxf
             need chromium has_browser
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;

@@ -393,17 +393,18 @@ static roberts_status add_distance(strokes *s, page_room *r, const roberts_dista
     return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);
 }
 
-roberts_status distances_add(strokes *s, roberts_error *error)
+bool distances_wanted(const strokes *s)
+{
+    return s->sheet && s->options->lettering.distance_count > 0;
+}
+
+roberts_status distances_add(strokes *s, page_room *r, roberts_error *error)
 {
     const roberts_lettering *lettering = &s->options->lettering;
-    if (!s->sheet || lettering->distance_count == 0)
-        return ROBERTS_OK;
     if (!s->options->scene)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "dimensions: distances between vertices need the scene");
-    page_room *r = labels_room(s);
-    roberts_status status = r ? ROBERTS_OK : error_no_memory(error);
+    roberts_status status = ROBERTS_OK;
     for (size_t i = 0; i < lettering->distance_count && status == ROBERTS_OK; i++)
         status = add_distance(s, r, &lettering->distance[i], error);
-    room_free(r);
     return status;
 }

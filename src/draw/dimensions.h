@@ -2,6 +2,7 @@
 #ifndef ROBERTS_DRAW_DIMENSIONS_H
 #define ROBERTS_DRAW_DIMENSIONS_H
 
+#include "draw/room.h"
 #include "draw/strokes.h"
 
 /* What dimensions need beside a view, mm. */
@@ -11,10 +12,13 @@
  * no memory. */
 bool dimensions_add(strokes *s);
 
-/* Adds the distances that s->options ask for to s->notes. The lines of the views are in s->lines already. A distance
+/* Whether s->options ask for distances on a sheet. */
+bool distances_wanted(const strokes *s);
+
+/* Adds them to s->notes, and to `r`, the room of the page. The lines of the views are in s->lines already. A distance
  * that no view shows in true length, or for which there is no room, is left out with a warning. Returns ROBERTS_OK,
  * _NO_MEMORY or _BAD_ARGUMENT (a vertex is not there, or both are at one place). */
-roberts_status distances_add(strokes *s, roberts_error *error);
+roberts_status distances_add(strokes *s, page_room *r, roberts_error *error);
 
 /* A dimension on its way to the page; mm. */
 typedef struct dimension {

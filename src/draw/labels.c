@@ -478,14 +478,16 @@ double labels_reach(const roberts_draw_options *options)
     return beside ? 2.0 * strokes_text_height(options) : 0.0;
 }
 
-bool labels_add(strokes *s)
+bool labels_wanted(const strokes *s)
+{
+    return labelled_kinds(&s->options->lettering) != 0;
+}
+
+bool labels_add(strokes *s, page_room *r)
 {
     targets t = {0};
     label *list = NULL;
-    if (labelled_kinds(&s->options->lettering) == 0)
-        return true;
-    page_room *r = labels_room(s);
-    bool done = r && find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL;
+    bool done = find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL;
     if (done) {
         const size_t count = make_labels(s, &t, list);
         done = place_all(list, count, r, text_gap(s));
@@ -494,7 +496,6 @@ bool labels_add(strokes *s)
         for (size_t i = 0; i < count && done; i++)
             done = list[i].is_dropped || add_note(s, &list[i]);
     }
-    room_free(r);
     free(list);
     free(t.item);
     return done;

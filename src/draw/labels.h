@@ -3,12 +3,16 @@
 #define ROBERTS_DRAW_LABELS_H
 
 #include "draw/notes.h"
+#include "draw/room.h"
 #include "draw/strokes.h"
 
-/* Adds the labels that s->options ask for to s->notes, for all views. All lines of the page are in s->lines already. If
- * there is room beside what a label names, it lies on no other label, on no line, and on none of the boxes `taken`. The
- * same input gives the same places. False: no memory. */
-bool labels_add(strokes *s);
+/* Whether s->options ask for any. */
+bool labels_wanted(const strokes *s);
+
+/* Adds these labels to s->notes, for all views. `r` is the room of the page as it is now. If there is room beside what
+ * a label names, it lies on no other label, on no line, and on none of the boxes `taken`. The same input gives the same
+ * places. False: no memory. */
+bool labels_add(strokes *s, page_room *r);
 
 /* The page with all its lines, and with the boxes `taken`. Released by room_free(). NULL: no memory. */
 page_room *labels_room(const strokes *s);

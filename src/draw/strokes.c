@@ -271,13 +271,19 @@ static void tell_missing(const strokes *s)
 
 roberts_status strokes_label(strokes *s, roberts_error *error)
 {
-    roberts_status status = distances_add(s, error);
-    if (status != ROBERTS_OK)
-        return status;
-    if (!labels_add(s))
-        return error_no_memory(error);
-    tell_missing(s);
-    return ROBERTS_OK;
+    roberts_status status = ROBERTS_OK;
+    if (distances_wanted(s) || labels_wanted(s)) {
+        page_room *room = labels_room(s); /* one for both, so that neither lies on the other */
+        status = room ? ROBERTS_OK : error_no_memory(error);
+        if (status == ROBERTS_OK && distances_wanted(s))
+            status = distances_add(s, room, error);
+        if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
+            status = error_no_memory(error);
+        room_free(room);
+    }
+    if (status == ROBERTS_OK)
+        tell_missing(s);
+    return status;
 }
 
 roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
