@@ -89,9 +89,25 @@ void manifest_close(manifest *m)
     m->descriptor = -1;
 }
 
-/* Writes which file a row is about, and the command. */
-static void begin_row(FILE *to, const manifest_row *row)
+/* Most bytes that a string has in JSON. */
+static size_t room_for(const char *text)
 {
+    return text ? 6 * strlen(text) + 2 : 4;
+}
+
+/* Returns the text of a row, or, unless it is to be `whole`, as far as it does not depend on the drawing. It is freed
+ * by the caller; NULL: no memory. All room is there before it is written, since open_memstream() may lose bytes without
+ * a word. */
+static char *write_row(const manifest_row *row, bool whole)
+{
+    const size_t size =
+        200 + room_for(row->file) + room_for(row->output) + room_for(row->command) + room_for(row->error);
+    char *text = malloc(size);
+    FILE *to = text ? fmemopen(text, size, "w") : NULL;
+    if (!to) {
+        free(text);
+        return NULL;
+    }
     fputs(first, to);
     json_string(to, row->file);
     fputs(",\"output\":", to);
@@ -101,6 +117,10 @@ static void begin_row(FILE *to, const manifest_row *row)
     fputs(",\"error\":", to);
     json_string(to, row->error);
     fputc(',', to);
+    if (whole)
+        fprintf(to, "\"seconds\":%.6f,\"lines\":%zu,\"warnings\":%zu}\n", row->seconds, row->lines, row->warnings);
+    fclose(to); /* puts a NUL behind it */
+    return text;
 }
 
 /* A disk may be full, or a signal may come, in the middle of a row: the rest is tried once more. */
@@ -120,17 +140,11 @@ static bool write_all(int descriptor, const char *text, size_t size)
 
 roberts_status manifest_add(const manifest *m, const manifest_row *row, roberts_error *error)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *to = open_memstream(&text, &size);
-    if (!to)
+    char *text = write_row(row, true);
+    if (!text)
         return no_memory(m, error);
-    begin_row(to, row);
-    fprintf(to, "\"seconds\":%.6f,\"lines\":%zu,\"warnings\":%zu}\n", row->seconds, row->lines, row->warnings);
-    const bool made = !ferror(to);
-    roberts_status status = fclose(to) == 0 && made ? ROBERTS_OK : no_memory(m, error);
-    if (status == ROBERTS_OK && !write_all(m->descriptor, text, size))
-        status = fail(m, "cannot write", error);
+    const roberts_status status =
+        write_all(m->descriptor, text, strlen(text)) ? ROBERTS_OK : fail(m, "cannot write", error);
     free(text);
     return status;
 }
@@ -147,21 +161,10 @@ static size_t key_of(const char *row)
 
 bool manifest_ask(manifest_query *query, const manifest_row *row)
 {
-    size_t size = 0;
-    query->begins = NULL;
     query->drawn = false;
-    FILE *to = open_memstream(&query->begins, &size);
-    if (!to)
-        return false;
-    begin_row(to, row);
-    const bool made = !ferror(to);
-    if (fclose(to) != 0 || !made) {
-        free(query->begins);
-        query->begins = NULL;
-        return false;
-    }
-    query->key = key_of(query->begins);
-    return true;
+    query->begins = write_row(row, false);
+    query->key = query->begins ? key_of(query->begins) : 0;
+    return query->begins != NULL;
 }
 
 static int compare_keys(const char *a, size_t a_size, const char *b, size_t b_size)

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include <errno.h>
+#include <poll.h>
 #include <stdio.h>
 #include <sys/file.h>
 #include <time.h>
@@ -400,24 +401,37 @@ static void rest(void)
     nanosleep(&(struct timespec){0, 1000000}, NULL);
 }
 
-static void dead_workers_harm_one_file(void **state)
+/* Long enough for a worker to take the next file. */
+static void rest_long(void)
+{
+    nanosleep(&(struct timespec){0, 100000000}, NULL);
+}
+
+static void skip_without_children(void)
 {
     char own[64];
-    (void)state;
     snprintf(own, sizeof own, "/proc/self/task/%d/children", (int)getpid());
     if (access(own, R_OK) != 0)
         SKIP_BECAUSE("/proc does not tell the children of a process");
+}
+
+static void dead_workers_harm_one_file(void **state)
+{
+    (void)state;
+    skip_without_children();
     assert_int_equal(mkfifo("pipe", 0600), 0);
     pid_t parent = start("--batch in --manifest rows --threads 1 models/table.off pipe models/tower.off", NULL, -1);
     pid_t first = 0, second = 0;
-    for (int i = 0; i < 10000 && (first == 0 || entries("in", false) == 0); i++, rest())
+    for (int i = 0; i < 10000 && (first == 0 || access("in/table.svg", F_OK) != 0); i++, rest())
         first = worker_of(parent);
     assert_true(first > 0);
-    rest();
+    rest_long();
     kill(first, SIGKILL); /* it has drawn the table, so a fresh one tries the pipe again */
     for (int i = 0; i < 10000 && (second == 0 || second == first); i++, rest())
         second = worker_of(parent);
     assert_true(second > 0 && second != first);
+    rest_long();
+    assert_int_equal(access("in/tower.svg", F_OK), -1);
     kill(second, SIGKILL);
     finish(parent);
     assert_int_equal(last.status, 1);
@@ -431,6 +445,30 @@ static void dead_workers_harm_one_file(void **state)
 }
 
 /* ---- runs that are killed ---- */
+
+/* A worker that is in the middle of a file, which never ends. It has the end of a pipe as its standard error. */
+static void workers_end_with_their_run(void **state)
+{
+    int ends[2];
+    (void)state;
+    skip_without_children();
+    assert_int_equal(mkfifo("pipe", 0600), 0);
+    assert_int_equal(pipe(ends), 0);
+    start_error = ends[1];
+    pid_t parent = start("--batch in --threads 2 pipe", NULL, -1);
+    start_error = -1;
+    close(ends[1]);
+    for (int i = 0; i < 10000 && worker_of(parent) == 0; i++)
+        rest();
+    rest_long();
+    kill(parent, SIGKILL);
+    finish(parent);
+    struct pollfd end = {.fd = ends[0], .events = POLLIN};
+    const bool ended = poll(&end, 1, 10000) == 1;
+    close(ends[0]);
+    close(open("pipe", O_RDWR)); /* a reader that is left would end with that */
+    assert_true(ended);
+}
 
 static const char killed_line[] = "--batch in -f png --dpi 300 --manifest rows --update --threads 2 models/table.off "
                                   "models/city.off models/tower.off models/chair.off";
@@ -505,6 +543,7 @@ int main(void)
         IN_FOLDER(large_files_are_given_up),
         IN_FOLDER(limits_are_fair),
         IN_FOLDER(dead_workers_harm_one_file),
+        IN_FOLDER(workers_end_with_their_run),
         IN_FOLDER(killed_runs_go_on),
     };
     if (!program_find())
