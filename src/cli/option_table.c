@@ -128,7 +128,7 @@ static const option rows[] = {
          "How hidden lines are drawn: none (the default), dashed or solid. In tables, dashed and solid keep them."},
     {.group = GROUP_OUTPUT,
      .name = "columns",
-     .flags = OPTION_TABLE,
+     .flags = OPTION_DRAWS | OPTION_TABLE,
      .value = "+NAME,...",
      .words = values_columns,
      .set = values_set_columns,
@@ -230,9 +230,9 @@ static const option rows[] = {
      .help = "draw each FILE by itself, into DIR (as .svg, or as -f says), several at a time; one that fails does "
              "not stop the others",
      .manual = "Draws each FILE by itself, into DIR: table.off as DIR/table.svg, or with the ending of the format that "
-               "-f names. Several files are drawn at a time, each by a process of several. A file that fails, or that "
-               "crashes its process, does not stop the others, but then the exit status is 1. The folder is made where "
-               "it is missing."},
+               "-f names. Several files are drawn at a time, by as many processes. A file that fails, or that crashes "
+               "its process, does not stop the others, but then the exit status is 1. The folder is made where it is "
+               "missing."},
     {.group = GROUP_BATCH,
      .name = "list",
      .flags = OPTION_FILE,
@@ -268,9 +268,9 @@ static const option rows[] = {
      .manual = "Draws only files whose drawing is missing, or not newer than the file; with --labels, not newer than "
                "that file either. So a run that was stopped goes on.\n"
                "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
-               "command: if options have changed, all is drawn again. Only those options count that the description "
-               "in a drawing names. Without --manifest options are not compared: after a change of options, draw once "
-               "without --update. Materials beside an OBJ file are not looked at."},
+               "command: after a change of options that change drawings, all is drawn again. Without --manifest "
+               "options are not compared: after such a change, draw once without --update. Materials beside an OBJ "
+               "file are not looked at."},
     {.group = GROUP_BATCH,
      .name = "manifest",
      .flags = OPTION_FILE,
@@ -451,7 +451,7 @@ static const option rows[] = {
          "of the angle between normal and light (Lambert's law)."},
     {.group = GROUP_PAGE,
      .name = "dpi",
-     .flags = OPTION_PAPER,
+     .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "N",
      .set = values_set_number,
      TO(draw.dpi),
@@ -463,7 +463,7 @@ static const option rows[] = {
          "side."},
     {.group = GROUP_PAGE,
      .name = "plotter",
-     .flags = OPTION_PAPER,
+     .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "ORIGIN[,TURN]",
      .set = values_set_plotter,
      .brief = "origin and turn of hpgl",
@@ -829,6 +829,7 @@ static const option rows[] = {
          "time, never the drawing."},
     {.group = GROUP_ENGINE,
      .name = "epsilon",
+     .flags = OPTION_DRAWS,
      .value = "E",
      .set = values_set_number,
      TO(hide.epsilon),
@@ -842,6 +843,7 @@ static const option rows[] = {
          "and why."},
     {.group = GROUP_ENGINE,
      .name = "tolerance",
+     .flags = OPTION_DRAWS,
      .value = "T",
      .set = values_set_number,
      TO(scene.tolerance),
