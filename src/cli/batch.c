@@ -323,6 +323,9 @@ static void begin(void *context)
     batch *b = context;
     if (b->manifest.descriptor >= 0)
         manifest_close(&b->manifest);
+#ifdef _OPENMP
+    (void)omp_get_max_threads(); /* before memory is limited: LLVM's library hangs if it gets none as it begins */
+#endif
 }
 
 static void describe(const picture_result *made, char *text, size_t size)
