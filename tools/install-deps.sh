@@ -76,6 +76,7 @@ find_missing() {
             need librsvg2-bin has_command rsvg-convert
             need python3-numpy has_numpy
             need chromium has_browser
+            need parallel has_command parallel
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)
