@@ -277,7 +277,8 @@ $(FUZZER): $(call object,tests/fuzz/fuzz_read.c)
 
 # Tests of the program's own functions
 $(BUILD)/tests/test_options $(BUILD)/tests/test_verify_report $(BUILD)/tests/test_names \
-    $(BUILD)/tests/test_memory_names $(BUILD)/tests/test_format_table: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
+    $(BUILD)/tests/test_memory_names $(BUILD)/tests/test_batch_memory \
+    $(BUILD)/tests/test_format_table: $(filter-out %/main.o,$(call object,$(CLI_SRC)))
 $(BUILD)/tests/test_fuzz: $(call object,$(FUZZ_SRC))
 
 $(BUILD)/tests/test_loose_ends: $(call object,tests/support/loose_ends.c)

@@ -88,6 +88,7 @@ find_missing() {
             need python3-numpy has_numpy
             need python3-ezdxf has_ezdxf
             need chromium has_browser
+            need parallel has_command parallel
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)

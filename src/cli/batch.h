@@ -4,8 +4,9 @@
 
 #include "cli/options.h"
 
-/* Draws each input into the folder options->batch, several at a time. A file that fails does not stop the others.
- * Messages come in the order of the files. Returns the exit status: EXIT_FAILED if a file has failed. */
+/* Draws each input, and each file of the list, into the folder options->batch, several at a time. A file that fails,
+ * that crashes its process or goes beyond a limit does not stop the others. Messages come in the order of the files.
+ * Returns the exit status: EXIT_FAILED if a file has failed, or the manifest could not be written. */
 int batch_make(const cli_options *options);
 
 #endif

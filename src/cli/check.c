@@ -68,7 +68,7 @@ static bool ends_like_input(const char *name)
 /* If the folder behind --batch is forgotten, the first file is taken for it. */
 static int check_batch(const cli_options *options)
 {
-    static const char how[] = "--batch DIR FILE...";
+    static const char how[] = "--batch DIR FILE..., or --batch DIR --list LIST";
     struct stat found;
     if (!options->batch)
         return EXIT_DONE;
@@ -79,6 +79,8 @@ static int check_batch(const cli_options *options)
     for (size_t i = 0; i < options->input_count; i++)
         if (strcmp(options->input[i], "-") == 0)
             return message_misuse("--batch needs names of files: %s", how);
+    if (options->update && options->draw.format == ROBERTS_NULL)
+        return message_misuse("--update compares files with their drawings, and -f null writes none");
     return EXIT_DONE;
 }
 

@@ -84,6 +84,7 @@ const char *hint_option(const char *word)
         {"dashed", "hidden dashed"},
         {"debug", "stats"},
         {"direction", "dir"},
+        {"files-from", "list"},
         {"height", "page WxH"},
         {"isometric", "view iso"},
         {"jobs", "threads"},
@@ -98,11 +99,13 @@ const char *hint_option(const char *word)
         {"position", "eye"},
         {"projection", "view"},
         {"resolution", "dpi"},
+        {"resume", "update"},
         {"rotate", "azimuth"},
         {"silent", "quiet"},
         {"size", "page"},
         {"stroke-width", "style outline:width=MM"},
         {"target", "look-at"},
+        {"timeout", "limit-seconds"},
         {"type", "format"},
         {"units", "unit"},
         {"viewpoint", "eye"},
@@ -186,6 +189,13 @@ void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_
     else if (mesh->vertex_count >= HULL_POINTS)
         snprintf(error->message + used, room,
                  mesh->face_count ? " (see --hull)" : " (--hull draws the convex hull of points)");
+}
+
+void hint_memory(const cli_options *options, roberts_error *error)
+{
+    const size_t used = strlen(error->message), room = sizeof error->message - used;
+    if (error->status == ROBERTS_NO_MEMORY && options->limit_memory > 0.0)
+        snprintf(error->message + used, room, ": --limit-memory allows %.10g MB", options->limit_memory);
 }
 
 /* ---- drawings that show nothing ---- */

@@ -25,6 +25,9 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
 /* The mesh was refused. Appends to the message which options would accept it. */
 void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_error *error);
 
+/* If memory was short because --limit-memory is, the message says so. */
+void hint_memory(const cli_options *options, roberts_error *error);
+
 /* ---- drawings that show nothing ---- */
 
 /* Returns why none of the drawings on a page (or in a table) shows a line, and which option changes that; NULL if one

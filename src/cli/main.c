@@ -40,6 +40,7 @@ static void hold_streams(void)
 int main(int argc, char **argv)
 {
     cli_options options;
+    picture_result result;
     hold_streams();
     signals_prepare();
     int status = options_parse(&option_table_all, argc, argv, &options);
@@ -54,10 +55,9 @@ int main(int argc, char **argv)
     options.scene.warnings.warn = options.quiet ? NULL : message_warning;
     options.scene.warnings.context = options.log = stderr;
     options.draw.temporary = signals_temporary;
-    options.draw.temporary_context = signals_slot(0);
     if (is_watched(&options))
         progress_begin();
-    status = options.batch ? batch_make(&options) : picture_make(&options);
+    status = options.batch ? batch_make(&options) : picture_make(&options, &result);
     progress_hide();
     return status;
 }

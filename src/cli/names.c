@@ -1,50 +1,23 @@
 /* names.c - names of vertices, edges, faces and bodies, from a file of lines KIND,NUMBER,NAME. */
 #include "cli/names.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/parse.h"
+#include "cli/text.h"
 
-enum { ROOM_MOST = 64 * 1024 * 1024 /* bytes for the text of a file */ };
-
-static roberts_status refuse(roberts_error *error, roberts_status status, const char *path, size_t line,
-                             const char *why)
-{
-    *error = (roberts_error){.status = status, .line = line};
-    snprintf(error->file, sizeof error->file, "%s", path);
-    snprintf(error->message, sizeof error->message, "%s", why);
-    return status;
-}
+enum { MOST = 32 * 1024 * 1024 /* bytes of the text */ };
 
 /* Reads the whole file; the text ends with a NUL. */
-static roberts_status read_text(name_list *n, const char *path, roberts_error *error)
+static roberts_status read_names(name_list *n, const char *path, roberts_error *error)
 {
-    FILE *file = fopen(path, "rb");
-    size_t size = 0, room = 0;
-    if (!file)
-        return refuse(error, ROBERTS_IO, path, 0, strerror(errno));
-    for (size_t got = 1; got > 0; size += got) {
-        if (size + 4096 > room) {
-            room = 2 * room + 8192;
-            char *grown = room <= ROOM_MOST ? realloc(n->text, room) : NULL;
-            if (!grown) {
-                fclose(file);
-                return room > ROOM_MOST ? refuse(error, ROBERTS_BAD_SYNTAX, path, 0, "is too long")
-                                        : refuse(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
-            }
-            n->text = grown;
-        }
-        got = fread(n->text + size, 1, 4095, file);
-    }
-    const bool failed = ferror(file) != 0;
-    fclose(file);
-    n->text[size] = '\0';
-    if (failed)
-        return refuse(error, ROBERTS_IO, path, 0, "cannot be read");
-    return memchr(n->text, '\0', size) ? refuse(error, ROBERTS_BAD_SYNTAX, path, 0, "is no text") : ROBERTS_OK;
+    size_t size;
+    const roberts_status status = text_read(path, MOST, &n->text, &size, error);
+    if (status == ROBERTS_OK && memchr(n->text, '\0', size))
+        return text_fail(error, ROBERTS_BAD_SYNTAX, path, 0, "is no text");
+    return status;
 }
 
 /* Reads one line. Returns why it is wrong, or NULL. */
@@ -96,7 +69,7 @@ static roberts_status refuse_twice(roberts_error *error, const char *path, const
         snprintf(why, sizeof why, "edge %u-%u has two names", (unsigned)name->number, (unsigned)name->other);
     else
         snprintf(why, sizeof why, "%s %u has two names", kind, (unsigned)name->number);
-    return refuse(error, ROBERTS_BAD_SYNTAX, path, 0, why);
+    return text_fail(error, ROBERTS_BAD_SYNTAX, path, 0, why);
 }
 
 static bool append(name_list *n, const roberts_name *name)
@@ -116,7 +89,7 @@ static bool append(name_list *n, const roberts_name *name)
 roberts_status names_read(name_list *n, const char *path, roberts_error *error)
 {
     size_t line = 0;
-    roberts_status status = read_text(n, path, error);
+    roberts_status status = read_names(n, path, error);
     for (char *at = n->text, *next; status == ROBERTS_OK && at && *at; at = next) {
         roberts_name name;
         next = strchr(at, '\n');
@@ -130,9 +103,9 @@ roberts_status names_read(name_list *n, const char *path, roberts_error *error)
             continue;
         const char *why = read_line(at, &name);
         if (why)
-            return refuse(error, ROBERTS_BAD_SYNTAX, path, line, why);
+            return text_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
         if (!append(n, &name))
-            return refuse(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
+            return text_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
     }
     if (status == ROBERTS_OK && n->count > 1)
         qsort(n->item, n->count, sizeof *n->item, by_thing);

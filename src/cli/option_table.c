@@ -13,6 +13,7 @@
 
 const option_title option_titles[OPTION_GROUPS] = {
     [GROUP_OUTPUT] = {"Output", NULL, NULL},
+    [GROUP_BATCH] = {"Batches", "many drawings in one run", NULL},
     [GROUP_PAGE] = {"Page", "lengths in mm, or with a unit: cm, in or pt, as in 8.5x11in; pens too",
                     "Lengths on paper are in mm, or have a unit: mm, cm, in or pt (1/72 inch; TeX's is 1/72.27), as in "
                     "8.5x11in. This holds for pens too: width=0.8pt."},
@@ -116,20 +117,6 @@ static const option rows[] = {
          "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
          "than some 38 x 36 mm."},
     {.group = GROUP_OUTPUT,
-     .name = "batch",
-     .flags = OPTION_FOLDER,
-     .value = "DIR",
-     .set = values_set_text,
-     TO(batch),
-     .excludes = "output turntable",
-     .brief = "draw each file by itself",
-     .help = "draw each FILE by itself, into DIR (as .svg, or as -f says), several at a time; one that fails does "
-             "not stop the others",
-     .manual = "Draws each FILE by itself, into DIR: table.off as DIR/table.svg, or with the ending of the format that "
-               "-f names. "
-               "Several files are drawn at a time. A file that fails does not stop the others, but then the exit "
-               "status is 1. The folder is made where it is missing."},
-    {.group = GROUP_OUTPUT,
      .name = "hidden",
      .flags = OPTION_DRAWS,
      .value = "MODE",
@@ -141,7 +128,7 @@ static const option rows[] = {
          "How hidden lines are drawn: none (the default), dashed or solid. In tables, dashed and solid keep them."},
     {.group = GROUP_OUTPUT,
      .name = "columns",
-     .flags = OPTION_TABLE,
+     .flags = OPTION_DRAWS | OPTION_TABLE,
      .value = "+NAME,...",
      .words = values_columns,
      .set = values_set_columns,
@@ -230,6 +217,97 @@ static const option rows[] = {
          "why; -v names them by their numbers.\n"
          "Flat bodies, such as a stray triangle, are left out with a warning. A file that holds nothing else is "
          "refused."},
+
+    /* ---- batches ---- */
+    {.group = GROUP_BATCH,
+     .name = "batch",
+     .flags = OPTION_FOLDER,
+     .value = "DIR",
+     .set = values_set_text,
+     TO(batch),
+     .excludes = "output turntable",
+     .brief = "draw each file by itself",
+     .help = "draw each FILE by itself, into DIR (as .svg, or as -f says), several at a time; one that fails does "
+             "not stop the others",
+     .manual = "Draws each FILE by itself, into DIR: table.off as DIR/table.svg, or with the ending of the format that "
+               "-f names. Several files are drawn at a time, by as many processes. A file that fails, or that crashes "
+               "its process, does not stop the others, but then the exit status is 1. The folder is made where it is "
+               "missing."},
+    {.group = GROUP_BATCH,
+     .name = "list",
+     .flags = OPTION_FILE,
+     .value = "LIST",
+     .set = values_set_text,
+     TO(list),
+     .needs = "batch",
+     .brief = "names of files from a list",
+     .help = "draw the files that LIST names too, one a line, or as find -print0 writes them (-: standard input)",
+     .manual = "Draws the files that LIST names, after those of the command. - is standard input. Each line is a name, "
+               "blanks and all; empty lines are skipped. If the list holds a zero byte, each name ends in one instead, "
+               "as find -print0 writes them, and may hold newlines."},
+    {.group = GROUP_BATCH,
+     .name = "shard",
+     .value = "K/N",
+     .set = values_set_share,
+     TO(shard),
+     .needs = "batch",
+     .brief = "draw a part of the files",
+     .help = "draw only every Nth file, from file K on: shards 1/N to N/N draw each file once",
+     .manual =
+         "Draws only every Nth of the files, from file K on. N runs, from 1/N to N/N, draw each file once, on one "
+         "machine or on several. Names are checked for all files, so that no two of the runs write one "
+         "drawing."},
+    {.group = GROUP_BATCH,
+     .name = "update",
+     .set = values_set_flag,
+     TO(update),
+     .needs = "batch",
+     .brief = "draw only what has changed",
+     .help = "draw only files that are newer than their drawing; with --manifest, also those that it does not say were "
+             "drawn, by this command",
+     .manual = "Draws only files whose drawing is missing, or not newer than the file; with --labels, not newer than "
+               "that file either. So a run that was stopped goes on.\n"
+               "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
+               "command: after a change of options that change drawings, all is drawn again. Without --manifest "
+               "options are not compared: after such a change, draw once without --update. Materials beside an OBJ "
+               "file are not looked at."},
+    {.group = GROUP_BATCH,
+     .name = "manifest",
+     .flags = OPTION_FILE,
+     .value = "FILE",
+     .set = values_set_text,
+     TO(manifest),
+     .needs = "batch",
+     .brief = "a row for each file",
+     .help = "add a row to FILE for each file that is drawn or fails, as a line of JSON",
+     .manual = "Adds a line to FILE for each file that is drawn or fails, as they end. It is a JSON object: file and "
+               "output (null for -f null); command, which draws it; error, the message, or null; seconds on the clock; "
+               "lines, the segments of the drawing; and warnings, how many there were (0 with --quiet). Bytes of names "
+               "that are no UTF-8 become U+FFFD. Of several rows of a file the last one counts. A row is written in "
+               "one piece, so several runs on one machine may share a manifest. If a run is killed in the middle of a "
+               "row, the next one cuts the row off."},
+    {.group = GROUP_BATCH,
+     .name = "limit-seconds",
+     .value = "S",
+     .set = values_set_number,
+     TO(limit_seconds),
+     RANGE(0.001, 1e9),
+     .needs = "batch",
+     .brief = "time for each file",
+     .help = "give up a file after S seconds on the clock",
+     .manual = "Gives a file up, as failed, after S seconds on the clock."},
+    {.group = GROUP_BATCH,
+     .name = "limit-memory",
+     .value = "MB",
+     .set = values_set_number,
+     TO(limit_memory),
+     RANGE(1, 1e12),
+     .needs = "batch",
+     .brief = "memory for each file",
+     .help = "give up a file that needs more than MB megabytes; each file is then drawn by one thread",
+     .manual = "Gives a file up, as failed, if it needs more than MB megabytes of address space, beyond what the "
+               "program itself takes. Each file is then drawn by one thread. What other files have needed before does "
+               "not count: a file that does not find enough memory is tried once more in a fresh process."},
 
     /* ---- page ---- */
     {.group = GROUP_PAGE,
@@ -373,7 +451,7 @@ static const option rows[] = {
          "of the angle between normal and light (Lambert's law)."},
     {.group = GROUP_PAGE,
      .name = "dpi",
-     .flags = OPTION_PAPER,
+     .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "N",
      .set = values_set_number,
      TO(draw.dpi),
@@ -385,7 +463,7 @@ static const option rows[] = {
          "side."},
     {.group = GROUP_PAGE,
      .name = "plotter",
-     .flags = OPTION_PAPER,
+     .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "ORIGIN[,TURN]",
      .set = values_set_plotter,
      .brief = "origin and turn of hpgl",
@@ -751,6 +829,7 @@ static const option rows[] = {
          "time, never the drawing."},
     {.group = GROUP_ENGINE,
      .name = "epsilon",
+     .flags = OPTION_DRAWS,
      .value = "E",
      .set = values_set_number,
      TO(hide.epsilon),
@@ -764,6 +843,7 @@ static const option rows[] = {
          "and why."},
     {.group = GROUP_ENGINE,
      .name = "tolerance",
+     .flags = OPTION_DRAWS,
      .value = "T",
      .set = values_set_number,
      TO(scene.tolerance),

@@ -323,8 +323,8 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
     description_word(&options->description, "roberts");
     if ((status = take_all(&p, &operands)) != EXIT_DONE)
         return status;
-    options->input = operands ? argv : nothing_named;
-    options->input_count = operands ? (size_t)operands : 1;
+    options->input = operands || options->list ? argv : nothing_named;
+    options->input_count = operands || options->list ? (size_t)operands : 1;
     if (options->landscape)
         lay_down(&options->draw.page);
     describe_files(options, (size_t)operands);

@@ -40,6 +40,13 @@ static const char *name_inputs(const cli_options *options, const char *first, ch
     return name;
 }
 
+static void warn(const cli_options *options, const char *file, const char *text)
+{
+    const roberts_warnings *to = &options->scene.warnings;
+    if (to->warn)
+        to->warn(to->context, file, 0, text);
+}
+
 /* The same without folders. */
 static const char *write_title(const cli_options *options, char *title, size_t size)
 {
@@ -48,10 +55,12 @@ static const char *write_title(const cli_options *options, char *title, size_t s
 }
 
 /* Reports the error, which concerns the inputs where it names no file. Returns the exit status. */
-static int fail(const cli_options *options, roberts_error *error)
+static int fail(const cli_options *options, roberts_error *error, picture_result *result)
 {
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
         name_inputs(options, options->input[0], error->file, sizeof error->file);
+    hint_memory(options, error);
+    result->error = *error;
     return message_error(options->log, error);
 }
 
@@ -315,7 +324,7 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
     char why[256], name[NAME_SIZE];
     if (options->quiet || !hint_near_plane(options, scene, &v->drawing[0], why, sizeof why))
         return;
-    message_warning(options->log, name_output(options, name, sizeof name), 0, why);
+    warn(options, name_output(options, name, sizeof name), why);
     v->explained = true;
 }
 
@@ -327,13 +336,13 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->quiet || options->turntable > 0)
         return;
     if (options->hide.unite && hint_idle_union(scene))
-        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
-                        "--union has no effect: no body is closed");
+        warn(options, name_inputs(options, options->input[0], name, sizeof name),
+             "--union has no effect: no body is closed");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
-        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
-                        "--fill model has no effect: no face that is seen has a colour");
+        warn(options, name_inputs(options, options->input[0], name, sizeof name),
+             "--fill model has no effect: no face that is seen has a colour");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
-        message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0, text);
+        warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }
 
 static void free_views(views *v)
@@ -382,17 +391,23 @@ static void warn_empty(const cli_options *options, const views *v)
     if (!why)
         return;
     snprintf(text, sizeof text, "the drawing is empty: %s", why);
-    message_warning(options->log, name_output(options, name, sizeof name), 0, text);
+    warn(options, name_output(options, name, sizeof name), text);
+}
+
+static size_t count_segments(const views *v)
+{
+    size_t segments = 0;
+    for (size_t i = 0; i < v->count; i++)
+        segments += v->drawing[i].count;
+    return segments;
 }
 
 static void tell(const cli_options *options, const run_stats *run, const views *v)
 {
     char name[NAME_SIZE], ratio[REPORT_RATIO];
     const bool to_scale = report_ratio(&run->ink, &options->draw.placement, ratio);
-    size_t segments = 0;
+    const size_t segments = count_segments(v);
     warn_empty(options, v);
-    for (size_t i = 0; i < v->count; i++)
-        segments += v->drawing[i].count;
     message_open(options->log);
     if (options->verbose && options->draw.format != ROBERTS_NULL) {
         message_begin(options->log, name_output(options, name, sizeof name));
@@ -418,7 +433,7 @@ static roberts_status save_regions(const cli_options *options, const views *v, r
 /* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
-                run_stats run, roberts_time begin)
+                run_stats run, picture_result *result)
 {
     views v;
     roberts_error error = {0};
@@ -441,14 +456,15 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     }
     if (status == ROBERTS_OK)
         status = save(options, *scene, &v, &run, &error);
-    run.total = report_since(begin);
-    int result = status != ROBERTS_OK ? fail(options, &error) : EXIT_DONE;
-    if (status == ROBERTS_OK && run.found.contradictions > 0)
-        result = EXIT_FAILED; /* the drawing is still written, to be looked at */
+    run.total = report_since(run.begin);
+    result->segments = count_segments(&v);
+    result->contradictions += run.found.contradictions;
     if (status == ROBERTS_OK)
         tell(options, &run, &v);
     free_views(&v);
-    return result;
+    if (status != ROBERTS_OK)
+        return fail(options, &error, result);
+    return run.found.contradictions > 0 ? EXIT_FAILED : EXIT_DONE; /* the drawing is still written, to be looked at */
 }
 
 static double lesser(double a, double b)
@@ -482,56 +498,58 @@ static roberts_status find_window(const cli_options *options, const roberts_scen
     return status;
 }
 
-static int draw_turntable(const cli_options *options, roberts_scene **scene, const run_stats *run)
+static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)
 {
     char name[NAME_SIZE];
     picture_window window;
     roberts_error error = {0};
-    int result = EXIT_DONE;
+    int status = EXIT_DONE;
     if (find_window(options, *scene, &window, &error) != ROBERTS_OK)
-        return fail(options, &error);
-    for (uint32_t i = 0; i < options->turntable && result == EXIT_DONE; i++) {
+        return fail(options, &error, result);
+    for (uint32_t i = 0; i < options->turntable && status == EXIT_DONE; i++) {
         cli_options one = *options;
         one.camera = turned(options, *scene, i);
         parse_numbered(options->output, i, name, sizeof name);
         one.output = one.label = name;
-        result = draw(&one, scene, i + 1 == options->turntable, &window, *run, report_now());
+        run.begin = report_now();
+        status = draw(&one, scene, i + 1 == options->turntable, &window, run, result);
         progress_count(i + 1, options->turntable);
     }
-    return result;
+    return status;
 }
 
 int picture_load(const cli_options *options, roberts_scene **scene)
 {
     run_stats run = {0};
+    picture_result result;
     roberts_error error = {0};
     *scene = NULL;
-    return load(options, scene, &run, &error) == ROBERTS_OK ? EXIT_DONE : fail(options, &error);
+    return load(options, scene, &run, &error) == ROBERTS_OK ? EXIT_DONE : fail(options, &error, &result);
 }
 
-int picture_make(const cli_options *given)
+int picture_make(const cli_options *given, picture_result *result)
 {
     cli_options own = *given;
     const cli_options *options = &own;
     name_list labels = {0};
     roberts_scene *scene = NULL;
     roberts_error error = {0};
-    run_stats run = {.files = options->input_count};
-    roberts_time begin = report_now();
-    int result;
+    run_stats run = {.files = options->input_count, .begin = report_now()};
+    int status;
+    *result = (picture_result){0};
     if (own.names && names_read(&labels, own.names, &error) != ROBERTS_OK) {
         names_free(&labels);
-        return message_error(own.log, &error);
+        return fail(options, &error, result);
     }
     own.draw.lettering.name = labels.item;
     own.draw.lettering.name_count = labels.count;
     if (load(options, &scene, &run, &error) != ROBERTS_OK)
-        result = fail(options, &error);
+        status = fail(options, &error, result);
     else if (options->turntable)
-        result = draw_turntable(options, &scene, &run);
+        status = draw_turntable(options, &scene, run, result);
     else
-        result = draw(options, &scene, true, NULL, run, begin);
+        status = draw(options, &scene, true, NULL, run, result);
     roberts_scene_free(scene);
     names_free(&labels);
-    return result;
+    return status;
 }

@@ -8,6 +8,7 @@
 typedef struct run_stats {
     size_t files, vertices, faces, pieces, edges;   /* pieces: convex ones, of faces */
     size_t lines;                                   /* points and lines among the faces of the files, for -v */
+    roberts_time begin;                             /* when the picture was begun */
     roberts_time read, solids, verify, draw, total; /* verify: picking too */
     roberts_ink ink;                                /* all zero where no page was written */
     uint64_t segments[ROBERTS_CLIPPED + 1];         /* in each state */

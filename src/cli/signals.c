@@ -1,37 +1,63 @@
-/* signals.c - what the program does on signals.
+/* signals.c - what the program does on signals, and the processes that work for it.
  *
  * Handlers read only what is written whole: a pointer to a constant, numbers that fit a sig_atomic_t, and a name while
- * its `unfinished` is set. They call unlink(), signal(), raise(), write() and alarm() alone, which are
- * async-signal-safe. */
+ * its `unfinished` is set. They call unlink(), kill(), waitpid(), signal(), raise(), write() and alarm() alone, which
+ * are async-signal-safe. */
+/* for MAP_ANONYMOUS */
+#define _DEFAULT_SOURCE /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include "cli/signals.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-/* ---- interruption: each thread that writes has a slot of its own ---- */
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
-static struct slot {
+/* ---- interruption ---- */
+
+/* The unfinished file of a process. */
+typedef struct slot {
     char name[4096 + 64]; /* PATH_MAX; longer ones cannot be opened */
     volatile sig_atomic_t unfinished;
-} slots[SIGNALS_SLOTS];
+} slot;
+
+static slot alone, *own = &alone;
+static slot *workers; /* [SIGNALS_WORKERS], in memory that they share with this process, or NULL */
+static volatile sig_atomic_t worker_process[SIGNALS_WORKERS]; /* 0: there is none */
+
+static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+static void remove_unfinished(slot *of)
+{
+    if (of->unfinished)
+        unlink(of->name);
+    of->unfinished = 0;
+}
 
 static void on_signal(int number)
 {
-    for (int i = 0; i < SIGNALS_SLOTS; i++)
-        if (slots[i].unfinished)
-            unlink(slots[i].name);
+    for (int i = 0; i < SIGNALS_WORKERS; i++)
+        if (worker_process[i]) {
+            signals_kill(i);
+            (void)signals_reap(i);
+        }
+    remove_unfinished(own);
     signal(number, SIG_DFL);
     raise(number); /* comes when the handler has returned */
 }
 
 void signals_prepare(void)
 {
-    static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
     struct sigaction action = {.sa_handler = on_signal}, old;
     sigemptyset(&action.sa_mask);
+    for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
+        sigaddset(&action.sa_mask, ending[i]); /* one handler at a time */
     for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
         if (sigaction(ending[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) /* nohup stays nohup */
             sigaction(ending[i], &action, NULL);
@@ -40,19 +66,73 @@ void signals_prepare(void)
 #endif
 }
 
-void *signals_slot(int number)
-{
-    return &slots[number];
-}
-
 void signals_temporary(void *context, const char *path)
 {
-    struct slot *slot = context;
-    slot->unfinished = 0;
-    if (path && strlen(path) < sizeof slot->name) {
-        strcpy(slot->name, path);
-        slot->unfinished = 1;
+    (void)context;
+    own->unfinished = 0;
+    if (path && strlen(path) < sizeof own->name) {
+        strcpy(own->name, path);
+        own->unfinished = 1;
     }
+}
+
+/* ---- workers ---- */
+
+/* The first thing that a worker does. */
+static void become(int number, pid_t parent)
+{
+    own = &workers[number];
+    own->unfinished = 0;
+    for (int i = 0; i < SIGNALS_WORKERS; i++)
+        worker_process[i] = 0;
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+    if (getppid() != parent)
+        _exit(1); /* it ended before it could be watched */
+}
+
+pid_t signals_fork(int number)
+{
+    const pid_t parent = getpid();
+    sigset_t set, before;
+    if (!workers) {
+        void *shared =
+            mmap(NULL, SIGNALS_WORKERS * sizeof *workers, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        if (shared == MAP_FAILED)
+            return -1;
+        workers = shared;
+    }
+    /* no signal finds a worker that takes itself for its parent, or a parent that does not know its worker */
+    sigemptyset(&set);
+    for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
+        sigaddset(&set, ending[i]);
+    sigprocmask(SIG_BLOCK, &set, &before);
+    pid_t process = fork();
+    if (process == 0)
+        become(number, parent);
+    else if (process > 0)
+        worker_process[number] = (sig_atomic_t)process;
+    const int reason = errno;
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    errno = reason;
+    return process;
+}
+
+void signals_kill(int number)
+{
+    if (worker_process[number])
+        kill((pid_t)worker_process[number], SIGKILL);
+}
+
+int signals_reap(int number)
+{
+    int status = 0;
+    while (waitpid((pid_t)worker_process[number], &status, 0) < 0 && errno == EINTR)
+        ;
+    worker_process[number] = 0;
+    remove_unfinished(&workers[number]);
+    return status;
 }
 
 /* ---- progress: a signal each second prints it, so the work need not; a short run prints nothing ---- */

@@ -1,24 +1,35 @@
-/* signals.h - what the program does on signals: it removes unfinished files when it is interrupted, and once a second
- * it says on a terminal what is being done. */
+/* signals.h - what the program does on signals: it removes unfinished files when it is interrupted, ends its workers,
+ * and once a second it says on a terminal what is being done. */
 #ifndef ROBERTS_CLI_SIGNALS_H
 #define ROBERTS_CLI_SIGNALS_H
 
 #include <stddef.h>
+#include <sys/types.h>
 
 /* ---- interruption ---- */
 
-enum { SIGNALS_SLOTS = 64 }; /* files that can be under way at a time */
-
-/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE (the reader of the output is gone) remove the unfinished files and
- * then end the program as usual. A signal that was ignored stays ignored; a closed pipe is then an error of write(), as
- * the limit on file sizes always is. */
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE (the reader of the output is gone) end the workers, remove unfinished
+ * files and then end the program as usual. A signal that was ignored stays ignored; a closed pipe is then an error of
+ * write(), as the limit on file sizes always is. */
 void signals_prepare(void);
 
-/* The context that signals_temporary() wants, one for each thread that writes, from 0. */
-void *signals_slot(int number);
-
-/* A roberts_temporary_fn. */
+/* A roberts_temporary_fn. A process has one unfinished file at a time. */
 void signals_temporary(void *context, const char *path);
+
+/* ---- workers: processes that are forked to draw, each with a number from 0 ---- */
+
+enum { SIGNALS_WORKERS = 64 };
+
+/* As fork(), with a number that no living worker has. A worker is ended by SIGTERM when this process ends, however that
+ * happens (on Linux; elsewhere it has to look for that itself), and removes its unfinished file. */
+pid_t signals_fork(int number);
+
+/* Ends a worker. signals_reap() has to follow. */
+void signals_kill(int number);
+
+/* Waits until a worker has ended, and removes the file that it has left unfinished. Returns its status as waitpid()
+ * does. */
+int signals_reap(int number);
 
 /* ---- progress ---- */
 

@@ -105,8 +105,8 @@ static void output_of(const char *line, char output[64])
 /* Whether the line calls a program that is not installed. */
 static bool lacks_program(const char *line)
 {
-    static const char *const programs[] = {"rbox",     "qconvex", "inkscape", "vpype",
-                                           "pdflatex", "ffmpeg",  "python3",  "gnuplot"};
+    static const char *const programs[] = {"rbox",   "qconvex", "inkscape", "vpype",   "pdflatex",
+                                           "ffmpeg", "python3", "gnuplot",  "parallel"};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         char called[16], piped[32], probe[64];
         snprintf(called, sizeof called, "%s ", programs[i]);
@@ -121,7 +121,7 @@ static bool lacks_program(const char *line)
 }
 
 /* Pages whose commands are run. */
-static const char *const pages[] = {"README.md", "models/README.md", "models/recipes.md"};
+static const char *const pages[] = {"README.md", "models/README.md", "models/recipes.md", "models/many.md"};
 enum { PAGES = sizeof pages / sizeof pages[0] };
 
 /* Reads one line, without its end. A backslash before the end joins it to the next line. */
@@ -235,6 +235,7 @@ static const struct {
     {"README.md", "python", 1, "tests/python/test_roberts.py runs it"},
     {"models/recipes.md", "python octahedron.py", 1, "tests/python/test_roberts.py runs it"},
     {"models/recipes.md", "latex", 1, "a part of a document, which has no end of its own"},
+    {"models/many.md", "sbatch shards.sbatch", 1, "a job for a scheduler"},
     {"models/gallery/README.md", "sh", 1, "test_gallery.c runs its commands"},
     {"src/README.md", "", 1, "a path from file to file"},
     {"src/cli/README.md", "", 1, "a path from argv to the exit status"},

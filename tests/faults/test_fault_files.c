@@ -218,6 +218,22 @@ static void few_open_files(void **state)
     assert_entries(MANY + 1 - told);
 }
 
+/* A manifest may grow to 1 kB, which is in the middle of a row. The files are computed all the same. */
+static void manifest_is_full(void **state)
+{
+    char whole[TEXT];
+    (void)state;
+    assert_int_equal(run_from("ulimit -f 1; set -- \"$@\" models/platonic/*.off models/catalan/*.off",
+                              "--batch in --manifest in/rows -f null", ""),
+                     1);
+    assert_string_equal(last.err, "roberts: in/rows: cannot write: File too large\n");
+    read_text("in/rows", whole);
+    assert_true(strlen(whole) == 1024 || strlen(whole) == 512);
+    assert_int_equal(run("--batch in --manifest in/rows -f null models/table.off"), 0);
+    read_text("in/rows", whole);
+    assert_int_equal(count_of(whole, "{\"file\":"), count_of(whole, "}\n"));
+}
+
 static void little_stack(void **state)
 {
     (void)state;
@@ -268,6 +284,7 @@ int main(void)
         IN_FOLDER(names),
         IN_FOLDER(standard_input_is_closed),
         IN_FOLDER(few_open_files),
+        IN_FOLDER(manifest_is_full),
         IN_FOLDER(little_stack),
         IN_FOLDER(little_memory),
     };

@@ -1,9 +1,11 @@
-/* missing.c - what WASI has not, and the formats that need Cairo, which is not part of the module. */
+/* missing.c - what WASI has not: functions of POSIX, processes for batches, and the formats that need Cairo. */
 #include "missing.h"
 
 #include <errno.h>
 
 #include "base/error.h"
+#include "cli/batch.h"
+#include "cli/message.h"
 #include "draw/formats.h"
 
 /* ---- functions of POSIX ---- */
@@ -47,6 +49,15 @@ int dup(int descriptor)
 {
     (void)descriptor;
     return fail(ENOSYS);
+}
+
+/* ---- batches ---- */
+
+int batch_make(const cli_options *options)
+{
+    roberts_error error = {0};
+    error_set(&error, ROBERTS_BAD_ARGUMENT, 0, "--batch needs processes; the program that you install has them");
+    return message_error(options->log, &error);
 }
 
 /* ---- formats ---- */

@@ -5,12 +5,6 @@ void signals_prepare(void)
 {
 }
 
-void *signals_slot(int number)
-{
-    (void)number;
-    return NULL;
-}
-
 void signals_temporary(void *context, const char *path)
 {
     (void)context;
