@@ -20,13 +20,21 @@ typedef struct description {
     bool is_full;
 } description;
 
+/* One of `of` equal shares, numbered from 1; of 0: all of it. */
+typedef struct cli_share {
+    uint32_t number, of;
+} cli_share;
+
 typedef struct cli_options {
-    char **input; /* [input_count], of argv; "-" is standard input; at least one */
+    char *const *input; /* [input_count], of argv; "-" is standard input; at least one */
     size_t input_count;
     const char *output;  /* "-" is standard output */
     const char *batch;   /* NULL, or the folder for a picture of each input; then `output` is not used */
     const char *names;   /* NULL, or the file with names of vertices, edges, faces and bodies */
     const char *regions; /* NULL, or the file for the visible regions of faces; "-" is standard output */
+    bool plan;           /* lay out the scene for parts, and draw nothing */
+    cli_share part;      /* draw this part of the scene into a file that --join reads */
+    bool join;           /* the inputs are parts */
     uint32_t turntable;  /* 0, or how many pictures; then `output` has a place for their numbers */
     bool is_sheet;       /* several views on one page; then the camera is not used */
     roberts_sheet_angle sheet;
@@ -59,6 +67,7 @@ enum { OPTIONS_MOST = 128 };
 
 typedef enum option_group {
     GROUP_OUTPUT,
+    GROUP_PARTS,
     GROUP_PAGE,
     GROUP_LINES,
     GROUP_TEXT,

@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "cli/names.h"
 #include "cli/parse.h"
+#include "cli/part.h"
 #include "cli/report.h"
 #include "cli/signals.h"
 
@@ -326,7 +327,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
     if (options->quiet || options->turntable > 0)
         return;
-    if (options->hide.unite && hint_idle_union(scene))
+    if (options->hide.unite && scene && hint_idle_union(scene))
         message_warning(options->log, name_inputs(options, options->input[0], name, sizeof name), 0,
                         "--union has no effect: no body is closed");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
@@ -451,6 +452,30 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     return result;
 }
 
+/* Joins parts and draws them. Their models take the place of the inputs, in titles and messages. */
+static int draw_joined(const cli_options *given, run_stats run, roberts_time begin)
+{
+    cli_options own = *given;
+    roberts_error error = {0};
+    roberts_joined joined;
+    progress_stage("joining");
+    if (part_join(given, &joined, &error) != ROBERTS_OK)
+        return fail(given, &error);
+    views v = {.drawing = {joined.drawing}, .count = 1};
+    for (size_t i = 0; i < joined.input.count; i++)
+        description_word(&own.description, joined.input.name[i]);
+    own.input = joined.input.name;
+    own.input_count = joined.input.count;
+    warn_idle(&own, NULL, &v);
+    roberts_status status = save(&own, NULL, &v, &run, &error);
+    run.total = report_since(begin);
+    int result = status == ROBERTS_OK ? EXIT_DONE : fail(&own, &error);
+    if (status == ROBERTS_OK)
+        tell(&own, &run, &v);
+    roberts_joined_free(&joined);
+    return result;
+}
+
 static double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -517,7 +542,9 @@ int picture_make(const cli_options *given)
     }
     own.draw.lettering.name = labels.item;
     own.draw.lettering.name_count = labels.count;
-    if (load(options, &scene, &run, &error) != ROBERTS_OK)
+    if (options->join)
+        result = draw_joined(options, run, begin);
+    else if (load(options, &scene, &run, &error) != ROBERTS_OK)
         result = fail(options, &error);
     else if (options->turntable)
         result = draw_turntable(options, &scene, &run);

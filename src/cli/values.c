@@ -71,6 +71,18 @@ int values_set_length(const option *o, const char *value, cli_options *options)
     return *mm >= o->least && *mm <= o->most ? EXIT_DONE : refuse_number(o, value, " mm");
 }
 
+int values_set_share(const option *o, const char *value, cli_options *options)
+{
+    cli_share *share = field(o, options);
+    char word[16];
+    bool fits;
+    const char *of = parse_word(value, '/', word, sizeof word, &fits);
+    if (of && fits && parse_integer(word, &share->number) && parse_integer(of, &share->of) && share->number >= 1 &&
+        share->number <= share->of)
+        return EXIT_DONE;
+    return message_misuse("--%s: \"%s\" is not K/N, with K from 1 to N", o->name, value);
+}
+
 static int set_vector(const option *o, const char *value, cli_options *options)
 {
     double v[3];

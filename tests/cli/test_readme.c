@@ -121,7 +121,7 @@ static bool lacks_program(const char *line)
 }
 
 /* Pages whose commands are run. */
-static const char *const pages[] = {"README.md", "models/README.md", "models/recipes.md"};
+static const char *const pages[] = {"README.md", "models/README.md", "models/recipes.md", "models/parts.md"};
 enum { PAGES = sizeof pages / sizeof pages[0] };
 
 /* Reads one line, without its end. A backslash before the end joins it to the next line. */
