@@ -27,7 +27,7 @@ QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
 LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
-LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw,src/$(room)/*.c)))
+LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw part,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))

@@ -364,6 +364,13 @@ typedef struct roberts_crossing {
     roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those touch, or z */
 } roberts_crossing;
 
+/** What a scene says of an edge, kept in a drawing that has no scene: see roberts_join(). */
+typedef struct roberts_known_edge {
+    uint32_t face[2];    /**< as roberts_segment_faces() gives them */
+    double t0, t1;       /**< parameters of its ends along the edge of the file */
+    roberts_vec3 end[2]; /**< in the model, at t0 and t1 */
+} roberts_known_edge;
+
 /** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
  * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
  * another kind. */
@@ -424,6 +431,8 @@ typedef struct roberts_drawing {
                              the crease angle */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
+    size_t known_edge_count;        /**< only of a drawing that was joined: then `edge` of a segment is a number here */
+    roberts_known_edge *known_edge; /**< [known_edge_count] */
 } roberts_drawing;
 
 typedef struct roberts_hide_options {
@@ -1041,6 +1050,69 @@ roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_dra
                                    roberts_write_fn *write, void *context, roberts_error *error);
 roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw_options *options, const char *path,
                                   roberts_error *error);
+
+/* ---- parts: one drawing by several programs --------------------------------------------------------------------- */
+
+/** What is drawn, the same for a plan, for its parts and for joining them. The warnings, the threads and `grid` may
+ * differ. */
+typedef struct roberts_task {
+    roberts_camera camera;
+    roberts_scene_options scene;     /**< without `hull` */
+    roberts_hide_options hide;       /**< hidden segments always have `by` */
+    roberts_temporary_fn *temporary; /**< as in roberts_draw_options */
+    void *temporary_context;
+} roberts_task;
+
+/** Files, by their names; "-" is standard input. */
+typedef struct roberts_inputs {
+    size_t count;
+    char *const *name; /**< [count] */
+} roberts_inputs;
+
+/** Part `number` of `of`, from 1. */
+typedef struct roberts_share {
+    uint32_t number, of;
+} roberts_share;
+
+/** A drawing joined from its parts. */
+typedef struct roberts_joined {
+    roberts_drawing drawing; /**< as roberts_hide() returns it, but most of what was counted is 0 */
+    roberts_inputs input;    /**< the models, as their names were given */
+    bool has_names;          /**< faces have names in some input; a joined drawing has none */
+    char *names;             /**< private */
+} roberts_joined;
+
+/**
+ * Lays out a scene so that parts of it can be drawn by programs that share nothing else: writes to `path` all bodies
+ * and where they lie in the picture. The inputs are read one after the other, and only one is in memory at a time.
+ * All bodies have to be closed and share no vertices; faces may have any shape. What needs the whole is refused: open
+ * bodies (they are welded with others), corners that repeat, hulls, and a near plane that cuts the scene.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX, _BAD_NUMBER, _NOT_CLOSED, _BAD_VIEW or _BAD_ARGUMENT.
+ */
+roberts_status roberts_plan_save(const roberts_inputs *input, const roberts_task *task, const char *path,
+                                 roberts_error *error);
+
+/**
+ * Draws one part: writes the segments of its bodies to `path`. Parts have about as many vertices each, and lie together
+ * in the picture. In memory are the bodies of the part, and those whose picture's box meets what its bodies may touch.
+ * input  one plan, made for the same task; or models, which are then laid out first, in a file without a name beside
+ *        `path`
+ * Returns what roberts_plan_save() returns; _BAD_ARGUMENT also for a plan of another task, or a share that makes no
+ * sense.
+ */
+roberts_status roberts_part_save(const roberts_inputs *input, const roberts_task *task, roberts_share share,
+                                 const char *path, roberts_error *error);
+
+/**
+ * Joins all parts of one drawing, named in any order. What `joined->drawing` draws or writes as a table is the same,
+ * byte for byte, as one run of roberts_hide() gives. It needs no scene: it knows the faces and ends of edges itself.
+ * joined  owned by the caller, released by roberts_joined_free(); empty on failure
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX (no part, unfinished or broken) or _BAD_ARGUMENT (parts that do not
+ * belong together, of another task, missing or given twice).
+ */
+roberts_status roberts_join(const roberts_inputs *part, const roberts_task *task, roberts_joined *joined,
+                            roberts_error *error);
+void roberts_joined_free(roberts_joined *joined);
 
 #ifdef __cplusplus
 }

@@ -2,7 +2,7 @@
 # Checks that the includes of src/ point one way: tools/check-includes.sh [FOLDER] (default: the top folder).
 #
 # A room may include headers of its own and of the rooms below it:
-#     web > cli > draw, ray, hide > view > model > read > base
+#     web > cli > part > draw, ray, hide > view > model > read > base
 # Rooms on one level never include one another, so that hide and ray can check each other. cli is a client of roberts.h
 # alone. Cairo is included in draw only, Qhull in model only. `make check` runs this.
 set -eu
@@ -10,8 +10,8 @@ cd "${1:-$(dirname "$0")/..}"
 
 grep -n '^[[:space:]]*#[[:space:]]*include' src/*/*.[ch] | awk -F: '
     BEGIN {
-        split("base read model view hide ray draw cli web", name, " ")
-        split("1 2 3 4 5 5 5 6 7", height, " ")
+        split("base read model view hide ray draw part cli web", name, " ")
+        split("1 2 3 4 5 5 5 6 7 8", height, " ")
         for (i in name)
             level[name[i]] = height[i]
     }
@@ -38,7 +38,7 @@ grep -n '^[[:space:]]*#[[:space:]]*include' src/*/*.[ch] | awk -F: '
         else if (room == "cli")
             wrong("cli includes roberts.h and headers of its own alone")
         else if (level[other] >= level[room])
-            wrong("includes point downward: web > cli > draw, ray, hide > view > model > read > base")
+            wrong("includes point downward: web > cli > part > draw, ray, hide > view > model > read > base")
     }
     END {
         if (NR < 100)

@@ -49,6 +49,11 @@ has_browser() {
     has_command chromium || has_command chromium-browser || has_command google-chrome
 }
 
+# Daemons are found by root alone.
+has_sbin() {
+    (PATH=$PATH:/usr/sbin:/sbin && has_command "$1")
+}
+
 has_package() {
     [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
@@ -89,6 +94,9 @@ find_missing() {
             need python3-ezdxf has_ezdxf
             need chromium has_browser
             need parallel has_command parallel
+            need slurmctld has_sbin slurmctld
+            need slurmd has_sbin slurmd
+            need munge has_sbin munged
             need locales test -e /usr/share/i18n/locales/de_DE
             ;;
         lint)

@@ -142,11 +142,30 @@ static int check_files(const cli_options *options, bool output_given)
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
 
+/* What the parts of a drawing cannot have, and where they come from. */
+static int check_parts(const cli_options *options, const options_given *given)
+{
+    static const char *const whole[] = {"fill", "hatch"};
+    const char *const name = options->plan ? "plan" : options->join ? "join" : "part";
+    if (!options->plan && !options->join && !options->part.of)
+        return EXIT_DONE;
+    for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++)
+        if (options_is_given(given, whole[i]))
+            return message_misuse("--%s: --%s needs the whole scene: draw it in one run", name, whole[i]);
+    if (options->draw.lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES))
+        return message_misuse("--%s: labels of faces and bodies need the whole scene: draw it in one run", name);
+    if (options->join && strcmp(options->input[0], "-") == 0)
+        return message_misuse("--join needs the names of all parts: --join -o drawing.svg part-*");
+    if (!options->join && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO))
+        return message_misuse("a terminal cannot show a %s: name a file with -o", name);
+    return EXIT_DONE;
+}
+
 int check_options(const cli_options *options, const options_given *given)
 {
     int status;
     if ((status = check_margin(options)) != EXIT_DONE || (status = check_turntable(options)) != EXIT_DONE ||
-        (status = check_batch(options)) != EXIT_DONE)
+        (status = check_batch(options)) != EXIT_DONE || (status = check_parts(options, given)) != EXIT_DONE)
         return status;
     return check_files(options, options_is_given(given, "output"));
 }

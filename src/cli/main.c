@@ -9,6 +9,7 @@
 #include "cli/help.h"
 #include "cli/message.h"
 #include "cli/options.h"
+#include "cli/part.h"
 #include "cli/picture.h"
 #include "cli/signals.h"
 
@@ -57,7 +58,10 @@ int main(int argc, char **argv)
     options.draw.temporary = signals_temporary;
     if (is_watched(&options))
         progress_begin();
-    status = options.batch ? batch_make(&options) : picture_make(&options, &result);
+    if (options.plan || options.part.of)
+        status = part_make(&options);
+    else
+        status = options.batch ? batch_make(&options) : picture_make(&options, &result);
     progress_hide();
     return status;
 }

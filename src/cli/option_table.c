@@ -14,6 +14,13 @@
 const option_title option_titles[OPTION_GROUPS] = {
     [GROUP_OUTPUT] = {"Output", NULL, NULL},
     [GROUP_BATCH] = {"Batches", "many drawings in one run", NULL},
+    [GROUP_PARTS] =
+        {"Parts of a drawing", "give the options for the drawing to each of the three",
+         "A scene that is too large for one machine is drawn in parts, each by a process of its own, and "
+         "the parts are joined. The drawing is the same, byte for byte, as that of one run. Give the options "
+         "for the drawing to each command: parts of different views are not joined. All bodies have to be "
+         "closed, and share no vertices. Open bodies, --hull, --fill, --hatch, labels of faces and bodies, "
+         "and a near plane that cuts the scene need the whole, and are refused."},
     [GROUP_PAGE] = {"Page", "lengths in mm, or with a unit: cm, in or pt, as in 8.5x11in; pens too",
                     "Lengths on paper are in mm, or have a unit: mm, cm, in or pt (1/72 inch; TeX's is 1/72.27), as in "
                     "8.5x11in. This holds for pens too: width=0.8pt."},
@@ -308,6 +315,38 @@ static const option rows[] = {
      .manual = "Gives a file up, as failed, if it needs more than MB megabytes of address space, beyond what the "
                "program itself takes. Each file is then drawn by one thread. What other files have needed before does "
                "not count: a file that does not find enough memory is tried once more in a fresh process."},
+    /* ---- parts ---- */
+    {.group = GROUP_PARTS,
+     .name = "plan",
+     .set = values_set_flag,
+     TO(plan),
+     .excludes = "part join sheet turntable batch regions verify pick stats hull",
+     .brief = "lay out a scene for parts",
+     .help = "write a plan to --output: the bodies, and where they are in the picture",
+     .manual = "Writes a plan: all bodies, and where they are in the picture. A plan is read by --part in place of the "
+               "models. So these are read once, and not for each part."},
+    {.group = GROUP_PARTS,
+     .name = "part",
+     .value = "K/N",
+     .set = values_set_share,
+     TO(part),
+     .excludes = "plan join sheet turntable batch regions verify pick stats hull",
+     .brief = "draw one part",
+     .help = "draw part K of N from a plan, or from models, for --join",
+     .manual = "Draws part K of N from a plan, or from models, and writes it to --output, for --join. Parts have about "
+               "as many vertices each, and lie together in the picture. In memory are the part's bodies and those that "
+               "may hide or cross them. Without a plan, the models are read and laid out first, in a file without a "
+               "name beside the output. The machines must have the same byte order."},
+    {.group = GROUP_PARTS,
+     .name = "join",
+     .set = values_set_flag,
+     TO(join),
+     .excludes = "plan part sheet turntable batch regions verify pick stats hull",
+     .brief = "join all parts",
+     .help = "join the parts named, in any order, and draw them",
+     .manual = "Joins the parts named, in any order, and draws them, or writes their table. It refuses parts that are "
+               "missing, given twice, unfinished or broken, and parts of different drawings. Names of groups are not "
+               "in parts: where the models have such names, --group and --columns +name need one run."},
 
     /* ---- page ---- */
     {.group = GROUP_PAGE,

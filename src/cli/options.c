@@ -262,6 +262,8 @@ static int check_needs(const options_given *given)
 static int choose_format(const options_given *given, cli_options *options)
 {
     const char *slash = strrchr(options->output, '/'), *name = slash ? slash + 1 : options->output;
+    if (options->plan || options->part.of)
+        return EXIT_DONE; /* no drawing */
     if (!options_is_given(given, "format") && !roberts_format_by_path(options->output, &options->draw.format) &&
         strchr(name + (*name == '.'), '.'))
         return message_misuse("%s: no format has this ending (.svg, .pdf, .ps, .eps, .png, .tikz, .tex, .dxf, "
@@ -306,7 +308,7 @@ static void describe_files(cli_options *options, size_t operands)
     const char *slash = strrchr(options->output, '/');
     if (options->turntable)
         describe_option(&options->description, "output", slash ? slash + 1 : options->output);
-    for (size_t i = 0; i < operands && !options->batch; i++)
+    for (size_t i = 0; i < operands && !options->batch && !options->join; i++)
         description_word(&options->description, options->input[i]);
 }
 
@@ -335,7 +337,8 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         (status = check_needs(given)) != EXIT_DONE || (status = check_options(options, given)) != EXIT_DONE)
         return status;
     choose_scale(given, options);
-    check_warn(options, given);
+    if (!options->plan && !options->part.of)
+        check_warn(options, given); /* of a drawing in parts, when they are joined */
     set_camera(given, options);
     return EXIT_DONE;
 }

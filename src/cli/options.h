@@ -11,11 +11,6 @@
 
 enum { PICKS_MOST = 64, FIELDS_MOST = 7, DISTANCES_MOST = 64 };
 
-/* One of `of` equal shares, numbered from 1; of 0: all of it. */
-typedef struct cli_share {
-    uint32_t number, of;
-} cli_share;
-
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
 /* What is drawn and how, as a shell command. What does not fit is cut off and replaced by three dots. */
@@ -25,8 +20,13 @@ typedef struct description {
     bool is_full;
 } description;
 
+/* One of `of` equal shares, numbered from 1; of 0: all of it. */
+typedef struct cli_share {
+    uint32_t number, of;
+} cli_share;
+
 typedef struct cli_options {
-    char **input; /* [input_count], of argv; "-" is standard input; at least one, unless there is a list */
+    char *const *input; /* [input_count], of argv; "-" is standard input; at least one, unless there is a list */
     size_t input_count;
     const char *output;   /* "-" is standard output */
     const char *batch;    /* NULL, or the folder for a picture of each input; then `output` is not used */
@@ -36,6 +36,9 @@ typedef struct cli_options {
     bool update;          /* draw only what is newer than its drawing */
     double limit_seconds; /* for each input; 0: none */
     double limit_memory;  /* for each input, MB; 0: none */
+    bool plan;            /* lay out the scene for parts, and draw nothing */
+    cli_share part;       /* draw this part of the scene into a file that --join reads */
+    bool join;            /* the inputs are parts */
     const char *names;    /* NULL, or the file with names of vertices, edges, faces and bodies */
     const char *regions;  /* NULL, or the file for the visible regions of faces; "-" is standard output */
     uint32_t turntable;   /* 0, or how many pictures; then `output` has a place for their numbers */
@@ -71,6 +74,7 @@ enum { OPTIONS_MOST = 128 };
 typedef enum option_group {
     GROUP_OUTPUT,
     GROUP_BATCH,
+    GROUP_PARTS,
     GROUP_PAGE,
     GROUP_LINES,
     GROUP_TEXT,

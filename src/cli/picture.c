@@ -10,6 +10,7 @@
 #include "cli/message.h"
 #include "cli/names.h"
 #include "cli/parse.h"
+#include "cli/part.h"
 #include "cli/report.h"
 #include "cli/signals.h"
 
@@ -335,7 +336,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
     if (options->quiet || options->turntable > 0)
         return;
-    if (options->hide.unite && hint_idle_union(scene))
+    if (options->hide.unite && scene && hint_idle_union(scene))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
              "--union has no effect: no body is closed");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
@@ -467,6 +468,31 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     return run.found.contradictions > 0 ? EXIT_FAILED : EXIT_DONE; /* the drawing is still written, to be looked at */
 }
 
+/* Joins parts and draws them. Their models take the place of the inputs, in titles and messages. */
+static int draw_joined(const cli_options *given, run_stats run, picture_result *result)
+{
+    cli_options own = *given;
+    roberts_error error = {0};
+    roberts_joined joined;
+    progress_stage("joining");
+    if (part_join(given, &joined, &error) != ROBERTS_OK)
+        return fail(given, &error, result);
+    views v = {.drawing = {joined.drawing}, .count = 1};
+    for (size_t i = 0; i < joined.input.count; i++)
+        description_word(&own.description, joined.input.name[i]);
+    own.input = joined.input.name;
+    own.input_count = joined.input.count;
+    warn_idle(&own, NULL, &v);
+    roberts_status status = save(&own, NULL, &v, &run, &error);
+    run.total = report_since(run.begin);
+    result->segments = count_segments(&v);
+    int exit_status = status == ROBERTS_OK ? EXIT_DONE : fail(&own, &error, result);
+    if (status == ROBERTS_OK)
+        tell(&own, &run, &v);
+    roberts_joined_free(&joined);
+    return exit_status;
+}
+
 static double lesser(double a, double b)
 {
     return a < b ? a : b;
@@ -543,7 +569,9 @@ int picture_make(const cli_options *given, picture_result *result)
     }
     own.draw.lettering.name = labels.item;
     own.draw.lettering.name_count = labels.count;
-    if (load(options, &scene, &run, &error) != ROBERTS_OK)
+    if (options->join)
+        status = draw_joined(options, run, result);
+    else if (load(options, &scene, &run, &error) != ROBERTS_OK)
         status = fail(options, &error, result);
     else if (options->turntable)
         status = draw_turntable(options, &scene, run, result);

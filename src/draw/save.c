@@ -29,6 +29,7 @@
 #include "draw/formats.h"
 #include "draw/output.h"
 #include "draw/page.h"
+#include "draw/save.h"
 #include "draw/sheet.h"
 #include "draw/strokes.h"
 #include "draw/table.h"
@@ -40,6 +41,7 @@ typedef struct subject {
     const roberts_drawing *drawing;
     const roberts_sheet *sheet;
     const roberts_region_list *regions;
+    const save_source *source;
 } subject;
 
 static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
@@ -280,7 +282,7 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
 static roberts_status check_subject(const subject *what, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
-    if (what->regions)
+    if (what->regions || what->source)
         return ROBERTS_OK;
     if (!what->sheet)
         return check_segments(what->drawing, error);
@@ -305,7 +307,8 @@ static roberts_status write_subject(const subject *what, const roberts_draw_opti
     if (!out)
         return error_no_memory(error);
     output_start(out, write, context);
-    status = write_format(what, options, out, error);
+    status =
+        what->source ? what->source->write(what->source->context, out, error) : write_format(what, options, out, error);
     written = status == ROBERTS_OK || out->failed ? output_finish(out, error) : status;
     free(out);
     return status == ROBERTS_OK ? written : status;
@@ -577,6 +580,15 @@ static roberts_status save(const subject *what, const roberts_draw_options *opti
     if (status != ROBERTS_OK)
         error_set_file(error, to_standard_output ? "standard output" : path);
     return status;
+}
+
+roberts_status save_from(const save_source *source, roberts_temporary_fn *temporary, void *temporary_context,
+                         const char *path, roberts_error *error)
+{
+    roberts_draw_options options = roberts_draw_options_default();
+    options.temporary = temporary;
+    options.temporary_context = temporary_context;
+    return save(&(subject){.source = source}, &options, path, error);
 }
 
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,

@@ -242,8 +242,7 @@ typedef struct row {
 static row row_of(const table *t, const roberts_segment *s)
 {
     row r = {t, s, {ROBERTS_NONE, ROBERTS_NONE}, false, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
-    if (t->scene || s->line == ROBERTS_INTERSECTION || s->v0 == ROBERTS_NONE)
-        roberts_segment_faces(t->scene, t->drawing, s, r.face);
+    roberts_segment_faces(t->scene, t->drawing, s, r.face);
     r.has_ends = t->wants_ends && roberts_segment_ends(t->scene, t->drawing, s, r.end);
     return r;
 }

@@ -13,6 +13,9 @@
 #define FILL 1024
 #define FILLED_BY_ONE 500000
 
+/* How far beside a box its cells may be read and written. */
+#define CELLS_BESIDE 4.0
+
 /* Sets all depths to -infinity. With several threads, each gets its part of the memory from the system. */
 static void fill(float *depth, size_t count, int threads)
 {
@@ -28,7 +31,8 @@ static void fill(float *depth, size_t count, int threads)
         memcpy(depth + i, none, (count - i < FILL ? count - i : FILL) * sizeof *depth);
 }
 
-bool cover_init(cover *c, scan_frame frame, int threads)
+/* Allocates the cells. Where nothing is written, they take no memory. */
+static bool alloc_cells(cover *c, scan_frame frame)
 {
     size_t cells = scan_cells(&frame);
     *c = (cover){.frame = frame};
@@ -36,9 +40,28 @@ bool cover_init(cover *c, scan_frame frame, int threads)
         return true;
     c->depth = alloc_array(cells, sizeof *c->depth);
     c->by = alloc_array(cells, sizeof *c->by); /* not set where there is no cover */
-    if (!c->depth || !c->by)
+    return c->depth && c->by;
+}
+
+bool cover_init(cover *c, scan_frame frame, int threads)
+{
+    if (!alloc_cells(c, frame))
         return false;
-    fill(c->depth, cells, threads);
+    if (c->depth)
+        fill(c->depth, scan_cells(&frame), threads);
+    return true;
+}
+
+bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 high)
+{
+    if (!alloc_cells(c, frame))
+        return false;
+    if (!c->depth)
+        return true;
+    const double x = CELLS_BESIDE * frame.dx, y = CELLS_BESIDE * frame.dy;
+    const uint32_t first = scan_row(&frame, low.y - y), end = scan_row(&frame, high.y + y) + 1;
+    for (uint32_t i = scan_column(&frame, low.x - x); i <= scan_column(&frame, high.x + x); i++)
+        fill(c->depth + (size_t)i * frame.ny + first, end - first, 1);
     return true;
 }
 

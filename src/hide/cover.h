@@ -22,6 +22,8 @@ typedef struct cover {
 /* Begins with the cells of a frame, none of which is covered. In a frame without columns no covers are kept. False: no
  * memory. */
 bool cover_init(cover *c, scan_frame frame, int threads);
+/* The same for bodies in a part of the picture, low..high. No other cells are used. */
+bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 high);
 void cover_free(cover *c);
 
 /* A front that covers cells. */

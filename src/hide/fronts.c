@@ -515,6 +515,25 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
     return hide_fronts_build_for_looks(fronts, s, options, options->keep_hidden);
 }
 
+/* Returns the cells of the covers. In a part of a scene they are those of the whole, so that the same bodies are
+ * culled: the ends of lines may depend on that in the last digit. */
+static scan_frame cover_frame(const hide_fronts *fronts, int threads)
+{
+    const scene_whole *whole = fronts->scene->whole;
+    const double margin = hide_margin(&fronts->space);
+    if (whole)
+        return whole->columns ? scan_frame_over(whole->low, whole->high, whole->columns, whole->rows, margin)
+                              : (scan_frame){0};
+    return cells_for_covers(&(cells_boxes){fronts->box, fronts->scene->solid_count, fronts->low, fronts->high, margin},
+                            threads);
+}
+
+static bool begin_covers(hide_fronts *fronts, scan_frame frame, int threads)
+{
+    return fronts->scene->whole ? cover_init_part(&fronts->cover, frame, fronts->low, fronts->high)
+                                : cover_init(&fronts->cover, frame, threads);
+}
+
 bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up)
 {
     const roberts_scene *scene = s->scene;
@@ -528,11 +547,9 @@ bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hid
     if (done) {
         set_space(fronts);
         if (cull)
-            frame = cells_for_covers(
-                &(cells_boxes){fronts->box, scene->solid_count, fronts->low, fronts->high, hide_margin(&fronts->space)},
-                b.threads);
+            frame = cover_frame(fronts, b.threads);
     }
-    if (done && cover_init(&fronts->cover, frame, b.threads) && add_solids(&b))
+    if (done && begin_covers(fronts, frame, b.threads) && add_solids(&b))
         return true;
     hide_fronts_free(fronts);
     return false;

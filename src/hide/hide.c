@@ -379,5 +379,6 @@ void roberts_drawing_free(roberts_drawing *drawing)
         return;
     free(drawing->segment);
     free(drawing->crossing);
+    free(drawing->known_edge);
     *drawing = (roberts_drawing){0};
 }

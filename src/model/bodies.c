@@ -145,7 +145,7 @@ double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(low), largest(high));
-    return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, mesh_float32_step(mesh)));
+    return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, scene_float32_step(scene, mesh)));
 }
 
 static uint32_t piece_of(uint32_t incidence)

@@ -431,8 +431,9 @@ static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
     return scene->group_count == mesh->group_count;
 }
 
+/* whole: NULL, or what the mesh is a part of. */
 static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
-                                  roberts_scene **scene, roberts_error *error)
+                                  const scene_whole *whole, roberts_scene **scene, roberts_error *error)
 {
     roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
@@ -449,6 +450,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {
+        (*scene)->whole = whole;
         status = build(*scene, mesh, lend, &chosen, &notes, &found);
         bool bodies = !chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status));
         if (!bodies)
@@ -468,7 +470,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
         }
     }
     if (status == ROBERTS_OK) {
-        (*scene)->float32_step = mesh_float32_step(mesh);
+        (*scene)->float32_step = scene_float32_step(*scene, mesh);
         if (!lend) {
             free((*scene)->turned);
             (*scene)->turned = NULL;
@@ -488,7 +490,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error)
 {
-    return build_scene(mesh, false, options, scene, error);
+    return build_scene(mesh, false, options, NULL, scene, error);
 }
 
 /* Removes from the mesh the arrays that the scene now owns. */
@@ -517,15 +519,21 @@ static void release_taken(roberts_scene *scene, roberts_mesh *mesh)
     mesh->group_count = 0;
 }
 
-roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
-                                  roberts_error *error)
+roberts_status scene_take_part(roberts_mesh *mesh, const roberts_scene_options *options, const scene_whole *whole,
+                               roberts_scene **scene, roberts_error *error)
 {
-    roberts_status status = build_scene(mesh, true, options, scene, error);
+    roberts_status status = build_scene(mesh, true, options, whole, scene, error);
     if (status != ROBERTS_OK)
         return status;
     release_taken(*scene, mesh);
     roberts_mesh_free(mesh);
     return ROBERTS_OK;
+}
+
+roberts_status roberts_scene_take(roberts_mesh *mesh, const roberts_scene_options *options, roberts_scene **scene,
+                                  roberts_error *error)
+{
+    return scene_take_part(mesh, options, NULL, scene, error);
 }
 
 void roberts_scene_free(roberts_scene *scene)

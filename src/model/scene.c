@@ -142,11 +142,20 @@ void scene_clear(roberts_scene *scene)
     free(scene->vertex_color);
     free(scene->face_color);
     mesh_groups_free(scene->group, scene->group_count);
-    *scene = (roberts_scene){0};
+    *scene = (roberts_scene){.whole = scene->whole};
+}
+
+double scene_float32_step(const roberts_scene *scene, const roberts_mesh *mesh)
+{
+    return scene->whole ? scene->whole->float32_step : mesh_float32_step(mesh);
 }
 
 void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)
 {
+    if (scene->whole) {
+        lo = scene->whole->box_min;
+        hi = scene->whole->box_max;
+    }
     double size = fmax(hi.x - lo.x, fmax(hi.y - lo.y, hi.z - lo.z));
     int exponent = 0;
     scene->box_min = lo;

@@ -70,6 +70,25 @@ typedef struct scene_surface {
     uint32_t many_count, part_count;
 } scene_surface;
 
+/* What a camera sees of all vertices, in view units: see view_add_reach(). Each is a minimum or maximum over vertices,
+ * so it does not depend on how the vertices are divided. */
+typedef struct scene_reach {
+    double nearest;  /* least distance from the eye's plane */
+    double across;   /* greatest |x| or |y| */
+    double extent;   /* greatest |x|, |y| or |z| */
+    double rounding; /* greatest error of an x or y */
+} scene_reach;
+
+/* What a part of a scene has to know of the whole. With it, the part's bodies are built and seen as they are in the
+ * whole, to the last bit. */
+typedef struct scene_whole {
+    roberts_vec3 box_min, box_max; /* of all vertices that faces use */
+    double float32_step;           /* see mesh_float32_step() */
+    scene_reach reach;             /* perspective: by the camera that will see the part */
+    roberts_vec2 low, high;        /* the picture's box, view units */
+    uint32_t columns, rows;        /* of its covers (hide/cover.h); 0: none are kept */
+} scene_whole;
+
 /* Arrays that belong to the mesh while the scene is being built. */
 enum { LENT_POINT = 1, LENT_FACE_START = 2, LENT_CORNER = 4 };
 
@@ -101,8 +120,14 @@ struct roberts_scene {
     double float32_step;                      /* see mesh_float32_step() */
     roberts_group *group;                     /* [group_count] as in the input; NULL: none */
     size_t group_count;
+    const scene_whole *whole; /* NULL: this is all there is; else the scene is a part of it. Borrowed */
     double unit; /* a power of two, about the size of the box; unit of face_deviation, face_width and view space */
 };
+
+/* Finds the line of a segment, an edge or an intersection: its faces and its ends. `scene` and `drawing` as for
+ * roberts_segment_ends(). False: there is no such line. (In solid_edges.c.) */
+bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                     roberts_known_edge *known);
 
 /* Is the segment a part of a line where faces cross? With `--union`, such a line may have another class. */
 static inline bool scene_crosses(const roberts_segment *segment)
@@ -269,7 +294,14 @@ typedef struct kept_numbers {
  * that are kept need no array; edges come later. False: no memory; then call roberts_scene_free(). */
 bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept);
 
-/* Sets the scene's box, its centre and its unit. */
+/* The same as roberts_scene_take() for a mesh that is a part of a whole, which the scene borrows. (In build.c.) */
+roberts_status scene_take_part(roberts_mesh *mesh, const roberts_scene_options *options, const scene_whole *whole,
+                               roberts_scene **scene, roberts_error *error);
+
+/* Returns mesh_float32_step() of the mesh, or of the whole that the scene is a part of. */
+double scene_float32_step(const roberts_scene *scene, const roberts_mesh *mesh);
+
+/* Sets the scene's box, its centre and its unit. A part of a scene has those of the whole. */
 void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi);
 
 /* Reverses the corners of face f; the first one keeps its place. */

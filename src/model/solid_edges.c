@@ -186,6 +186,10 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
             memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
         return;
     }
+    if (drawing && segment->edge < drawing->known_edge_count) {
+        memcpy(face, drawing->known_edge[segment->edge].face, 2 * sizeof *face);
+        return;
+    }
     if (!has_edge(scene, segment))
         return;
     const uint32_t first = scene->solid[segment->solid].face;
@@ -209,28 +213,41 @@ static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to,
     return vec3_add(line[0], vec3_scale((t - from) / (to - from), vec3_sub(line[1], line[0])));
 }
 
-bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
-                          roberts_vec3 end[2])
+bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                     roberts_known_edge *known)
 {
     const uint32_t body = segment->solid, e = segment->edge;
-    roberts_vec3 line[2];
-    double from = 0.0, to = 1.0;
+    *known = (roberts_known_edge){.t1 = 1.0};
+    roberts_segment_faces(scene, drawing, segment, known->face);
     if (scene_crosses(segment)) {
         if (e >= drawing->crossing_count)
             return false;
-        memcpy(line, drawing->crossing[e].end, sizeof line);
-    } else {
-        if (!has_edge(scene, segment))
-            return false;
-        const scene_edge *edge = scene_edge_stored(scene, body, e);
-        for (int i = 0; i < 2; i++)
-            line[i] = scene->point[scene->solid[body].vertex + edge->v[i]];
-        if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_PART) {
-            from = scene_part_at(scene, e)->t0;
-            to = scene_part_at(scene, e)->t1;
-        }
+        memcpy(known->end, drawing->crossing[e].end, sizeof known->end);
+        return true;
     }
-    end[0] = point_at(line, from, to, segment->t0);
-    end[1] = point_at(line, from, to, segment->t1);
+    if (drawing && e < drawing->known_edge_count) {
+        *known = drawing->known_edge[e];
+        return true;
+    }
+    if (!has_edge(scene, segment))
+        return false;
+    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    for (int i = 0; i < 2; i++)
+        known->end[i] = scene->point[scene->solid[body].vertex + edge->v[i]];
+    if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_PART) {
+        known->t0 = scene_part_at(scene, e)->t0;
+        known->t1 = scene_part_at(scene, e)->t1;
+    }
+    return true;
+}
+
+bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                          roberts_vec3 end[2])
+{
+    roberts_known_edge line;
+    if (!scene_know_edge(scene, drawing, segment, &line))
+        return false;
+    end[0] = point_at(line.end, line.t0, line.t1, segment->t0);
+    end[1] = point_at(line.end, line.t0, line.t1, segment->t1);
     return true;
 }

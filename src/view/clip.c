@@ -284,14 +284,19 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
 }
 
+/* Returns the distance of a point from the eye's plane. */
+static double depth_of(const cutter *c, roberts_vec3 P)
+{
+    double depth = vec3_dot(c->dir, vec3_sub(c->eye, P));
+    return fabs(depth - c->near) <= c->touching ? c->near : depth;
+}
+
 /* Measures distances from the eye's plane, and returns the least. */
 static double measure_depths(cutter *c)
 {
     double least = INFINITY;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
-        c->depth[v] = vec3_dot(c->dir, vec3_sub(c->eye, c->from->point[v]));
-        if (fabs(c->depth[v] - c->near) <= c->touching)
-            c->depth[v] = c->near;
+        c->depth[v] = depth_of(c, c->from->point[v]);
         least = lesser(least, c->depth[v]);
     }
     return least;
@@ -366,6 +371,17 @@ static bool set_near(cutter *c, const roberts_camera *camera)
     set_touching(c);
     c->near = fmax(c->near, NEAR_LEAST * diameter + c->touching);
     return true;
+}
+
+bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P, size_t count)
+{
+    cutter c = {.from = scene};
+    bool cut = false;
+    if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
+        return false;
+    for (size_t i = 0; i < count && !cut; i++)
+        cut = depth_of(&c, P[i]) < c.near;
+    return cut;
 }
 
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,

@@ -30,4 +30,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
                                roberts_error *error);
 void view_clip_free(view_clip *clip);
 
+/* Does the near plane cut off any of these points, of a scene with this box? */
+bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P, size_t count);
+
 #endif

@@ -277,18 +277,30 @@ double view_from_space(const view *v, double zA, double zB, double t)
     return t * near_a / ((1.0 - t) * near_b + t * near_a);
 }
 
-/* Sets the distance D of the eye. The whole scene must lie in front of it. */
-static roberts_status set_eye(view *v, const roberts_scene *scene, const roberts_camera *camera, roberts_error *error)
+/* Returns the distance D of the eye, view units. */
+static double eye_distance(const view *v)
 {
-    roberts_vec3 back = vec3_sub(camera->eye, v->origin);
+    roberts_vec3 back = vec3_sub(v->viewpoint, v->origin);
     double m = largest(back);
-    double distance = m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
-    double nearest = INFINITY;
-    for (uint32_t i = 0; i < scene->vertex_count; i++) {
-        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(scene->point[i], v->origin));
+    return m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
+}
+
+/* Returns the least distance of the points from the eye's plane, or `nearest` if that is less. */
+static double nearest_of(const view *v, const roberts_vec3 *P, size_t count, double nearest)
+{
+    double distance = eye_distance(v);
+    for (size_t i = 0; i < count; i++) {
+        roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P[i], v->origin));
         nearest = fmin(nearest, distance - vec3_dot(v->dir, q));
     }
-    v->inverse_distance = 1.0 / distance;
+    return nearest;
+}
+
+/* The whole scene must lie in front of the eye. */
+static roberts_status check_nearest(const view *v, const roberts_scene *scene, roberts_error *error)
+{
+    double nearest =
+        scene->whole ? scene->whole->reach.nearest : nearest_of(v, scene->point, scene->vertex_count, INFINITY);
     if (!(nearest > NEAREST_OF_DIAMETER * v->diameter))
         return error_set(error, ROBERTS_BAD_VIEW, 0,
                          "the scene is not wholly in front of the eye: its nearest vertex lies %.6g %s the eye's plane",
@@ -353,9 +365,9 @@ static void set_across(view *v, const roberts_scene *scene)
  * for each; the rest of those of R(a) covers the rounding of products of coordinates (see hide_plain()). If
  * perspective_point() computes x, y and w relative to the eye, q is P - V, and the same holds without a.(V - O) and
  * without the 16 u. For a vertex made by the near plane, q includes the vertex's rounding error. */
-static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t vertex, double leaks)
+static double eye_rounding(const view *v, roberts_vec3 P, const roberts_vec3 *low, double leaks)
 {
-    roberts_vec3 P = scene->point[vertex], q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
+    roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->origin)), X = view_point(v, P);
     double wide = fmax(fabs(X.x), fabs(X.y)), widest = wide * v->inverse_distance;
     double w = 1.0 - vec3_dot(v->dir, q) * v->inverse_distance;
     if (w < 0.5) {
@@ -366,23 +378,29 @@ static double eye_rounding(const view *v, const roberts_scene *scene, uint32_t v
     q = size_of(q);
     double bound = fmax(reach_along(v->right, q), reach_along(v->up, q)) + wide + widest * reach_along(v->dir, q);
     bound = 2.0 * ROUNDINGS * 0.5 * DBL_EPSILON * bound + leaks;
-    if (scene->low) {
-        roberts_vec3 low = size_of(vec3_scale(v->per_unit, scene->low[vertex]));
-        bound += fmax(reach_along(v->right, low), reach_along(v->up, low)) + widest * reach_along(v->dir, low);
+    if (low) {
+        roberts_vec3 off = size_of(vec3_scale(v->per_unit, *low));
+        bound += fmax(reach_along(v->right, off), reach_along(v->up, off)) + widest * reach_along(v->dir, off);
     }
     return 1.001 * bound / w; /* the bounds are rounded too; 1 + z / D is too inexact if w is large */
+}
+
+/* The leaks that eye_rounding() needs. */
+static double eye_leaks(const view *v)
+{
+    roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
+    return fmax(leak(v->right, back), leak(v->up, back));
 }
 
 /* Does the same as set_across() for an eye. No x or y exceeds `across`. */
 static void set_across_from_eye(view *v, const roberts_scene *scene, double across)
 {
-    roberts_vec3 back = vec3_scale(v->per_unit, vec3_sub(v->viewpoint, v->origin));
-    double leaks = fmax(leak(v->right, back), leak(v->up, back)), rounding = 0.0, most = MUCH_SHARPER * v->rounding;
-    for (uint32_t i = 0; i < scene->vertex_count; i++) {
-        rounding = fmax(rounding, eye_rounding(v, scene, i, leaks));
-        if (rounding > most)
-            return;
-    }
+    double leaks = eye_leaks(v), most = MUCH_SHARPER * v->rounding;
+    double rounding = scene->whole ? scene->whole->reach.rounding : 0.0;
+    for (uint32_t i = 0; !scene->whole && i < scene->vertex_count && rounding <= most; i++)
+        rounding = fmax(rounding, eye_rounding(v, scene->point[i], scene->low ? &scene->low[i] : NULL, leaks));
+    if (rounding > most)
+        return;
     v->across = across;
     v->across_rounding = rounding;
 }
@@ -405,6 +423,26 @@ static void choose_epsilon(view *v, const roberts_scene *scene, double given, do
         }
 }
 
+/* Extends the reach in the picture and in depth to points seen from an eye. */
+static void add_extents(const view *v, const roberts_vec3 *P, size_t count, scene_reach *reach)
+{
+    for (size_t i = 0; i < count; i++) {
+        roberts_vec3 X = view_point(v, P[i]);
+        reach->across = fmax(reach->across, fmax(fabs(X.x), fabs(X.y)));
+        reach->extent = fmax(reach->extent, fmax(reach->across, fabs(X.z)));
+    }
+}
+
+void view_add_reach(const view *v, const roberts_vec3 *P, size_t count, scene_reach *reach)
+{
+    if (!v->perspective)
+        return;
+    reach->nearest = nearest_of(v, P, count, reach->nearest);
+    add_extents(v, P, count, reach);
+    for (size_t i = 0; i < count; i++)
+        reach->rounding = fmax(reach->rounding, eye_rounding(v, P[i], NULL, eye_leaks(v)));
+}
+
 /* Sets the bound of all view coordinates, and from it the touching distance and the rounding. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
@@ -412,12 +450,11 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     /* Rotation about the box's centre moves no point farther away than the diameter. An oblique view adds a fraction of
      * the depth. */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
-    double across = 0.0;
-    for (uint32_t i = 0; v->perspective && i < scene->vertex_count; i++) {
-        roberts_vec3 X = view_point(v, scene->point[i]);
-        across = fmax(across, fmax(fabs(X.x), fabs(X.y)));
-        v->extent = fmax(v->extent, fmax(across, fabs(X.z)));
-    }
+    scene_reach reach = scene->whole ? scene->whole->reach : (scene_reach){0};
+    if (v->perspective && !scene->whole)
+        add_extents(v, scene->point, scene->vertex_count, &reach);
+    if (v->perspective)
+        v->extent = fmax(v->extent, reach.extent);
     if (v->perspective)
         raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
     v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
@@ -425,7 +462,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     if (at_right_angles(v))
         set_across(v, scene);
     if (v->perspective) {
-        set_across_from_eye(v, scene, across);
+        set_across_from_eye(v, scene, reach.across);
         v->plane_rounding =
             ROUNDINGS * 0.5 * DBL_EPSILON *
             fmax(v->diameter, vec3_length(vec3_scale(v->per_unit, vec3_sub(v->viewpoint, scene->centre))));
@@ -470,8 +507,8 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
     return ROBERTS_OK;
 }
 
-roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
-                            roberts_error *error)
+roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                          roberts_error *error)
 {
     roberts_vec3 half = vec3_sub(vec3_scale(0.5, scene->box_max), vec3_scale(0.5, scene->box_min));
     roberts_vec3 dir = camera->dir;
@@ -493,8 +530,18 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
     set_frame(v, dir, camera->up, camera->roll_degrees);
     if (!v->perspective)
         set_sight_line(v, camera);
-    if (v->perspective && (status = set_eye(v, scene, camera, error)) != ROBERTS_OK)
-        return status;
-    set_tolerances(v, scene, epsilon);
+    else
+        v->inverse_distance = 1.0 / eye_distance(v);
     return ROBERTS_OK;
+}
+
+roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                            roberts_error *error)
+{
+    roberts_status status = view_begin(v, scene, camera, epsilon, error);
+    if (status == ROBERTS_OK && v->perspective)
+        status = check_nearest(v, scene, error);
+    if (status == ROBERTS_OK)
+        set_tolerances(v, scene, epsilon);
+    return status;
 }

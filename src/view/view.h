@@ -49,6 +49,14 @@ typedef struct view {
 roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                             roberts_error *error);
 
+/* Prepares the map alone, from the scene's box: view_point() works afterwards, but there are no tolerances. */
+roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
+                          roberts_error *error);
+
+/* Extends `reach` to points of the model, for a view that has begun. It starts with nearest = INFINITY and zeros. In an
+ * orthographic view nothing is measured: there the box is enough. */
+void view_add_reach(const view *v, const roberts_vec3 *P, size_t count, scene_reach *reach);
+
 /* Maps a point of the model to view space, in view units. */
 roberts_vec3 view_point(const view *v, roberts_vec3 P);
 

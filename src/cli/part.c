@@ -1,0 +1,54 @@
+/* part.c - a drawing in parts. See part.h. */
+#include "cli/part.h"
+
+#include <string.h>
+
+#include "cli/message.h"
+#include "cli/signals.h"
+
+static roberts_task task_of(const cli_options *options)
+{
+    return (roberts_task){.camera = options->camera,
+                          .scene = options->scene,
+                          .hide = options->hide,
+                          .temporary = options->draw.temporary,
+                          .temporary_context = options->draw.temporary_context};
+}
+
+int part_make(const cli_options *options)
+{
+    const roberts_task task = task_of(options);
+    const roberts_inputs input = {options->input_count, options->input};
+    roberts_error error = {0};
+    progress_stage(options->plan ? "laying out" : "drawing a part");
+    roberts_status status =
+        options->plan ? roberts_plan_save(&input, &task, options->output, &error)
+                      : roberts_part_save(&input, &task, (roberts_share){options->part.number, options->part.of},
+                                          options->output, &error);
+    if (status != ROBERTS_OK && !error.file[0])
+        snprintf(error.file, sizeof error.file, "%s", options->input[0]);
+    return status == ROBERTS_OK ? EXIT_DONE : message_error(options->log, &error);
+}
+
+/* Is a name of a group written? */
+static bool wants_names(const cli_options *options)
+{
+    const roberts_draw_options *page = &options->draw;
+    bool wants = page->format == ROBERTS_SVG && page->grouping != ROBERTS_GROUP_CLASS;
+    for (size_t i = 0; i < page->column_count; i++)
+        wants = wants || page->column[i] == ROBERTS_COLUMN_NAME || page->column[i] == ROBERTS_COLUMN_BY;
+    return wants;
+}
+
+roberts_status part_join(const cli_options *options, roberts_joined *joined, roberts_error *error)
+{
+    const roberts_task task = task_of(options);
+    roberts_status status = roberts_join(&(roberts_inputs){options->input_count, options->input}, &task, joined, error);
+    if (status != ROBERTS_OK || !joined->has_names || !wants_names(options))
+        return status;
+    roberts_joined_free(joined);
+    error->status = ROBERTS_BAD_ARGUMENT;
+    snprintf(error->message, sizeof error->message,
+             "the models name their faces, but parts hold no names: --group and --columns +name need one run");
+    return error->status;
+}

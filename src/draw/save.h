@@ -1,0 +1,17 @@
+/* save.h - files that appear whole or not at all, for what is no drawing. */
+#ifndef ROBERTS_DRAW_SAVE_H
+#define ROBERTS_DRAW_SAVE_H
+
+#include "draw/output.h"
+
+/* What writes the file. Failures of `out` need not be checked. */
+typedef struct save_source {
+    roberts_status (*write)(void *context, output *out, roberts_error *error);
+    void *context;
+} save_source;
+
+/* Saves a file as roberts_drawing_save() does; "-" is standard output. temporary: as in roberts_draw_options. */
+roberts_status save_from(const save_source *source, roberts_temporary_fn *temporary, void *temporary_context,
+                         const char *path, roberts_error *error);
+
+#endif
