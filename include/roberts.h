@@ -453,7 +453,8 @@ typedef struct roberts_hide_options {
                              number of the first face; those of different bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
-    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose */
+    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose. Fewer are made where the grid would take
+                           several times the scene's memory */
     uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = one per processor */
 } roberts_hide_options;
 

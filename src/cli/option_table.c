@@ -864,8 +864,8 @@ static const option rows[] = {
      .brief = "cells per side",
      .help = "cells per side of the grid, up to 4096 (default: 0)",
      .manual =
-         "Cells per side of the grid that keeps pairs of edge and face few, up to 4096. Default: 0. It changes the "
-         "time, never the drawing."},
+         "Cells per side of the grid that keeps pairs of edge and face few, up to 4096. Default: 0. Fewer are "
+         "made where the grid would take several times the scene's memory. It changes the time, never the drawing."},
     {.group = GROUP_ENGINE,
      .name = "epsilon",
      .flags = OPTION_DRAWS,

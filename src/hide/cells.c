@@ -24,6 +24,11 @@
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_BOX 32.0
 #define CELLS_FREE 65536.0
+/* The most cells and entries per box, together, if the number of cells is asked for; ASKED_FREE do not count. At some
+ * ten bytes each they take less than the scene. Where the lists have trees it is a hundred bytes, and they take several
+ * times as much. */
+#define ASKED_PER_BOX 24.0
+#define ASKED_FREE 65536.0
 /* Cells per side at the most, so that their numbers stay in 32 bits. */
 #define SIDE_MOST 16384.0
 
@@ -100,20 +105,27 @@ static uint32_t whole(double n)
     return n < 1.0 ? 1 : n > SIDE_MOST ? (uint32_t)SIDE_MOST : (uint32_t)n;
 }
 
+/* Makes the cells larger until they and their entries, each cell counted as `cell` entries, are no more than `most`. */
+static void enlarge(const sizes *s, uint32_t count, double cell, double most, double *nx, double *ny)
+{
+    while (*nx * *ny > 1.0 && entries(s, count, *nx, *ny) + cell * *nx * *ny > most) {
+        *nx = greater(1.0, 0.9 * *nx);
+        *ny = greater(1.0, 0.9 * *ny);
+    }
+}
+
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
     uint32_t count = b->count;
     sizes s = measure(b, 1);
     *depth = s.area;
-    if (n)
-        return scan_frame_over(b->low, b->high, n, n, b->margin);
-    if (count) {
+    if (n) {
+        nx = ny = n;
+        enlarge(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
+    } else if (count) {
         divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
-        while (nx * ny > 1.0 && entries(&s, count, nx, ny) > ENTRIES_PER_BOX * count + ENTRIES_FREE) {
-            nx = greater(1.0, 0.9 * nx);
-            ny = greater(1.0, 0.9 * ny);
-        }
+        enlarge(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }

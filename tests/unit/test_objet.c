@@ -847,6 +847,8 @@ static void cells_given_or_few(void **state)
     (void)state;
     scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 17, &depth);
     assert_true(f.nx == 17 && f.ny == 17);
+    f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, ROBERTS_GRID_MOST, &depth);
+    assert_true(scan_cells(&f) > 20000 && scan_cells(&f) < 70000); /* not 4096 * 4096, for two boxes */
     f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(f.nx == 1 && f.ny == 1);
     f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 0, &depth); /* no width */

@@ -51,6 +51,12 @@ int dup(int descriptor)
     return fail(ENOSYS);
 }
 
+int mkstemp(char *template)
+{
+    (void)template;
+    return fail(ENOSYS);
+}
+
 /* ---- batches ---- */
 
 int batch_make(const cli_options *options)

@@ -10,6 +10,7 @@ int fchown(int descriptor, uid_t owner, gid_t group);
 int fchmod(int descriptor, mode_t mode);
 uid_t geteuid(void);
 int dup(int descriptor);
+int mkstemp(char *template);
 
 #define F_DUPFD_CLOEXEC (-1) /* no such command: fcntl() fails */
 
