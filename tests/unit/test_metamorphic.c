@@ -535,7 +535,7 @@ static void check_grids(const struct scene_case *scene, const model *m, const st
         roberts_hide_options options = with_hidden();
         options.grid = grids[i];
         roberts_drawing other = model_draw(m, &camera->camera, &options);
-        assert_int_equal(other.grid, grids[i]);
+        assert_in_range(other.grid, grids[i] < 64 ? grids[i] : 64, grids[i]); /* fewer cells where lists are long */
         expect_same("another grid", scene->name, camera->name, drawing, &other, (allowance){0});
         roberts_drawing_free(&other);
     }
