@@ -253,6 +253,19 @@ static const option rows[] = {
                "blanks and all; empty lines are skipped. If the list holds a zero byte, each name ends in one instead, "
                "as find -print0 writes them, and may hold newlines."},
     {.group = GROUP_BATCH,
+     .name = "root",
+     .flags = OPTION_FOLDER,
+     .value = "FOLDER",
+     .set = values_set_text,
+     TO(root),
+     .needs = "batch",
+     .brief = "keep the folders of files",
+     .help = "keep the folders of files below FOLDER: FOLDER/a/b.off becomes DIR/a/b.svg",
+     .manual =
+         "Keeps the folders of files below FOLDER: the drawing of FOLDER/a/b.off is DIR/a/b.svg. Folders are made "
+         "where they are missing. All names have to begin with FOLDER; links are not followed. Without it all "
+         "drawings are in DIR itself, and no two files may have one name."},
+    {.group = GROUP_BATCH,
      .name = "shard",
      .value = "K/N",
      .set = values_set_share,
@@ -272,12 +285,13 @@ static const option rows[] = {
      .brief = "draw only what has changed",
      .help = "draw only files that are newer than their drawing; with --manifest, also those that it does not say were "
              "drawn, by this command",
-     .manual = "Draws only files whose drawing is missing, or not newer than the file; with --labels, not newer than "
-               "that file either. So a run that was stopped goes on.\n"
-               "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
-               "command: after a change of options that change drawings, all is drawn again. Without --manifest "
-               "options are not compared: after such a change, draw once without --update. Materials beside an OBJ "
-               "file are not looked at."},
+     .manual =
+         "Draws only files whose drawing is missing, or not newer than the file; with --labels, not newer than "
+         "that file either. The drawing of a .obj file has to be newer than all .mtl files in its folder, too. So "
+         "a run that was stopped goes on.\n"
+         "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
+         "command: after a change of options that change drawings, all is drawn again. Without --manifest "
+         "options are not compared: after such a change, draw once without --update."},
     {.group = GROUP_BATCH,
      .name = "manifest",
      .flags = OPTION_FILE,

@@ -31,6 +31,7 @@ typedef struct cli_options {
     const char *output;   /* "-" is standard output */
     const char *batch;    /* NULL, or the folder for a picture of each input; then `output` is not used */
     const char *list;     /* NULL, or the file with names of further inputs; "-" is standard input */
+    const char *root;     /* NULL, or the folder from which on a drawing keeps the name of its input */
     const char *manifest; /* NULL, or the file that gets a row for each input */
     cli_share shard;      /* of the inputs */
     bool update;          /* draw only what is newer than its drawing */

@@ -148,6 +148,70 @@ static void shards_draw_each_file_once(void **state)
     }
 }
 
+/* ---- folders ---- */
+
+static const struct {
+    const char *line, *drawings[3]; /* nothing else is drawn */
+} root_cases[] = {
+    {"--batch in --root a a/p.off a/b/p.off a/b/.x", {"in/p.svg", "in/b/p.svg", "in/b/.x.svg"}},
+    {"--batch in --root . a/p.off ./c//p.off a/./b/p.off", {"in/a/p.svg", "in/c/p.svg", "in/a/b/p.svg"}},
+    {"--batch in/new --root ./a/ a/p.off", {"in/new/p.svg"}},
+    {"--batch in --root=.// --list list --shard 2/2 a/p.off", {"in/a/b/p.svg"}},
+    {"--batch in -f null --root . a/p.off", {NULL}},
+};
+
+static const struct {
+    const char *line, *said;
+} wrong_root_cases[] = {
+    {"--batch in a/p.off c/p.off", "a/p.off and c/p.off would both be drawn to in/p.svg; with --root FOLDER drawings"},
+    {"--batch in --root a a/p.off c/p.off", "--root: c/p.off is not in the folder a\n"},
+    {"--batch in --root a ab/p.off", "--root: ab/p.off is not in the folder a\n"},
+    {"--batch in --root a/b a/p.off", "--root: a/p.off is not in the folder a/b\n"},
+    {"--batch in --root a a/b/../p.off", "--root: a/b/../p.off is not in the folder a\n"},
+    {"--batch in --root / a/p.off", "--root: a/p.off is not in the folder /\n"},
+    {"--batch in --root a /a/p.off", "--root: /a/p.off is not in the folder a\n"},
+    {"--batch in --root a/p.off a/p.off", "--root: a/p.off is not in the folder a/p.off\n"},
+    {"--batch in --root a a/p.off a/p.obj", "a/p.off and a/p.obj would both be drawn to in/p.svg\n"},
+    {"--batch in --root . a/p.off a/./p.off", "a/p.off and a/./p.off would both be drawn to in/a/p.svg\n"},
+    {"--root a a/p.off", "--root needs --batch\n"},
+};
+
+static void put_folders(void)
+{
+    static const char *const folders[] = {"a", "a/b", "c"};
+    static const char *const files[] = {"a/p.off", "a/b/p.off", "a/b/.x", "c/p.off"};
+    for (size_t i = 0; i < sizeof folders / sizeof folders[0]; i++)
+        assert_int_equal(mkdir(folders[i], 0777), 0);
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++)
+        put_cube(files[i]);
+    put("list", "a/b/p.off\n");
+}
+
+static void drawings_keep_their_folders(void **state)
+{
+    (void)state;
+    put_folders();
+    for (size_t i = 0; i < sizeof root_cases / sizeof root_cases[0]; i++) {
+        print_message("%s\n", root_cases[i].line);
+        assert_int_equal(run(root_cases[i].line), 0);
+        for (size_t k = 0; k < 3 && root_cases[i].drawings[k]; k++)
+            assert_int_equal(unlink(root_cases[i].drawings[k]), 0);
+        assert_int_equal(system("find in -type f | grep -q ."), 1 << 8);
+    }
+    for (size_t i = 0; i < sizeof wrong_root_cases / sizeof wrong_root_cases[0]; i++) {
+        print_message("%s\n", wrong_root_cases[i].line);
+        assert_int_equal(run(wrong_root_cases[i].line), 2);
+        assert_said(wrong_root_cases[i].said);
+    }
+    /* a folder that cannot be made harms one file */
+    put("in/file", "");
+    assert_int_equal(mkdir("file", 0777), 0);
+    put_cube("file/p.off");
+    assert_int_equal(run("--batch in --root . file/p.off c/p.off"), 1);
+    assert_said("in/file/p.svg: ");
+    assert_int_equal(access("in/c/p.svg", F_OK), 0);
+}
+
 /* ---- the manifest ---- */
 
 static void rows_tell(void **state)
@@ -279,6 +343,33 @@ static void updates_draw_what_is_newer(void **state)
     assert_int_equal(unlink("a.off"), 0);
     assert_int_equal(run(plain), 1);
     assert_said("roberts: a.off: No such file or directory\n");
+}
+
+/* The colours of an OBJ come from .mtl files in its folder. */
+static void updates_look_at_materials(void **state)
+{
+    static const char *const lines[] = {"--batch in --update o/a.obj", "--batch in --update --manifest rows o/a.obj",
+                                        "--batch in --update --list list"};
+    (void)state;
+    assert_int_equal(mkdir("o", 0777), 0);
+    put("o/a.obj", "mtllib x.MTL\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    put("o/x.MTL", "newmtl m\n");
+    put("b.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    put("list", "b.obj\no/a.obj\nmodels/table.off\n");
+    set_time("o/a.obj", 1000, 0);
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        print_message("%s\n", lines[i]);
+        set_time("o/x.MTL", 1000, 0);
+        assert_int_equal(run(lines[i]), 0);
+        assert_false(is_redrawn(lines[i]));
+        set_time("o/x.MTL", 2000, 1); /* of one age */
+        assert_true(is_redrawn(lines[i]));
+        set_time("o/x.MTL", 2000, 0);
+        assert_false(is_redrawn(lines[i]));
+    }
+    put("x.mtl", "newmtl m\n"); /* of another folder */
+    set_time("x.mtl", 4000000000, 0);
+    assert_false(is_redrawn(lines[0]));
 }
 
 static void updates_know_the_manifest(void **state)
@@ -537,10 +628,12 @@ int main(void)
         IN_FOLDER(lists_name_files),
         IN_FOLDER(lists_can_be_wrong),
         IN_FOLDER(shards_draw_each_file_once),
+        IN_FOLDER(drawings_keep_their_folders),
         IN_FOLDER(rows_tell),
         IN_FOLDER(rows_that_were_cut_go),
         IN_FOLDER(manifests_can_be_wrong),
         IN_FOLDER(updates_draw_what_is_newer),
+        IN_FOLDER(updates_look_at_materials),
         IN_FOLDER(updates_know_the_manifest),
         IN_FOLDER(late_files_are_given_up),
         IN_FOLDER(large_files_are_given_up),
