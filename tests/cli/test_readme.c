@@ -235,7 +235,7 @@ static const struct {
     {"README.md", "python", 1, "tests/python/test_roberts.py runs it"},
     {"models/recipes.md", "python octahedron.py", 1, "tests/python/test_roberts.py runs it"},
     {"models/recipes.md", "latex", 1, "a part of a document, which has no end of its own"},
-    {"models/many.md", "sbatch shards.sbatch", 1, "a job for a scheduler"},
+    {"models/many.md", "sbatch shards.sbatch", 1, "test_cluster.c gives it to Slurm"},
     {"models/gallery/README.md", "sh", 1, "test_gallery.c runs its commands"},
     {"src/README.md", "", 1, "a path from file to file"},
     {"src/cli/README.md", "", 1, "a path from argv to the exit status"},
