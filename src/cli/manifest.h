@@ -28,7 +28,7 @@ roberts_status manifest_add(const manifest *m, const manifest_row *row, roberts_
 
 /* What is asked about a file. */
 typedef struct manifest_query {
-    char *begins; /* owned; as the row of a file begins that was drawn */
+    char *begins; /* owned; how the row of the file begins if it was drawn */
     size_t key;   /* how many bytes of it say which file that is */
     size_t index; /* for the caller */
     bool drawn;   /* the answer */

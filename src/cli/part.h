@@ -1,4 +1,4 @@
-/* part.h - a drawing in parts: plans, parts, and what is joined of them. */
+/* part.h - a drawing in parts: plans, parts, and joining. */
 #ifndef ROBERTS_CLI_PART_H
 #define ROBERTS_CLI_PART_H
 

@@ -94,17 +94,18 @@ static roberts_status check_parts(joiner *j, const roberts_task *task, roberts_e
         const rows_head *head = &j->part[i].head;
         const char *why = NULL;
         if (memcmp(&head->facts, &first->facts, sizeof head->facts) != 0)
-            why = "is of another drawing";
+            why = "of another drawing";
         else if (head->of != first->of)
-            why = "is of another number of parts";
-        else if (memcmp(&stamp, &head->facts.stamp, sizeof stamp) != 0)
-            why = "was drawn with another view, or with other options for lines";
-        if (why) {
+            why = "of another number of parts";
+        if (why || memcmp(&stamp, &head->facts.stamp, sizeof stamp) != 0)
             error_set_file(error, j->part[i].path);
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u of %u %s%s%.100s", head->number, head->of, why,
-                             i > 0 && head->of + 1 && why[0] == 'i' ? " than " : "",
-                             i > 0 && why[0] == 'i' ? j->part[0].path : "");
-        }
+        if (why)
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u of %u is %s than %.100s", head->number, head->of,
+                             why, j->part[0].path);
+        if (memcmp(&stamp, &head->facts.stamp, sizeof stamp) != 0)
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                             "part %u of %u was drawn with another view, or with other options for lines", head->number,
+                             head->of);
     }
     qsort(j->part, j->count, sizeof *j->part, by_number);
     for (size_t i = 0; i < j->count; i++)

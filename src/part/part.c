@@ -6,7 +6,7 @@
  * 2. The kept bodies become a mesh, in their order, and the mesh a scene that knows what the whole is (scene_whole).
  *    Then all tolerances are those of the whole. No result depends on bodies that are not met, so the rows are those of
  *    one run.
- * 3. The scene is hidden. Segments of own bodies are written with their numbers in the whole. */
+ * 3. Its hidden lines are removed. Segments of own bodies are written with their numbers in the whole. */
 #include "part/rows.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ enum { CELLS = 512, UNIT = 8 };
 /* Cells of covers: how far beside its box a body may read covers; and a little more, for margins. */
 #define COVERS_BESIDE 5.0
 
-/* Shares: with more, parts would have no bodies. */
+/* More parts than that are taken for a slip. */
 #define SHARES_MOST 1000000u
 
 typedef struct kept_body {
@@ -320,10 +320,11 @@ static roberts_status check_bodies(const part *q, roberts_error *error)
             break;
     }
     if (k < scene->solid_count || k < q->count)
-        return error_set(error, ROBERTS_NOT_CLOSED, 0,
-                         "body %u is open, or is several bodies; what is drawn in parts has closed bodies that share "
-                         "no vertices",
-                         k < q->count ? q->body[k].number : 0);
+        return error_set(
+            error, ROBERTS_NOT_CLOSED, 0,
+            "body %u is open, or is several bodies; only closed bodies that share no vertices can be drawn "
+            "in parts",
+            k < q->count ? q->body[k].number : 0);
     if (scene->low && q->task->camera.projection == ROBERTS_PERSPECTIVE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "faces cross themselves; in perspective such a scene cannot be drawn in parts");
@@ -456,7 +457,8 @@ static roberts_status open_plan(plan *p, const roberts_inputs *input, const robe
                 return plan_open(p, input->name[0], error);
             *p = (plan){.file = -1};
             error_set_file(error, input->name[i]);
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plan holds the whole scene; give nothing beside it");
+            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                             "a plan holds the whole scene; give no other file with it");
         }
     return plan_make(p, input, task, path, error);
 }

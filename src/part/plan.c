@@ -117,7 +117,7 @@ bool plan_read(plan_reader *r, void *to, size_t size)
 {
     char *next = to;
     size_t held = r->filled - r->used;
-    if (!to && size > held) { /* what is left out need not be read */
+    if (!to && size > held) { /* what is skipped is not read */
         if (size - held > r->end - r->at)
             return false;
         r->at += size - held;
@@ -266,8 +266,8 @@ static roberts_status put_bodies(planner *pl, const roberts_scene *scene, robert
         return error_no_memory(error);
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         if (!is_even(scene, s))
-            return error_set(error, ROBERTS_NOT_CLOSED, 0,
-                             "body %u is open; only closed bodies can be drawn in parts: open ones need the whole", s);
+            return error_set(error, ROBERTS_NOT_CLOSED, 0, "body %u is open; only closed bodies can be drawn in parts",
+                             s);
         put_body(pl, scene, s);
     }
     if (scene->solid_count > 0) {
@@ -300,7 +300,7 @@ static roberts_status put_mesh(planner *pl, roberts_mesh *mesh, roberts_error *e
         status = error_no_memory(error);
     else if (faces.repeated > 0)
         status = error_set(error, ROBERTS_NOT_CLOSED, 0,
-                           "%zu corner%s repeat%s another of the same face; what is drawn in parts has none",
+                           "%zu corner%s repeat%s another of the same face; such faces cannot be drawn in parts",
                            faces.repeated, faces.repeated == 1 ? "" : "s", faces.repeated == 1 ? "s" : "");
     else
         status = put_bodies(pl, &scene, error);
@@ -458,7 +458,7 @@ static roberts_status place_bodies(planner *pl, const view *v, const roberts_sce
             return status;
         if (view_is_cut(scene, &pl->task->camera, pl->point, pl->place[i].vertices))
             return error_set(error, ROBERTS_BAD_VIEW, 0,
-                             "the near plane cuts the scene; what is drawn in parts has to lie wholly before the eye");
+                             "the near plane cuts the scene; what is drawn in parts has to lie in front of it");
         place_body(pl, v, &pl->place[i], &box[i]);
     }
     return ROBERTS_OK;

@@ -72,7 +72,7 @@ typedef struct plan_reader {
 
 /* Starts a reader. False: no memory; call plan_reader_free() in any case. */
 bool plan_read_from(plan_reader *r, int file, uint64_t at, uint64_t end);
-/* Reads `size` bytes. False: the stretch ends before, or reading fails. `to` may be NULL: they are left out. */
+/* Reads `size` bytes; if `to` is NULL, skips them. False: the stretch has fewer, or reading fails. */
 bool plan_read(plan_reader *r, void *to, size_t size);
 void plan_reader_free(plan_reader *r);
 
@@ -81,7 +81,7 @@ uint64_t part_hash(uint64_t hash, const void *bytes, size_t size);
 
 part_stamp part_stamp_of(const roberts_task *task);
 
-/* Makes a plan in a file without a name, in the folder of `path`. `input` is read once, one input after the other.
+/* Makes a plan in a file without a name, in the folder of `path`. The inputs are read once, one after the other.
  * Returns ROBERTS_OK, what reading returns, ROBERTS_NO_MEMORY, _IO, _BAD_VIEW, _BAD_ARGUMENT, or _NOT_CLOSED (a body is
  * open, so the whole is needed). Call plan_close() in any case. */
 roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_task *task, const char *path,
