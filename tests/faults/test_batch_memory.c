@@ -14,6 +14,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 #include "cli/batch.h"
 #include "cli/list.h"
 #include "cli/manifest.h"
@@ -123,6 +127,19 @@ static void manifests_survive(void **state)
     assert_true(failures >= 5);
 }
 
+#if defined(__clang__) && defined(_OPENMP)
+/* Takes the place of the function that workers call first. If LLVM's library gets no memory as it begins, it waits
+ * forever for a lock of its own. So it gets all that it asks for, and begins, before anything else in a worker. */
+int omp_get_max_threads(void)
+{
+    const struct process_memory kept = memory;
+    memory.failing = 0;
+    omp_set_num_threads(1);
+    memory = kept;
+    return 1;
+}
+#endif
+
 static void batches_survive(void **state)
 {
     static char cube[] = "cube.off", other[] = "other.off";
@@ -132,9 +149,6 @@ static void batches_survive(void **state)
     (void)state;
     if (!REPLACED)
         SKIP_BECAUSE("allocations cannot be replaced in this build");
-#ifdef __clang__
-    SKIP_BECAUSE("the OpenMP library of LLVM hangs if it gets no memory");
-#endif
     put(cube, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     put(other, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     put("list", "third.off\nfourth.off\n");
