@@ -1,7 +1,7 @@
 /* browser.js - a headless Chromium under test, by the protocol of its developer tools over a pipe; and a file server on
  * the loopback address. */
 import { spawn, spawnSync } from "node:child_process";
-import { createReadStream, existsSync, statSync } from "node:fs";
+import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import path from "node:path";
 
@@ -125,17 +125,40 @@ export class Browser {
     await this.mouse("mouseReleased", { x: at.x + dx, y: at.y + dy });
   }
 
+  /* Puts fingers on an element, at places relative to its middle, moves them in some steps, and lifts them. */
+  async touch(selector, from, to, steps = 8) {
+    const at = await this.place(selector);
+    const points = (t) =>
+      from.map(([x, y], id) => ({ id, x: at.x + x + t * (to[id][0] - x), y: at.y + y + t * (to[id][1] - y) }));
+    const send = (type, touchPoints) => this.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await send("touchStart", points(0));
+    for (let i = 1; i <= steps; i++) await send("touchMove", points(i / steps));
+    await send("touchEnd", []);
+  }
+
   async key(key, modifiers = 0) {
     await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers });
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
   }
 
-  /* Drops a file of this machine on an element. */
-  async drop(selector, file) {
+  /* Drops files of this machine on an element. */
+  async drop(selector, ...files) {
     const at = await this.place(selector),
-      data = { items: [], files: [file], dragOperationsMask: 1 };
+      data = { items: [], files, dragOperationsMask: 1 };
     for (const type of ["dragEnter", "dragOver", "drop"])
       await this.send("Input.dispatchDragEvent", { type, ...at, data });
+  }
+
+  /* The most memory that a process of pages has, in bytes. */
+  async memory() {
+    const { session } = this;
+    this.session = undefined; // the browser knows, and no page
+    const asked = this.send("SystemInfo.getProcessInfo");
+    this.session = session;
+    const pages = (await asked).processInfo.filter((one) => one.type === "renderer");
+    return Math.max(
+      ...pages.map(({ id }) => 1024 * Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, "utf8"))[1])),
+    );
   }
 
   async picture() {
