@@ -141,6 +141,21 @@ try {
   await browser.key("ArrowUp", 8); // with Shift
   await rest("--azimuth=50 --elevation=36.3");
 
+  // turned at a scale, it is as small as the page says
+  const type = (name, value) =>
+    browser.evaluate(`(() => { const e = document.querySelector("[name=${name}]"); e.value = "${value}";
+      e.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+  const wide = `(() => { const { width, height } = document.querySelector("#canvas");
+    const dots = document.querySelector("#canvas").getContext("2d").getImageData(0, 0, width, height).data;
+    const x = [...dots.keys()].filter((i) => i % 4 === 3 && dots[i]).map((i) => (i >> 2) % width);
+    return x.reduce((a, b) => Math.max(a, b), 0) - x.reduce((a, b) => Math.min(a, b), width); })()`;
+  await type("scale", "1:10");
+  await rest("--scale=1:10");
+  await browser.evaluate(`document.querySelector("#stage").focus()`);
+  await browser.key("ArrowLeft");
+  await browser.until(`[${wide}].every((dots) => dots > 2 && dots < 40)`);
+  await type("scale", "");
+
   // a file that is dropped, and the controls
   await browser.drop("#stage", here(oddName));
   await rest("odd  name");

@@ -142,6 +142,14 @@ function layPaper() {
 }
 
 let zoom; // pixels per unit of the model, kept while the model is turned
+const units = { mm: 1, cm: 10, m: 1000, in: 25.4, ft: 304.8 };
+
+/* Pixels per unit of the model: by the scale, as 1:20 or 0.05; without one, as large as fits. */
+function scaled(window, box) {
+  const { scale, unit } = state(),
+    [, paper, model = 1] = /^([\d.]+)(?::([\d.]+))?$/.exec(scale) ?? [];
+  return paper / model > 0 ? (box.per * units[unit] * paper) / model : fitted(window, box);
+}
 
 function fitted(window, box) {
   const margin = (Number(state().margin) || 10) * box.per;
@@ -163,7 +171,7 @@ function paint(frame) {
     canvas.height = Math.round(stage.clientHeight * dots);
   }
   const [x0, y0, x1, y1] = frame.window;
-  zoom ??= fitted(frame.window, box);
+  zoom ??= scaled(frame.window, box);
   const scale = zoom,
     context = canvas.getContext("2d");
   const middle = [box.x + box.width / 2 - ((x0 + x1) / 2) * scale, box.y + box.height / 2 + ((y0 + y1) / 2) * scale];
@@ -348,7 +356,7 @@ async function open(own) {
 function takeOwn(files) {
   const materials = [...files].filter((one) => /\.mtl$/i.test(one.name)),
     file = [...files].find((one) => !materials.includes(one));
-  if (file) by("model").selectedIndex = -1;
+  if (file) by("model").value = "";
   if (file) take(file, materials);
   else if (materials.length && model) take(model.file, [...model.materials, ...materials]);
 }
