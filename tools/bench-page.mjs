@@ -26,12 +26,8 @@ const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /* Seconds of the processor until now, by kind of process. */
 async function used() {
-  const { session } = browser;
-  browser.session = undefined; // it is the browser that knows
-  const asked = browser.send("SystemInfo.getProcessInfo");
-  browser.session = session;
   const sum = {};
-  for (const { type, cpuTime } of (await asked).processInfo) sum[type] = (sum[type] ?? 0) + cpuTime;
+  for (const { type, cpuTime } of await browser.processes()) sum[type] = (sum[type] ?? 0) + cpuTime;
   return sum;
 }
 

@@ -7,19 +7,17 @@ import path from "node:path";
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
-/* Serves a folder. Returns its address, the paths asked for, and how to end it. */
+/* Serves a folder. Returns its address, and how to end it. */
 export async function serve(folder) {
-  const asked = [];
   const server = createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, "http://x").pathname);
     const file = path.join(folder, path.normalize(name === "/" ? "/index.html" : name));
-    asked.push(name);
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end();
     response.writeHead(200, { "Content-Type": types[path.extname(file)] ?? "application/octet-stream" });
     createReadStream(file).pipe(response);
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return { address: `http://127.0.0.1:${server.address().port}/`, asked, end: () => server.close() };
+  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
 export function findBrowser() {
@@ -149,13 +147,18 @@ export class Browser {
       await this.send("Input.dispatchDragEvent", { type, ...at, data });
   }
 
-  /* The most memory that a process of pages has, in bytes. */
-  async memory() {
+  /* The processes of the browser: type, id, and seconds of the processor (cpuTime). Those of pages are renderers. */
+  async processes() {
     const { session } = this;
     this.session = undefined; // the browser knows, and no page
     const asked = this.send("SystemInfo.getProcessInfo");
     this.session = session;
-    const pages = (await asked).processInfo.filter((one) => one.type === "renderer");
+    return (await asked).processInfo;
+  }
+
+  /* The most memory that a process of pages has, in bytes. */
+  async memory() {
+    const pages = (await this.processes()).filter((one) => one.type === "renderer");
     return Math.max(
       ...pages.map(({ id }) => 1024 * Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, "utf8"))[1])),
     );

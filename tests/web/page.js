@@ -123,6 +123,9 @@ try {
   // the model that is there at first
   await rest("roberts table.off -o table.svg");
   await compare("svg");
+  const answers = await browser.evaluate(`Promise.all([...document.querySelectorAll("#model option")].map(
+    async ({ value }) => value === "" || (await fetch("models/" + value)).ok))`);
+  assert.deepEqual(answers, Array(13).fill(true)); // twelve models, and the place of the user's own
   const first = await browser.picture();
 
   // turned by the mouse, by a finger, by keys
@@ -233,7 +236,7 @@ try {
       !node.ignored &&
       !node.name?.value &&
       node.properties?.some((one) => one.name === "focusable" && one.value.value) &&
-      !node.role.value !== "RootWebArea",
+      node.role.value !== "RootWebArea",
   );
   assert.deepEqual(
     unnamed.map((node) => node.role.value),
