@@ -135,7 +135,8 @@ export class Browser {
   }
 
   async key(key, modifiers = 0) {
-    await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers });
+    const more = { Tab: { windowsVirtualKeyCode: 9 }, Enter: { windowsVirtualKeyCode: 13, text: "\r" } }[key];
+    await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers, ...more });
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
   }
 

@@ -144,6 +144,23 @@ try {
   await browser.key("ArrowUp", 8); // with Shift
   await rest("--azimuth=50 --elevation=36.3");
 
+  // by the keyboard alone, from the file to the views
+  await browser.evaluate(`document.querySelector("#file").focus()`);
+  const way = ["model", "stage", "svg", "pdf", "dxf", "tikz", "hpgl", "copy", "iso", "dimetric"];
+  for (const expected of way) {
+    await browser.key("Tab");
+    const at = `(({ id, dataset }) => id || dataset.format || dataset.view)(document.activeElement)`;
+    assert.equal(await browser.evaluate(at), expected);
+  }
+  await browser.key("Enter");
+  await rest("--view=dimetric");
+
+  // light and dark
+  const ground = () => browser.evaluate("getComputedStyle(document.documentElement).backgroundColor");
+  const light = await ground();
+  await browser.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: "dark" }] });
+  assert.notEqual(await ground(), light);
+
   // turned at a scale, it is as small as the page says
   const type = (name, value) =>
     browser.evaluate(`(() => { const e = document.querySelector("[name=${name}]"); e.value = "${value}";
@@ -162,14 +179,14 @@ try {
   // a file that is dropped, and the controls
   await browser.drop("#stage", here(oddName));
   await rest("odd  name");
-  await browser.click("[data-view=dimetric]");
+  await browser.click("[data-view=trimetric]");
   await choose("hidden", 1);
   await choose("fill", 2);
   await browser.click("[name=union]");
   await browser.click("[name=landscape]");
   await browser.evaluate(`document.querySelector("details").open = true`);
   await browser.click("[name=crease-on]");
-  await rest("--view=dimetric --hidden=dashed --union --fill=body --landscape --style=crease:off");
+  await rest("--view=trimetric --hidden=dashed --union --fill=body --landscape --style=crease:off");
   for (const format of ["svg", "pdf", "dxf", "tikz", "hpgl"]) await compare(format);
   await choose("perspective", 2);
   await rest("--eye=");
