@@ -1,6 +1,6 @@
 /* Frames per second of the page in headless Chromium: node tools/bench-page.mjs [BUILD] (default: build)
  *
- * Needs `make web tools`. Each scene is turned for some seconds by a real mouse that moves 120 times a second. The table
+ * Needs `make web tools`. Each scene is turned for some seconds by a mouse that moves 120 times a second. The table
  * gives the frames that the page painted in a second; how often the browser could have shown one (60 times at most);
  * and the processor time for each painted frame, in ms: of the page with its worker, and of the process that composes
  * the picture. */
