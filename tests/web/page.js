@@ -268,7 +268,10 @@ try {
   );
 } catch (error) {
   if (existsSync(folder)) writeFileSync(here("page.png"), await browser.picture());
-  console.error(`command: ${await text("#command")}\nsaid: ${await text("#messages")}\nscript: ${wrong.join("\n")}`);
+  console.error(
+    `command: ${await text("#command")}\nabout: ${await text("#about")}\nsaid: ${await text("#messages")}\n` +
+      `state: ${await browser.evaluate(`document.querySelector("#stage").dataset.state`)}\nscript: ${wrong.join("\n")}`,
+  );
   throw error;
 } finally {
   await browser.end();
