@@ -140,8 +140,9 @@ bench: all tools ## measures speed and memory, 10 minutes; shorter: BENCH_MAX=1e
 bench-meshes: all tools ## measures only triangle meshes, up to 1.4 million triangles
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh all-meshes
 
-bench-web: web tools ## measures the frames per second of the page's drawing, in node
+bench-web: web tools ## measures the frames per second of the page, in node and in Chromium
 	node tools/bench-web.mjs $(BUILD)
+	node tools/bench-page.mjs $(BUILD)
 
 bench-baseline: all tools ## counts instructions (valgrind) and writes them to tools/bench-baseline.txt
 	ROBERTS_BUILD=$(BUILD) CC='$(CC)' tools/bench.sh baseline

@@ -117,6 +117,7 @@ find_missing() {
             need libclang-rt-dev-wasm32 has_wasm_runtime
             need bzip2 has_command bzip2
             need nodejs has_command node
+            need node-typescript has_command tsc
             need chromium has_browser
             ;;
         *)

@@ -18,8 +18,7 @@ typedef struct live_frame {
     uint32_t count[FRAME_CLASSES]; /* segments of each class */
     double window[4];              /* x0, y0, x1, y1: what would be laid on the page */
     float *line;                   /* x0, y0, x1, y1 of each segment, class after class */
-    uint32_t bodies, faces, edges; /* of the scene */
-    uint32_t curved;               /* bodies of which flat edges are left out by themselves */
+    uint32_t bodies, faces;        /* of the scene */
     double centre[3];              /* of the box round the scene, at which an eye looks */
     double diameter;               /* of that box */
 } live_frame;
@@ -52,13 +51,9 @@ int live_open(int argc, char **argv)
     if (status == EXIT_DONE) {
         frame.bodies = (uint32_t)roberts_scene_solid_count(scene);
         frame.faces = (uint32_t)roberts_scene_face_count(scene);
-        frame.edges = (uint32_t)roberts_scene_edge_count(scene);
         const roberts_vec3 c = scene->centre, lo = scene->box_min, hi = scene->box_max;
         frame.centre[0] = c.x, frame.centre[1] = c.y, frame.centre[2] = c.z;
         frame.diameter = vec3_length(vec3_sub(hi, lo));
-        frame.curved = 0;
-        for (uint32_t b = 0; b < frame.bodies; b++)
-            frame.curved += roberts_scene_body_curved(scene, b);
     }
     return status;
 }

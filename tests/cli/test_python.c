@@ -62,8 +62,22 @@ static void package_is_installed(void **state)
                      0);
 }
 
+/* DESTDIR is where the files are put; PREFIX is where they will be. */
+static void package_is_staged(void **state)
+{
+    (void)state;
+    NEED_NUMPY();
+    assert_int_equal(shell("make --no-print-directory install-python BUILD=\"$BUILD\" DESTDIR=\"$HERE/stage\" "
+                           "PREFIX=/usr PYTHON=\"$python\" >\"$HERE/log\" 2>&1 || { cat \"$HERE/log\" >&2; exit 1; }; "
+                           "cd \"$HERE/stage/usr/lib/python3/dist-packages/roberts\" && test -e py.typed && "
+                           "grep -qx 'INSTALLED = \"/usr/lib/libroberts.so.[0-9]*\"' _library.py && "
+                           "test -e \"$HERE/stage$(sed -n 's/^INSTALLED = \"\\(.*\\)\"/\\1/p' _library.py)\""),
+                     0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(package_works), cmocka_unit_test(package_is_installed)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(package_works), cmocka_unit_test(package_is_installed),
+                                       cmocka_unit_test(package_is_staged)};
     return cmocka_run_group_tests_name("python", tests, temporary_make, temporary_remove);
 }

@@ -1,5 +1,5 @@
-/* test_web.c - what `make web` builds: the npm package in node (tests/web/npm.js), and the page in Chromium
- * (tests/web/page.js). Both are skipped where it has not run. */
+/* test_web.c - what `make web` builds: the npm package in node (tests/web/npm.js), its types (tests/web/types.ts), and
+ * the page in Chromium (tests/web/page.js). All are skipped where it has not run. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -45,6 +45,19 @@ static void package_draws_as_the_program(void **state)
                      0);
 }
 
+static void types_are_checked(void **state)
+{
+    (void)state;
+    NEED_WEB();
+    if (shell("command -v tsc >\"$HERE/tsc\"") != 0)
+        SKIP_BECAUSE("no tsc");
+    assert_int_equal(shell("mkdir -p \"$HERE/types/node_modules\" && "
+                           "cp -r \"$BUILD/web/npm\" \"$HERE/types/node_modules/roberts\" && "
+                           "cp tests/web/package.json tests/web/types.ts \"$HERE/types/\" && cd \"$HERE/types\" && "
+                           "timeout 100 tsc --noEmit --strict --module nodenext --target es2022 types.ts 1>&2"),
+                     0);
+}
+
 static void page_works_in_a_browser(void **state)
 {
     (void)state;
@@ -60,6 +73,6 @@ static void page_works_in_a_browser(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(package_draws_as_the_program),
-                                       cmocka_unit_test(page_works_in_a_browser)};
+                                       cmocka_unit_test(types_are_checked), cmocka_unit_test(page_works_in_a_browser)};
     return cmocka_run_group_tests_name("web", tests, temporary_make, temporary_remove);
 }

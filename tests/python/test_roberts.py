@@ -85,6 +85,10 @@ class Scenes(unittest.TestCase):
 
     def test_arrays_in(self):
         read = roberts.read("models/table.off")
+        tracked = type("TrackedArray", (np.ndarray,), {})  # as trimesh has them
+        triangles = roberts.read("models/platonic/icosahedron.off")
+        mesh = roberts.Scene(triangles.vertices.view(tracked), triangles.faces.astype(np.int64).view(tracked))
+        np.testing.assert_array_equal(mesh.hide().segments, triangles.hide().segments)
         for faces in (read.faces, [list(map(int, face)) for face in read.faces], iter(list(read.faces))):
             made = roberts.Scene(read.vertices, faces)
             np.testing.assert_array_equal(made.vertices, read.vertices)
@@ -193,6 +197,29 @@ class Pages(unittest.TestCase):
         self.same(scene.hide(roberts.view(azimuth=20, elevation=30)), path, "--azimuth", "20", "--elevation", "30")
         self.same(scene.hide(roberts.view(eye=(9, -20, 8))), path, "--eye", "9,-20,8")
         self.assertIn("eye", repr(roberts.view(eye=(9, -20, 8))))
+
+    def test_sheets(self):
+        scene = roberts.read("models/table.off")
+        self.same(scene.sheet(), "models/table.off", "--sheet", "first")
+        sheet = scene.sheet("third", keep_hidden=True)
+        self.same(sheet, "models/table.off", "--sheet", "third", "--hidden", "dashed", "--fill", "body", fill="body")
+        self.assertEqual(list(sheet.views), ["front", "top", "side", "iso"])
+        self.assertIn("<svg", sheet._repr_svg_())
+        sheet.save(os.path.join(HERE, "sheet.csv"))
+        with open(os.path.join(HERE, "sheet.csv"), "rb") as file:
+            self.assertEqual(file.read(), program("models/table.off", "--sheet", "third", "--hidden", "dashed", "-f",
+                                                  "csv"))
+        self.assertRaises(ValueError, scene.sheet, "second")
+
+    def test_columns(self):
+        drawing = roberts.read("models/table.off").hide(keep_hidden=True, levels=True)
+        path = os.path.join(HERE, "columns.csv")
+        drawing.save(path, columns=("level", "ends", "depth", "name", "by"))
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), program("models/table.off", "--hidden", "dashed", "-f", "csv", "--columns",
+                                                  "+level,+ends,+depth,+name,+by"))
+        self.assertRaises(ValueError, drawing.save, path, columns=("odd",))
+        self.assertRaises(ValueError, drawing.save, path, columns=("ends", "ends"))
 
     def test_save(self):
         drawing = roberts.read(CUBE).hide()

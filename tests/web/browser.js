@@ -1,25 +1,23 @@
 /* browser.js - a headless Chromium under test, by the protocol of its developer tools over a pipe; and a file server on
  * the loopback address. */
 import { spawn, spawnSync } from "node:child_process";
-import { createReadStream, existsSync, statSync } from "node:fs";
+import { createReadStream, existsSync, readFileSync, statSync } from "node:fs";
 import { createServer } from "node:http";
 import path from "node:path";
 
 const types = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
 
-/* Serves a folder. Returns its address, the paths asked for, and how to end it. */
+/* Serves a folder. Returns its address, and how to end it. */
 export async function serve(folder) {
-  const asked = [];
   const server = createServer((request, response) => {
     const name = decodeURIComponent(new URL(request.url, "http://x").pathname);
     const file = path.join(folder, path.normalize(name === "/" ? "/index.html" : name));
-    asked.push(name);
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end();
     response.writeHead(200, { "Content-Type": types[path.extname(file)] ?? "application/octet-stream" });
     createReadStream(file).pipe(response);
   });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return { address: `http://127.0.0.1:${server.address().port}/`, asked, end: () => server.close() };
+  return { address: `http://127.0.0.1:${server.address().port}/`, end: () => server.close() };
 }
 
 export function findBrowser() {
@@ -125,17 +123,46 @@ export class Browser {
     await this.mouse("mouseReleased", { x: at.x + dx, y: at.y + dy });
   }
 
+  /* Puts fingers on an element, at places relative to its middle, moves them in some steps, and lifts them. */
+  async touch(selector, from, to, steps = 8) {
+    const at = await this.place(selector);
+    const points = (t) =>
+      from.map(([x, y], id) => ({ id, x: at.x + x + t * (to[id][0] - x), y: at.y + y + t * (to[id][1] - y) }));
+    const send = (type, touchPoints) => this.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await send("touchStart", points(0));
+    for (let i = 1; i <= steps; i++) await send("touchMove", points(i / steps));
+    await send("touchEnd", []);
+  }
+
   async key(key, modifiers = 0) {
-    await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers });
+    const more = { Tab: { windowsVirtualKeyCode: 9 }, Enter: { windowsVirtualKeyCode: 13, text: "\r" } }[key];
+    await this.send("Input.dispatchKeyEvent", { type: "keyDown", key, code: key, modifiers, ...more });
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
   }
 
-  /* Drops a file of this machine on an element. */
-  async drop(selector, file) {
+  /* Drops files of this machine on an element. */
+  async drop(selector, ...files) {
     const at = await this.place(selector),
-      data = { items: [], files: [file], dragOperationsMask: 1 };
+      data = { items: [], files, dragOperationsMask: 1 };
     for (const type of ["dragEnter", "dragOver", "drop"])
       await this.send("Input.dispatchDragEvent", { type, ...at, data });
+  }
+
+  /* The processes of the browser: type, id, and seconds of the processor (cpuTime). Those of pages are renderers. */
+  async processes() {
+    const { session } = this;
+    this.session = undefined; // the browser knows, and no page
+    const asked = this.send("SystemInfo.getProcessInfo");
+    this.session = session;
+    return (await asked).processInfo;
+  }
+
+  /* The most memory that a process of pages has, in bytes. */
+  async memory() {
+    const pages = (await this.processes()).filter((one) => one.type === "renderer");
+    return Math.max(
+      ...pages.map(({ id }) => 1024 * Number(/VmRSS:\s*(\d+)/.exec(readFileSync(`/proc/${id}/status`, "utf8"))[1])),
+    );
   }
 
   async picture() {

@@ -9,6 +9,7 @@ import { pathToFileURL } from "node:url";
 const [program, folder, ...models] = process.argv.slice(2);
 const { draw, save, toArguments, RobertsError } = await import(pathToFileURL(path.resolve(folder, "index.js")));
 const LARGEST = 40000; // bytes of a model
+const MOST_MEMORY = 150e6; // bytes; one large drawing takes 28e6, and some are left until the next collection
 const CASES = [
   ["svg", { hidden: "dashed", azimuth: 33.7, elevation: 21.3 }],
   ["svg", { eye: [9, 8, 7], union: true, group: "element" }],
@@ -70,6 +71,27 @@ await assert.rejects(draw(cube, { hiden: "dashed" }), {
   message: /--hiden is unknown; did you mean --hidden\?/,
 });
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
+
+// parts need a file of their own; batches need processes, which are not here
+const part = await save(cube, "svg", { name: "table.off", part: "1/1" });
+assert.ok(Buffer.from(part.bytes).equals(program_draws("models/table.off", "svg", { part: "1/1" }).bytes));
+const bare = (drawing) => drawing.svg.replace(/<(title|desc)>.*?<\/\1>/g, "");
+assert.equal(bare(await draw(part.bytes, { join: true })), bare(await draw(cube)));
+await assert.rejects(save(cube, "svg", { join: true }), { status: 1, message: /model: this is no part of a drawing/ });
+await assert.rejects(save(cube, "svg", { batch: "drawings" }), { status: 2, message: /--batch needs processes/ });
+
+// the memory of one drawing is given back before the next
+const row = "0.123456 0.234567 0.5\n",
+  many = 400000,
+  large = new TextEncoder().encode(`OFF\n${many + 3} 1 0\n0 0 0\n1 0 0\n0 1 0\n${row.repeat(many)}3 0 1 2\n`);
+let most = 0;
+for (let i = 0; i < 20; i++) {
+  await draw(i % 2 ? cube : large);
+  most = Math.max(most, process.memoryUsage().external);
+}
+assert.ok(most > 24 * many, `${most} bytes are less than the vertices take`);
+assert.ok(most < MOST_MEMORY, `${most} bytes after all drawings`);
+
 assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
   "--all-edges",
   "--style=hidden:off",

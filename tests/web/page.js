@@ -23,6 +23,7 @@ const program = path.resolve(process.argv[2]),
   folder = path.resolve(process.argv[4]);
 const MOST_BYTES = 1500000; // of the page, compressed
 const LONGEST_GAP = 1500; // ms without a turn of the page's loop; a page that reads 100 MB itself stops for longer
+const MORE_MEMORY = 60e6; // bytes of the page after a file of 100 MB, more than before it
 const here = (name) => path.join(folder, name);
 
 /* ---- what the page weighs ---- */
@@ -41,6 +42,8 @@ const oddName = "it's a $odd  name.off";
 copyFileSync("models/tower.off", here(oddName));
 copyFileSync("models/table.off", here("table.off"));
 writeFileSync(here("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
+writeFileSync(here("colours.obj"), "mtllib colours.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+writeFileSync(here("colours.mtl"), "newmtl red\nKd 1 0 0\n");
 writeFileSync(here("words.stl"), "This is a letter, not a model.\n");
 const many = 4500000;
 writeFileSync(
@@ -120,12 +123,19 @@ try {
   // the model that is there at first
   await rest("roberts table.off -o table.svg");
   await compare("svg");
+  const answers = await browser.evaluate(`Promise.all([...document.querySelectorAll("#model option")].map(
+    async ({ value }) => value === "" || (await fetch("models/" + value)).ok))`);
+  assert.deepEqual(answers, Array(13).fill(true)); // twelve models, and the place of the user's own
   const first = await browser.picture();
 
-  // turned by the mouse, by keys
+  // turned by the mouse, by a finger, by keys
   await browser.drag("#stage", 100, 20);
   await rest("--azimuth=");
   assert.notDeepEqual(await browser.picture(), first);
+  await compare("svg");
+  const angles = await text("#command");
+  await browser.touch("#stage", [[0, 0]], [[80, 40]]);
+  await browser.until(`${drawn} && document.querySelector("#command").textContent !== ${JSON.stringify(angles)}`);
   await compare("svg");
   await browser.evaluate(`document.querySelector("#stage").focus()`);
   await browser.key("Home");
@@ -134,22 +144,68 @@ try {
   await browser.key("ArrowUp", 8); // with Shift
   await rest("--azimuth=50 --elevation=36.3");
 
+  // by the keyboard alone, from the file to the views
+  await browser.evaluate(`document.querySelector("#file").focus()`);
+  const way = ["model", "stage", "svg", "pdf", "dxf", "tikz", "hpgl", "copy", "iso", "dimetric"];
+  for (const expected of way) {
+    await browser.key("Tab");
+    const at = `(({ id, dataset }) => id || dataset.format || dataset.view)(document.activeElement)`;
+    assert.equal(await browser.evaluate(at), expected);
+  }
+  await browser.key("Enter");
+  await rest("--view=dimetric");
+
+  // light and dark
+  const ground = () => browser.evaluate("getComputedStyle(document.documentElement).backgroundColor");
+  const light = await ground();
+  await browser.send("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: "dark" }] });
+  assert.notEqual(await ground(), light);
+
+  // turned at a scale, it is as small as the page says
+  const type = (name, value) =>
+    browser.evaluate(`(() => { const e = document.querySelector("[name=${name}]"); e.value = "${value}";
+      e.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+  const wide = `(() => { const { width, height } = document.querySelector("#canvas");
+    const dots = document.querySelector("#canvas").getContext("2d").getImageData(0, 0, width, height).data;
+    const x = [...dots.keys()].filter((i) => i % 4 === 3 && dots[i]).map((i) => (i >> 2) % width);
+    return x.reduce((a, b) => Math.max(a, b), 0) - x.reduce((a, b) => Math.min(a, b), width); })()`;
+  await type("scale", "1:10");
+  await rest("--scale=1:10");
+  await browser.evaluate(`document.querySelector("#stage").focus()`);
+  await browser.key("ArrowLeft");
+  await browser.until(`[${wide}].every((dots) => dots > 2 && dots < 40)`);
+  await type("scale", "");
+
   // a file that is dropped, and the controls
   await browser.drop("#stage", here(oddName));
   await rest("odd  name");
-  await browser.click("[data-view=dimetric]");
+  await browser.click("[data-view=trimetric]");
   await choose("hidden", 1);
   await choose("fill", 2);
   await browser.click("[name=union]");
   await browser.click("[name=landscape]");
   await browser.evaluate(`document.querySelector("details").open = true`);
   await browser.click("[name=crease-on]");
-  await rest("--view=dimetric --hidden=dashed --union --fill=body --landscape --style=crease:off");
+  await rest("--view=trimetric --hidden=dashed --union --fill=body --landscape --style=crease:off");
   for (const format of ["svg", "pdf", "dxf", "tikz", "hpgl"]) await compare(format);
   await choose("perspective", 2);
   await rest("--eye=");
   const last = await compare("svg");
   assert.ok(last.includes("'it'\\''s a $odd  name.off'"), last);
+
+  // materials of an OBJ: together with it, or after it
+  await browser.evaluate(`document.querySelector("[type=reset]").click()`);
+  await choose("fill", 1);
+  const silent = `document.querySelector("#messages").textContent === ""`;
+  await browser.drop("#stage", here("colours.mtl"), here("colours.obj"));
+  await rest("--fill=model colours.obj");
+  await browser.until(silent);
+  await compare("svg");
+  await browser.drop("#stage", here("colours.obj"));
+  await browser.until(`${drawn} && document.querySelector("#messages").textContent.includes("no effect")`);
+  await browser.drop("#stage", here("colours.mtl"));
+  await browser.until(`${drawn} && ${silent}`);
+  await compare("svg");
 
   // what is wrong is said in the words of the program
   for (const name of ["broken.off", "words.stl"]) {
@@ -161,17 +217,34 @@ try {
     assert.equal(said, done.messages);
   }
 
-  // a large file does not stop the page, and leaves it as it was
+  // a large file does not stop the page, and leaves it and its memory as they were
   await browser.evaluate(`document.querySelector("[type=reset]").click()`);
   await browser.evaluate(`window.gap = 0; let last = performance.now();
     setInterval(() => { gap = Math.max(gap, performance.now() - last); last = performance.now(); }, 10); 0`);
+  await browser.drop("#stage", here("table.off"));
+  await rest("roberts table.off -o table.svg");
+  const before = await browser.memory();
   await browser.drop("#stage", here("large.off"));
   await browser.until(`document.querySelector("#about").textContent.includes("1 face") && ${drawn}`, 120);
-  const gap = await browser.evaluate("gap");
+  const gap = await browser.evaluate("gap"),
+    most = await browser.memory();
   assert.ok(gap < LONGEST_GAP, `the page stood still for ${gap} ms`);
   await browser.drop("#stage", here("table.off"));
   await rest("roberts table.off -o table.svg");
   await compare("svg");
+  let after = await browser.memory();
+  for (let i = 0; i < 100 && after > before + MORE_MEMORY; i++) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    after = await browser.memory();
+  }
+  assert.ok(most > before + 96e6, `${most} bytes with the large file, ${before} before`);
+  assert.ok(after < before + MORE_MEMORY, `${after} bytes after the large file, ${before} before`);
+
+  // two fingers look closer, and do not turn
+  const still = await text("#command");
+  await browser.touch("#stage", [[-40, 0], [40, 0]], [[-120, 0], [120, 0]]);
+  await browser.until("visualViewport.scale > 1.5");
+  assert.equal(await text("#command"), still);
 
   // each control has a name for a screen reader, and nobody else was asked for anything
   const { nodes } = await browser.send("Accessibility.getFullAXTree");
@@ -180,7 +253,7 @@ try {
       !node.ignored &&
       !node.name?.value &&
       node.properties?.some((one) => one.name === "focusable" && one.value.value) &&
-      !node.role.value !== "RootWebArea",
+      node.role.value !== "RootWebArea",
   );
   assert.deepEqual(
     unnamed.map((node) => node.role.value),
@@ -190,11 +263,15 @@ try {
   assert.deepEqual(foreign, []);
   assert.deepEqual(wrong, []);
   console.log(
-    `note: ${Math.round(weight / 1000)} kB, compressed; with 100 MB it paused for ${Math.round(gap)} ms at most`,
+    `note: ${Math.round(weight / 1000)} kB, compressed; with 100 MB it paused for ${Math.round(gap)} ms at most, and ` +
+      `took ${[before, most, after].map((bytes) => Math.round(bytes / 1e6)).join(", ")} MB before, with and after it`,
   );
 } catch (error) {
   if (existsSync(folder)) writeFileSync(here("page.png"), await browser.picture());
-  console.error(`command: ${await text("#command")}\nsaid: ${await text("#messages")}\nscript: ${wrong.join("\n")}`);
+  console.error(
+    `command: ${await text("#command")}\nabout: ${await text("#about")}\nsaid: ${await text("#messages")}\n` +
+      `state: ${await browser.evaluate(`document.querySelector("#stage").dataset.state`)}\nscript: ${wrong.join("\n")}`,
+  );
   throw error;
 } finally {
   await browser.end();

@@ -6,8 +6,9 @@
     drawing = scene.hide("iso")                # visible segments, as a numpy array
     drawing.segments["p0"], drawing.segments["p1"]
     drawing.save("table.pdf")
+    scene.sheet("first").save("views.pdf")     # front, top, side and isometric view
 
-In a notebook, a scene and a drawing show themselves. Arrays that the library gives are read-only views of its own
+In a notebook, scenes, drawings and sheets show themselves. Arrays that the library gives are read-only views of its own
 memory, which lives as long as one of them does. Numbers of vertices, faces and bodies count from 0; roberts.NONE stands
 for none. What the library refuses is a roberts.Error, with file and line; its warnings are roberts.RobertsWarning.
 The names and the rules are those of roberts.h, the header of the library.
@@ -27,7 +28,7 @@ from . import _library as c
 from ._library import NONE, Error, RobertsWarning
 
 __all__ = ["NONE", "VISIBLE", "HIDDEN", "CLIPPED", "LINES", "Error", "RobertsWarning", "Scene", "View", "Drawing",
-           "Regions", "read", "view"]
+           "Regions", "Sheet", "read", "view"]
 
 VISIBLE, HIDDEN, CLIPPED = 0, 1, 2
 """The values of segments["state"]."""
@@ -39,6 +40,9 @@ _KINDS = ("convex", "closed", "open")
 _HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
 _GROUPS = {"class": 0, "body": 1, "element": 2}
 _LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
+_COLUMNS = {"ends": 0, "depth": 1, "level": 2, "name": 3, "by": 4}
+_ANGLES = {"first": 0, "third": 1}
+_SHEET_VIEWS = ("front", "top", "side", "iso")
 
 _vec2, _vec3 = np.dtype((np.float64, 2)), np.dtype((np.float64, 3))
 _SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), ("t0", "f8"), ("t1", "f8"),
@@ -254,6 +258,16 @@ class Scene:
         """
         return Drawing(self, _camera(where), options)
 
+    def sheet(self, angle: str = "first", **options: Any) -> Sheet:
+        """The front, the top, the side and the isometric view, for one page.
+
+        angle    first: the top view stands below, the view from the left at the right; third: the top view stands
+                 above, the view from the right at the right (ISO 5456-2)
+        options  see hide(); the isometric view has no hidden segments
+        Raises Error, MemoryError, ValueError.
+        """
+        return Sheet(self, _choice(_ANGLES, angle, "sheet"), options)
+
     def regions(self, where: ViewLike = None, **options: Any) -> Regions:
         """What is seen of each face. options: merge_regions, unite, epsilon, threads. Raises Error, MemoryError."""
         return Regions(self, _camera(where), options)
@@ -358,7 +372,67 @@ class Regions:
         return self._list.count
 
 
-class Drawing:
+class _Drawable:
+    """What can be written on a page: a drawing or a sheet."""
+
+    _scene: Scene
+
+    def _drawings(self) -> list[Drawing]:
+        raise NotImplementedError
+
+    def _call(self, what: str, page: _Page, *arguments: Any) -> None:
+        """Calls the library's function for this: "save" or "write"."""
+        raise NotImplementedError
+
+    def save(self, path: Union[str, "os.PathLike[str]"], *, format: Optional[str] = None, **options: Any) -> None:
+        """Writes the drawing; a file appears whole or not at all.
+
+        format   svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv or json; None: as the path's ending says
+        options  see svg()
+        Raises Error, MemoryError, ValueError.
+        """
+        path, number = os.fspath(path), ctypes.c_int()
+        if not (c.lib.roberts_format_by_name(format.encode(), ctypes.byref(number)) if format is not None
+                else c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(number))):
+            raise ValueError(f"save: no format is called {format!r}" if format is not None
+                             else f"save: {path!r} does not end in the name of a format")
+        page = _Page(self, number.value, options)
+        self._call("save", page, os.fsencode(path))
+        page.warned.issue()
+
+    def svg(self, **options: Any) -> str:
+        """The drawing as SVG: the bytes that the program writes, if title and description are the same.
+
+        hidden            none, dashed or solid: hidden lines; default: dashed if hide() kept them, else none
+        page              (width, height) or (width, height, margin), mm; default: A4 upright with margins of 10
+        scale             mm on paper for each model unit; default: as large as the margins allow
+        pens              a dict of pens by class (outline, border, crease, intersection, wire, back, frame, hatch,
+                          text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
+                          255), off
+        background        (red, green, blue)
+        fill              white, model, body, or (red, green, blue)
+        shaded            fills are darker where less light falls
+        hatch             True, or a dict with fields of roberts_hatching
+        light             toward the light, as the viewer sees it: three numbers
+        labels            a sequence of vertices, edges, faces, bodies
+        columns           tables: further columns, a sequence of ends, depth, level (needs hide(levels=True)), name, by
+        group             class, body or element: the structure of the SVG
+        id_prefix, title, description    strings
+        dpi, real_dashes, number_layers  as in roberts_draw_options
+        Raises Error, MemoryError, TypeError, ValueError.
+        """
+        page, parts = _Page(self, 0, options), []
+
+        def write(_context: Any, data: int, size: int) -> bool:
+            parts.append(ctypes.string_at(data, size))
+            return True
+
+        self._call("write", page, c.WRITE_FN(write), None)
+        page.warned.issue()
+        return b"".join(parts).decode("utf-8")
+
+
+class Drawing(_Drawable):
     """The segments of all lines of a scene, seen from one side; made by Scene.hide().
 
     All arrays are views of the library's memory.
@@ -394,51 +468,11 @@ class Drawing:
     def __len__(self) -> int:
         return self._drawing.count
 
-    def save(self, path: Union[str, "os.PathLike[str]"], *, format: Optional[str] = None, **options: Any) -> None:
-        """Writes the drawing; a file appears whole or not at all.
+    def _drawings(self) -> list[Drawing]:
+        return [self]
 
-        format   svg, pdf, ps, eps, png, tikz, dxf, hpgl, csv or json; None: as the path's ending says
-        options  see svg()
-        Raises Error, MemoryError, ValueError.
-        """
-        path, number = os.fspath(path), ctypes.c_int()
-        if not (c.lib.roberts_format_by_name(format.encode(), ctypes.byref(number)) if format is not None
-                else c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(number))):
-            raise ValueError(f"save: no format is called {format!r}" if format is not None
-                             else f"save: {path!r} does not end in the name of a format")
-        page = _Page(self, number.value, options)
-        c.check("drawing_save", ctypes.byref(page.drawing), ctypes.byref(page.options), os.fsencode(path))
-        page.warned.issue()
-
-    def svg(self, **options: Any) -> str:
-        """The drawing as SVG: the bytes that the program writes, if title and description are the same.
-
-        hidden            none, dashed or solid: hidden lines; default: dashed if hide() kept them, else none
-        page              (width, height) or (width, height, margin), mm; default: A4 upright with margins of 10
-        scale             mm on paper for each model unit; default: as large as the margins allow
-        pens              a dict of pens by class (outline, border, crease, intersection, wire, back, frame, hatch,
-                          text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
-                          255), off
-        background        (red, green, blue)
-        fill              white, model, body, or (red, green, blue)
-        shaded            fills are darker where less light falls
-        hatch             True, or a dict with fields of roberts_hatching
-        light             toward the light, as the viewer sees it: three numbers
-        labels            a sequence of vertices, edges, faces, bodies
-        group             class, body or element: the structure of the SVG
-        id_prefix, title, description    strings
-        dpi, real_dashes, number_layers  as in roberts_draw_options
-        Raises Error, MemoryError, TypeError, ValueError.
-        """
-        page, parts = _Page(self, 0, options), []
-
-        def write(_context: Any, data: int, size: int) -> bool:
-            parts.append(ctypes.string_at(data, size))
-            return True
-
-        c.check("drawing_write", ctypes.byref(page.drawing), ctypes.byref(page.options), c.WRITE_FN(write), None)
-        page.warned.issue()
-        return b"".join(parts).decode("utf-8")
+    def _call(self, what: str, page: _Page, *arguments: Any) -> None:
+        c.check("drawing_" + what, ctypes.byref(page.drawings[0]), ctypes.byref(page.options), *arguments)
 
     def _repr_svg_(self) -> str:
         (x0, y0), (x1, y1) = self.window
@@ -451,15 +485,42 @@ class Drawing:
         return f"<roberts.Drawing {self._scene.name!r}: {len(self)} segments>"
 
 
+class Sheet(_Drawable):
+    """Several views of a scene on one page; made by Scene.sheet(). `views` holds their drawings by name."""
+
+    def __init__(self, scene: Scene, angle: int, options: Mapping[str, Any]) -> None:
+        self._scene, self._angle, self.views = scene, angle, {}
+        for number, name in enumerate(_SHEET_VIEWS):
+            camera = c.camera()
+            c.lib.roberts_sheet_camera(angle, number, ctypes.byref(camera))
+            hidden = options.get("keep_hidden", False) and name != "iso"  # as ISO 5456-3 prefers
+            self.views[name] = Drawing(scene, camera, {**options, "keep_hidden": hidden})
+
+    def _drawings(self) -> list[Drawing]:
+        return list(self.views.values())
+
+    def _call(self, what: str, page: _Page, *arguments: Any) -> None:
+        views = (ctypes.POINTER(c.drawing) * 4)(*map(ctypes.pointer, page.drawings))
+        sheet = c.sheet(self._angle, 0.0, views)
+        c.check("sheet_" + what, ctypes.byref(sheet), ctypes.byref(page.options), *arguments)
+
+    def _repr_svg_(self) -> str:
+        return self.svg(page=(210.0, 150.0, 5.0), background=(255, 255, 255))
+
+    def __repr__(self) -> str:
+        return f"<roberts.Sheet {self._scene.name!r}: {', '.join(self.views)}>"
+
+
 class _Page:
     """The options of one page, and what they borrow."""
 
-    def __init__(self, of: Drawing, format: int, given: Mapping[str, Any]) -> None:
-        given = dict(given)
+    def __init__(self, what: _Drawable, format: int, given: Mapping[str, Any]) -> None:
+        given, drawings = dict(given), what._drawings()
+        of = drawings[0]  # the scene and the options are the same for all
         o = self.options = c.lib.roberts_draw_options_default()
         self.warned = _Warned()
-        self.drawing = c.drawing.from_buffer_copy(of._drawing)  # shares the segments; they stay those of `of`
-        self.regions = None
+        self.drawings = [c.drawing.from_buffer_copy(one._drawing) for one in drawings]  # these share the segments
+        self.regions = []
         o.format, o.scene, o.lettering.warnings = format, of._scene._handle, self.warned.struct
         o.hidden = _choice(_HIDDEN, given.pop("hidden", "dashed" if of._keeps_hidden else "none"), "hidden")
         o.grouping = _choice(_GROUPS, given.pop("group", "class"), "group")
@@ -468,8 +529,15 @@ class _Page:
         if self._paint(given):
             regions = {name: of._options[name] for name in ("unite", "epsilon", "threads", "grid")
                        if name in of._options}
-            self.regions = Regions(of._scene, of._camera, regions)
-            self.drawing.regions = ctypes.addressof(self.regions._list)
+            self.regions = [Regions(one._scene, one._camera, regions) for one in drawings]
+            for drawing, seen in zip(self.drawings, self.regions):
+                drawing.regions = ctypes.addressof(seen._list)
+        columns = given.pop("columns", ())
+        if len(set(columns)) < len(columns):
+            raise ValueError("columns: each once")
+        o.column_count = len(columns)
+        for i, name in enumerate(columns):
+            o.column[i] = _choice(_COLUMNS, name, "columns")
         for name in ("dpi", "real_dashes", "number_layers"):
             if name in given:
                 setattr(o, name, given.pop(name))

@@ -165,9 +165,13 @@ class draw_options(Structure):
         ("temporary_context", c_void_p)]
 
 
+class sheet(Structure):
+    _fields_ = [("angle", c_int), ("gap_mm", c_double), ("view", POINTER(drawing) * 4)]
+
+
 STRUCTS = (vec2, vec3, error, warnings, color, source, group, mesh, scene_options, camera, segment, crossing, tally,
            time, drawing, hide_options, region, region_list, pen, background, hatching, page, placement, lettering,
-           plotter, draw_options)
+           plotter, draw_options, sheet)
 
 INSTALLED = ""  # `make install-python` writes the library's path here
 
@@ -211,6 +215,9 @@ _declare("format_by_name", c_bool, c_char_p, POINTER(c_int))
 _declare("format_by_path", c_bool, c_char_p, POINTER(c_int))
 _declare("drawing_write", c_int, POINTER(drawing), POINTER(draw_options), WRITE_FN, c_void_p, _error_p)
 _declare("drawing_save", c_int, POINTER(drawing), POINTER(draw_options), c_char_p, _error_p)
+_declare("sheet_camera", c_bool, c_int, c_int, POINTER(camera))
+_declare("sheet_write", c_int, POINTER(sheet), POINTER(draw_options), WRITE_FN, c_void_p, _error_p)
+_declare("sheet_save", c_int, POINTER(sheet), POINTER(draw_options), c_char_p, _error_p)
 
 
 class Error(Exception):

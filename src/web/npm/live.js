@@ -5,7 +5,7 @@ import { start, withArguments } from "./program.js";
 export const classes = ["outline", "crease", "crease", "border", "wire", "intersection", "outline", "hidden"];
 
 /* Where the members of live_frame lie. */
-const AT = { window: 32, line: 64, bodies: 68, faces: 72, edges: 76, curved: 80, centre: 88, diameter: 112 };
+const AT = { window: 32, line: 64, bodies: 68, faces: 72, centre: 80, diameter: 104 };
 
 /* One file's scene, in an instance of its own: with the instance its memory goes. */
 export class Live {
@@ -46,8 +46,6 @@ export class Live {
       lines: new Float32Array(this.exports.memory.buffer, whole(AT.line), 4 * total).slice(),
       bodies: whole(AT.bodies),
       faces: whole(AT.faces),
-      edges: whole(AT.edges),
-      curved: whole(AT.curved),
       centre: [0, 8, 16].map((i) => double(AT.centre + i)),
       diameter: double(AT.diameter),
     };

@@ -44,7 +44,7 @@ const compiled = (async () => WebAssembly.compile(await (await fetch("./roberts.
 
 const view = { view: "iso", azimuth: presets.iso[0], elevation: presets.iso[1] };
 let scene; // of the last frame: centre, diameter, counts
-let model; // { name, file, live, printer }
+let model; // { name, file, materials, live, printer, ready }
 
 function state() {
   const form = new FormData(controls);
@@ -142,6 +142,14 @@ function layPaper() {
 }
 
 let zoom; // pixels per unit of the model, kept while the model is turned
+const units = { mm: 1, cm: 10, m: 1000, in: 25.4, ft: 304.8 };
+
+/* Pixels per unit of the model: by the scale, as 1:20 or 0.05; without one, as large as fits. */
+function scaled(window, box) {
+  const { scale, unit } = state(),
+    [, paper, model = 1] = /^([\d.]+)(?::([\d.]+))?$/.exec(scale) ?? [];
+  return paper / model > 0 ? (box.per * units[unit] * paper) / model : fitted(window, box);
+}
 
 function fitted(window, box) {
   const margin = (Number(state().margin) || 10) * box.per;
@@ -163,7 +171,7 @@ function paint(frame) {
     canvas.height = Math.round(stage.clientHeight * dots);
   }
   const [x0, y0, x1, y1] = frame.window;
-  zoom ??= fitted(frame.window, box);
+  zoom ??= scaled(frame.window, box);
   const scale = zoom,
     context = canvas.getContext("2d");
   const middle = [box.x + box.width / 2 - ((x0 + x1) / 2) * scale, box.y + box.height / 2 + ((y0 + y1) / 2) * scale];
@@ -291,16 +299,16 @@ async function printed(format, keep = false) {
 
 /* ---- the file ---- */
 
-function helper({ file, name, module }) {
+function helper({ file, materials, name, module }) {
   const one = new Helper();
-  one.ask("load", { module, file, name });
+  one.ask("load", { module, name, files: [...materials.map((other) => [other.name, other]), [name, file]] });
   return one;
 }
 
-/* Takes a file in place of the one before, whose workers end with all their memory. */
-async function take(file) {
+/* Takes a file, and the materials of an OBJ, in place of the one before, whose workers end with all their memory. */
+async function take(file, materials = []) {
   const name = file.name.replace(/[/\0]/g, "_") || "model";
-  const own = { name, file, module: await compiled, ready: false };
+  const own = { name, file, materials, module: await compiled, ready: false };
   for (const one of [model?.live, model?.printer]) one?.end();
   clearTimeout(restTimer);
   model = own;
@@ -344,10 +352,13 @@ async function open(own) {
   changed();
 }
 
-function takeOwn(file) {
-  if (!file) return;
-  by("model").selectedIndex = -1;
-  take(file);
+/* Takes one model of the files that a user gives. Materials without a model are for the one that is there. */
+function takeOwn(files) {
+  const materials = [...files].filter((one) => /\.mtl$/i.test(one.name)),
+    file = [...files].find((one) => !materials.includes(one));
+  if (file) by("model").value = "";
+  if (file) take(file, materials);
+  else if (materials.length && model) take(model.file, [...model.materials, ...materials]);
 }
 
 async function takeExample(name) {
@@ -357,7 +368,7 @@ async function takeExample(name) {
 }
 
 by("file").addEventListener("change", (event) => {
-  takeOwn(event.target.files[0]);
+  takeOwn(event.target.files);
   event.target.value = "";
 });
 by("model").addEventListener("change", (event) => takeExample(event.target.value));
@@ -369,7 +380,7 @@ addEventListener("dragleave", (event) => event.relatedTarget ?? stage.classList.
 addEventListener("drop", (event) => {
   event.preventDefault();
   stage.classList.remove("over");
-  takeOwn(event.dataTransfer.files[0]);
+  takeOwn(event.dataTransfer.files);
 });
 
 /* ---- turning ---- */
@@ -389,7 +400,8 @@ function turnTo(azimuth, elevation, name = "") {
 
 let grip;
 stage.addEventListener("pointerdown", (event) => {
-  if (event.button !== 0 || grip) return;
+  if (!event.isPrimary) grip = undefined; // two fingers look closer: the browser sees to that
+  if (event.button !== 0 || !event.isPrimary) return;
   grip = { id: event.pointerId, x: event.clientX, y: event.clientY, ...view };
   stage.setPointerCapture(event.pointerId);
 });

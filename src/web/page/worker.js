@@ -2,20 +2,21 @@
 import { Live } from "./live.js";
 import { run } from "./program.js";
 
-let module, name, bytes, live;
+let module, name, files, live;
 
 const handlers = {
-  /* Takes the module and the file. */
+  /* Takes the module and the files, of which one has the name of the model. */
   async load(message) {
     ({ module, name } = message);
-    bytes = new Uint8Array(await message.file.arrayBuffer());
+    files = {};
+    for (const [one, file] of message.files) files[one] = new Uint8Array(await file.arrayBuffer());
     return {};
   },
 
   /* Builds the scene, in an instance of its own. */
   open({ args }) {
     live = undefined; // so that its memory may go before the next is taken
-    live = new Live(module, { [name]: bytes });
+    live = new Live(module, files);
     return live.open(args);
   },
 
@@ -26,7 +27,7 @@ const handlers = {
   },
 
   run({ args, output }) {
-    const done = run(module, args, { [name]: bytes });
+    const done = run(module, args, files);
     return { status: done.status, messages: done.messages, bytes: done.system.bytes(output)?.slice() };
   },
 };
