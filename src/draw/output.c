@@ -58,9 +58,11 @@ static bool exact_digits(double x, uint64_t *digits, int *exponent)
 {
     if (!(x >= 1e-11 && x < 1e17))
         return false;
-    int e;
-    uint64_t m = (uint64_t)ldexp(frexp(x, &e), 53);
-    int p = (int)floor((e - 1) * 0.30102999566398120); /* log10(2): right or 1 too small, as 2^(e-1) <= x < 2^e */
+    uint64_t m;
+    memcpy(&m, &x, sizeof m);
+    int e = (int)(m >> 52) - 1022; /* 2^(e-1) <= x < 2^e */
+    m = (m & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;
+    int p = (int)((e - 1) * 0.30102999566398120 + 64.0) - 64; /* log10(2), rounded down: right or 1 too small */
     if (p < DIGITS - 1 - EXACT_POWER)
         p = DIGITS - 1 - EXACT_POWER;
     e -= 53;
@@ -71,28 +73,50 @@ static bool exact_digits(double x, uint64_t *digits, int *exponent)
     return *digits >= ten_to_16; /* fewer digits just below 10^-11 */
 }
 
-/* Writes digits as %g does: without `e` for exponents from -4 to 16, and without trailing zeros. */
+/* The decimal text of 0 to 99, two bytes each. */
+static const char pairs[] = "00010203040506070809101112131415161718192021222324252627282930313233343536373839"
+                            "40414243444546474849505152535455565758596061626364656667686970717273747576777879"
+                            "8081828384858687888990919293949596979899";
+
+/* Writes n < 10^8 as eight digits. */
+static void write_eight(char *out, uint32_t n)
+{
+    const uint32_t upper = n / 10000, lower = n % 10000;
+    memcpy(out, pairs + 2 * (upper / 100), 2);
+    memcpy(out + 2, pairs + 2 * (upper % 100), 2);
+    memcpy(out + 4, pairs + 2 * (lower / 100), 2);
+    memcpy(out + 6, pairs + 2 * (lower % 100), 2);
+}
+
+/* Writes digits as %g does: without `e` for exponents from -4 to 16, and without trailing zeros. Copies of a fixed size
+ * are a few instructions; what is copied too much lies behind the end. */
 static size_t write_digits(char *out, uint64_t digits, int exponent)
 {
-    char text[DIGITS];
+    char text[2 * DIGITS]; /* the digits, and zeros */
     char *at = out;
+    const uint64_t upper = digits / 100000000;
+    text[0] = (char)('0' + upper / 100000000);
+    write_eight(text + 1, (uint32_t)(upper % 100000000));
+    write_eight(text + 9, (uint32_t)(digits % 100000000));
+    memset(text + DIGITS, '0', DIGITS);
     int count = DIGITS;
-    for (int i = DIGITS - 1; i >= 0; i--, digits /= 10)
-        text[i] = (char)('0' + digits % 10);
     while (count > 1 && text[count - 1] == '0')
         count--;
-    bool plain = exponent >= -4;
-    int whole = plain ? exponent + 1 : 1; /* digits before the point */
-    if (whole <= 0) {
-        *at++ = '0';
-        *at++ = '.';
-        for (int i = whole; i < 0; i++)
-            *at++ = '0';
+    const bool plain = exponent >= -4;
+    const int whole = plain ? exponent + 1 : 1; /* digits before the point */
+    if (whole > 0) {
+        memcpy(at, text, DIGITS);
+        at += whole;
+    } else {
+        memcpy(at, "0.000", 5);
+        at += 2 - whole;
     }
-    for (int i = 0; i < count || i < whole; i++) {
-        if (i == whole && i > 0)
+    const int before = whole > 0 ? whole : 0;
+    if (count > before) {
+        if (before > 0)
             *at++ = '.';
-        *at++ = i < count ? text[i] : '0';
+        memcpy(at, text + before, DIGITS);
+        at += count - before;
     }
     if (!plain) {
         *at++ = 'e';

@@ -50,7 +50,7 @@ roberts_status output_finish(output *out, roberts_error *error);
 /* Sets ROBERTS_IO with the message "what: reason", in the system's words for this errno. */
 roberts_status output_error(roberts_error *error, const char *what, int reason);
 
-enum { DECIMAL_ROOM = 32 }; /* the longest text is -1.2345678901234567e-308 and its NUL */
+enum { DECIMAL_ROOM = 40 }; /* the longest text has 24 bytes and its NUL; copies of a fixed size write beyond it */
 
 /* Writes what printf("%.17g", x) writes in the C locale, but "0" for -0, and returns its length. It reads back as x
  * itself. x is finite. */

@@ -33,6 +33,7 @@ typedef struct map_grid {
     roberts_vec2 low;
     double size; /* of a cell */
     size_t columns, rows;
+    uint8_t *busy;   /* [columns rows] something new is in it or near it; in others nothing is listed */
     size_t *start;   /* [columns rows + 2] */
     uint32_t *entry; /* [start[columns rows]] */
 } map_grid;
@@ -288,8 +289,14 @@ static size_t place_in(double at, double low, double size, size_t count)
     return !(place > 0.0) ? 0 : place >= (double)count ? count - 1 : (size_t)(int64_t)place;
 }
 
-/* Lists an item in the cells that it is in or near. Without entries these are only counted. */
-static void list_in_cells(const map_search *s, map_grid *g, uint32_t number)
+/* What is done with the cells that an item is in or near. */
+typedef enum list_pass {
+    MARK,  /* they become busy */
+    COUNT, /* busy ones count the item */
+    LIST   /* busy ones list it */
+} list_pass;
+
+static void list_in_cells(const map_search *s, map_grid *g, uint32_t number, list_pass pass)
 {
     const map_item p = item_of(s, number);
     const double near = 2.0 * s->margin; /* twice: for rounding */
@@ -307,10 +314,12 @@ static void list_in_cells(const map_search *s, map_grid *g, uint32_t number)
         const size_t from = place_in(lesser(a, b) - near, g->low.x, g->size, g->columns);
         const size_t to = place_in(greater(a, b) + near, g->low.x, g->size, g->columns);
         for (size_t cell = row * g->columns + from; cell <= row * g->columns + to; cell++) {
-            if (g->entry)
+            if (pass == MARK)
+                g->busy[cell] = 1;
+            else if (pass == COUNT)
+                g->start[cell + 2] += g->busy[cell];
+            else if (g->busy[cell])
                 g->entry[g->start[cell + 1]++] = number;
-            else
-                g->start[cell + 2]++;
         }
     }
 }
@@ -346,12 +355,7 @@ static void visit_cell(map_search *s, const map_grid *g, size_t column, size_t r
 {
     const size_t cell = row * g->columns + column, first = g->start[cell], end = g->start[cell + 1];
     map_box box = {{-INFINITY, -INFINITY}, {INFINITY, INFINITY}};
-    bool new = false;
-    for (size_t i = first; i < end && !new; i++) {
-        const map_item p = item_of(s, g->entry[i]);
-        new = !is_old(s, &p);
-    }
-    if (!new)
+    if (end - first < 2)
         return;
     if (!array_reserve(&s->item, &s->room, end - first, sizeof *s->item)) {
         s->lost = true;
@@ -377,7 +381,7 @@ static void visit_cell(map_search *s, const map_grid *g, size_t column, size_t r
     visit(s, 0, s->count, box, 0);
 }
 
-/* Lists the lines, and the nodes that they use. False: no memory. */
+/* Lists the lines, and the nodes that they use, in the cells with anything new. False: no memory. */
 static bool fill_grid(const map_search *s, map_grid *g)
 {
     const planar_map *m = s->m;
@@ -392,13 +396,19 @@ static bool fill_grid(const map_search *s, map_grid *g)
     if (enough) {
         choose_cells(s, g, items);
         g->start = alloc_zeroed(g->columns * g->rows + 2, sizeof *g->start);
-        enough = g->start;
+        g->busy = alloc_zeroed(g->columns * g->rows, 1);
+        enough = g->start && g->busy;
     }
-    for (int pass = 0; enough && pass < 2; pass++) {
-        for (uint32_t i = 0; i < m->line_count + m->node_count; i++)
-            if (i < m->line_count || used[i - m->line_count])
-                list_in_cells(s, g, i);
-        if (pass == 0) {
+    const bool all_new = s->old_nodes == 0;
+    if (enough && all_new)
+        memset(g->busy, 1, g->columns * g->rows);
+    for (list_pass pass = all_new ? COUNT : MARK; enough && pass <= LIST; pass++) {
+        for (uint32_t i = 0; i < m->line_count + m->node_count; i++) {
+            const map_item p = item_of(s, i);
+            if ((p.node == ROBERTS_NONE || used[p.node]) && (pass != MARK || !is_old(s, &p)))
+                list_in_cells(s, g, i, pass);
+        }
+        if (pass == COUNT) {
             for (size_t c = 0; c < g->columns * g->rows; c++)
                 g->start[c + 2] += g->start[c + 1];
             g->entry = alloc_array(g->start[g->columns * g->rows + 1], sizeof *g->entry);
@@ -422,6 +432,7 @@ bool map_search_all(map_search *s)
         for (size_t column = 0; column < g.columns && !s->lost; column++)
             visit_cell(s, &g, column, row);
     s->old_nodes = before;
+    free(g.busy);
     free(g.start);
     free(g.entry);
     return enough && !s->lost;

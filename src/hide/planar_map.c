@@ -367,6 +367,7 @@ typedef struct cell_sweep {
     map_cells *c;
     const planar_map *m;
     sweep_order order;
+    uint8_t *second; /* [lines] the second half-edge is the one that runs to the right */
     uint32_t *node;  /* [count] from left to right, then upward */
     uint32_t *outer; /* [nodes] of the leftmost node of a group, the cycle round it from outside; else ROBERTS_NONE */
     size_t count;
@@ -384,21 +385,45 @@ static int compare_nodes(const void *pa, const void *pb)
     return order != 0 ? order : (a->node > b->node) - (a->node < b->node);
 }
 
+/* Puts nodes with one key, in single precision, in their true order. */
+static void sort_equal_keys(sweep_node *item, size_t count)
+{
+    if (count <= 32) {
+        SORT_FEW(sweep_node, item, count, compare_nodes(a, b) > 0);
+    } else {
+        qsort(item, count, sizeof *item, compare_nodes);
+    }
+}
+
 static bool sort_nodes(cell_sweep *s)
 {
     const planar_map *m = s->m;
     const uint32_t *start = s->c->stars.start;
     sweep_node *item = alloc_array(m->node_count, sizeof *item);
+    uint32_t *key = alloc_array(m->node_count, sizeof *key), *order = alloc_array(m->node_count, sizeof *order);
     s->node = alloc_array(m->node_count, sizeof *s->node);
-    for (uint32_t n = 0; item && s->node && n < m->node_count; n++)
-        if (start[n + 1] > start[n])
-            item[s->count++] = (sweep_node){m->node[n], n};
-    if (item && s->node && s->count > 1)
-        qsort(item, s->count, sizeof *item, compare_nodes);
-    for (size_t i = 0; item && s->node && i < s->count; i++)
+    bool enough = item && key && order && s->node;
+    for (uint32_t n = 0; enough && n < m->node_count; n++)
+        if (start[n + 1] > start[n]) {
+            key[s->count] = ~radix_key_descending((float)m->node[n].x);
+            s->node[s->count++] = n;
+        }
+    enough = enough && radix_order(key, (uint32_t)s->count, order);
+    for (size_t i = 0; enough && i < s->count; i++) {
+        uint32_t n = s->node[order[i]];
+        item[i] = (sweep_node){m->node[n], n};
+    }
+    for (size_t i = 0, k; enough && i < s->count; i = k) {
+        for (k = i + 1; k < s->count && key[order[k]] == key[order[i]];)
+            k++;
+        sort_equal_keys(item + i, k - i);
+    }
+    for (size_t i = 0; enough && i < s->count; i++)
         s->node[i] = item[i].node;
     free(item);
-    return item && s->node;
+    free(key);
+    free(order);
+    return enough;
 }
 
 /* Finds where each outer cycle is farthest left. */
@@ -421,10 +446,19 @@ static bool find_leftmost(cell_sweep *s)
     return s->outer != NULL;
 }
 
-/* The half-edge of a line that runs to the right. */
-static uint32_t rightward(const planar_map *m, uint32_t line)
+/* Finds which half-edge of each line runs to the right. */
+static bool find_directions(cell_sweep *s)
 {
-    return 2 * line + (vec2_compare(m->node[m->line[line][1]], m->node[m->line[line][0]]) < 0);
+    const planar_map *m = s->m;
+    s->second = alloc_array(m->line_count, 1);
+    for (size_t i = 0; s->second && i < m->line_count; i++)
+        s->second[i] = vec2_compare(m->node[m->line[i][1]], m->node[m->line[i][0]]) < 0;
+    return s->second != NULL;
+}
+
+static uint32_t rightward(const cell_sweep *s, uint32_t line)
+{
+    return 2 * line + s->second[line];
 }
 
 /* The line directly below a node at which no line of the order ends; ROBERTS_NONE: there is none. */
@@ -432,7 +466,7 @@ static uint32_t line_below(const cell_sweep *s, uint32_t node)
 {
     uint32_t below = ROBERTS_NONE;
     for (uint32_t line = s->order.root; line != ROBERTS_NONE;) {
-        uint32_t h = rightward(s->m, line);
+        uint32_t h = rightward(s, line);
         bool above = piece_turn(s->m->node[map_from(s->m, h)], s->m->node[map_from(s->m, h ^ 1)], s->m->node[node]) > 0;
         below = above ? line : below;
         line = s->order.place[line].child[above];
@@ -443,25 +477,33 @@ static uint32_t line_below(const cell_sweep *s, uint32_t node)
 /* The cell above a line, or outside of all. */
 static uint32_t cell_above(const cell_sweep *s, uint32_t line)
 {
-    return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s->m, line));
+    return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s, line));
 }
 
-/* Takes the lines that end at a node out of the order and puts those in that begin there. */
+/* The next line that ends at a node, upward; ROBERTS_NONE: there is none. left: how many half-edges of the star are left
+ * to look at; those on the left side go downward. */
+static uint32_t next_ended(const cell_sweep *s, uint32_t node, uint32_t *left)
+{
+    const map_stars *stars = &s->c->stars;
+    while (*left > 0) {
+        uint32_t half = stars->half[stars->start[node] + --*left];
+        if (rightward(s, half >> 1) != half)
+            return half >> 1;
+    }
+    return ROBERTS_NONE;
+}
+
+/* Takes the lines that end at a node out of the order and puts those in that begin there. Each takes the place of one
+ * that ends, as long as there are any. */
 static void pass_node(cell_sweep *s, uint32_t node)
 {
     const map_stars *stars = &s->c->stars;
     const planar_map *m = s->m;
-    uint32_t below = ROBERTS_NONE;
-    bool known = false;
-    for (uint32_t k = stars->start[node]; k < stars->start[node + 1]; k++) {
-        uint32_t line = stars->half[k] >> 1;
-        if (rightward(m, line) == stars->half[k])
-            continue;
-        below = s->order.place[line].near[0]; /* the last one of them is the lowest */
-        known = true;
-        sweep_order_remove(&s->order, line);
-    }
-    if (!known) {
+    uint32_t left = stars->start[node + 1] - stars->start[node];
+    uint32_t below, ended = next_ended(s, node, &left); /* the first one of them is the lowest */
+    if (ended != ROBERTS_NONE) {
+        below = s->order.place[ended].near[0];
+    } else {
         below = line_below(s, node);
         if (s->outer[node] != ROBERTS_NONE)
             s->c->cell[s->outer[node]] = cell_above(s, below);
@@ -470,11 +512,18 @@ static void pass_node(cell_sweep *s, uint32_t node)
     for (int lower = 1; lower >= 0; lower--)
         for (uint32_t k = stars->start[node]; k < stars->start[node + 1]; k++) {
             uint32_t half = stars->half[k], line = half >> 1;
-            if (rightward(m, line) != half || (m->node[map_from(m, half ^ 1)].y < m->node[node].y) != lower)
+            if (rightward(s, line) != half || (m->node[map_from(m, half ^ 1)].y < m->node[node].y) != lower)
                 continue;
-            sweep_order_insert(&s->order, line, below);
+            if (ended != ROBERTS_NONE) {
+                sweep_order_replace(&s->order, ended, line);
+                ended = next_ended(s, node, &left);
+            } else {
+                sweep_order_insert(&s->order, line, below);
+            }
             below = line;
         }
+    for (; ended != ROBERTS_NONE; ended = next_ended(s, node, &left))
+        sweep_order_remove(&s->order, ended);
 }
 
 /* Gives each cycle its cell. False: no memory. */
@@ -492,10 +541,11 @@ static bool number_cells(map_cells *c, const planar_map *m)
     }
     if (groups < 2)
         return true;
-    bool enough = sort_nodes(&s) && find_leftmost(&s) && sweep_order_start(&s.order, m->line_count);
+    bool enough = sort_nodes(&s) && find_leftmost(&s) && find_directions(&s) && sweep_order_start(&s.order, m->line_count);
     for (size_t i = 0; enough && i < s.count; i++)
         pass_node(&s, s.node[i]);
     sweep_order_free(&s.order);
+    free(s.second);
     free(s.node);
     free(s.outer);
     return enough;

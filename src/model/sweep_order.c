@@ -12,7 +12,7 @@ bool sweep_order_start(sweep_order *order, size_t count)
     return order->place != NULL;
 }
 
-static uint32_t priority(uint32_t line)
+static uint32_t priority_of(uint32_t line)
 {
     uint32_t h = (line + 1) * 0x9e3779b1u;
     h = (h ^ h >> 15) * 0x85ebca77u;
@@ -59,7 +59,7 @@ uint32_t sweep_order_above(const sweep_order *order, uint32_t below)
 void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below)
 {
     sweep_place *place = order->place, *own = &place[line];
-    *own = (sweep_place){ROBERTS_NONE, {ROBERTS_NONE, ROBERTS_NONE}, {ROBERTS_NONE, ROBERTS_NONE}};
+    *own = (sweep_place){ROBERTS_NONE, {ROBERTS_NONE, ROBERTS_NONE}, {ROBERTS_NONE, ROBERTS_NONE}, priority_of(line)};
     if (order->root == ROBERTS_NONE) {
         order->root = line;
         return;
@@ -75,15 +75,28 @@ void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below)
     bool under = below == ROBERTS_NONE || place[below].child[1] != ROBERTS_NONE;
     own->parent = under ? above : below;
     place[own->parent].child[!under] = line;
-    while (own->parent != ROBERTS_NONE && priority(own->parent) < priority(line))
+    while (own->parent != ROBERTS_NONE && place[own->parent].priority < own->priority)
         rotate_up(order, line);
+}
+
+void sweep_order_replace(sweep_order *order, uint32_t old, uint32_t line)
+{
+    sweep_place *place = order->place;
+    replace_child(order, old, line);
+    place[line] = place[old];
+    for (int k = 0; k < 2; k++) {
+        if (place[line].child[k] != ROBERTS_NONE)
+            place[place[line].child[k]].parent = line;
+        if (place[line].near[k] != ROBERTS_NONE)
+            place[place[line].near[k]].near[1 - k] = line;
+    }
 }
 
 void sweep_order_remove(sweep_order *order, uint32_t line)
 {
     sweep_place *place = order->place, *own = &place[line];
     while (own->child[0] != ROBERTS_NONE && own->child[1] != ROBERTS_NONE)
-        rotate_up(order, own->child[priority(own->child[1]) > priority(own->child[0])]);
+        rotate_up(order, own->child[place[own->child[1]].priority > place[own->child[0]].priority]);
     replace_child(order, line, own->child[own->child[0] == ROBERTS_NONE]);
     for (int k = 0; k < 2; k++)
         if (own->near[k] != ROBERTS_NONE)
