@@ -321,20 +321,24 @@ static void write_coordinate(const svg_groups *w, const char *before, int32_t un
     output_thousandths(w->out, units * w->thousandths);
 }
 
+/* How lines are written: an element is short, so most of its lines are, and the way to their ends has fewer digits. */
+static const char absolute[] = "HVL", relative[] = "hvl";
+
 /* Level and upright lines have shorter commands, H and V. */
-static void write_line(const svg_groups *w, page_point from, page_point to)
+static void write_line(const svg_groups *w, const char *command, page_point from, page_point to)
 {
+    const page_point start = command == relative ? from : (page_point){0, 0};
     if (from.y == to.y) {
-        write_coordinate(w, "H", to.x);
+        write_coordinate(w, command, to.x - start.x);
     } else if (from.x == to.x) {
-        write_coordinate(w, "V", to.y);
+        write_coordinate(w, command + 1, to.y - start.y);
     } else {
-        write_coordinate(w, "L", to.x);
-        write_coordinate(w, " ", to.y);
+        write_coordinate(w, command + 2, to.x - start.x);
+        write_coordinate(w, " ", to.y - start.y);
     }
 }
 
-static void write_stroke(const svg_groups *w, const polyline *line)
+static void write_stroke(const svg_groups *w, const char *command, const polyline *line)
 {
     const page_point *p = w->s->lines.point + line->first;
     write_coordinate(w, "M", p[0].x);
@@ -342,7 +346,7 @@ static void write_stroke(const svg_groups *w, const polyline *line)
     for (uint32_t i = 1; i < line->count; i++) {
         if (i % POINTS_A_LINE == 0)
             output_bytes(w->out, "\n", 1);
-        write_line(w, p[i - 1], p[i]);
+        write_line(w, command, p[i - 1], p[i]);
     }
     if (line->closed)
         output_bytes(w->out, "Z", 1);
@@ -380,7 +384,7 @@ static void write_path(const svg_groups *w, const stroke_group *g, size_t first,
     for (size_t i = first; i < end; i++) {
         if (i > first && (i - first) % POINTS_A_LINE == 0)
             output_bytes(w->out, "\n", 1);
-        write_stroke(w, &w->s->lines.item[i]);
+        write_stroke(w, named ? relative : absolute, &w->s->lines.item[i]);
     }
     output_text(w->out, "\"/>\n");
 }

@@ -193,7 +193,8 @@ static pen_at follow(const char *data)
 {
     pen_at p = {0};
     for (char *at = (char *)(uintptr_t)data; *at != '"';) {
-        const char command = *at++;
+        const bool relative = islower((unsigned char)*at);
+        const char command = (char)toupper((unsigned char)*at++);
         double x = p.x, y = p.y;
         if (isspace((unsigned char)command))
             continue;
@@ -202,9 +203,9 @@ static pen_at follow(const char *data)
             continue;
         }
         if (command != 'V')
-            x = strtod(at, &at);
+            x = strtod(at, &at) + (relative ? x : 0.0);
         if (command != 'H')
-            y = strtod(at, &at);
+            y = strtod(at, &at) + (relative ? y : 0.0);
         if (command == 'M') {
             p.x = p.x0 = x;
             p.y = p.y0 = y;
