@@ -103,7 +103,7 @@ gallery: $(BUILD)/roberts ## redraws the pictures of README's gallery, in models
 drawings: $(PAGES) $(DEMO:%=$(BUILD)/demo/%.svg) ## manual page, completions and the drawings of `make demo`
 	@echo "drawn: $(sort $(filter %.svg,$^))"
 
-TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/roberts.pc $(BUILD)/locale/de_DE.UTF-8
+TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/locale/de_DE.UTF-8
 
 test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
 	@$(RUN_TESTS) $(TEST_BIN)
@@ -157,7 +157,7 @@ test-threads: ## runs the tests with several threads under the thread sanitizer,
 ##@ To install
 TO  = $(DESTDIR)$(PREFIX)
 LIB = $(DESTDIR)$(LIBDIR)
-install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, completions, libraries, header and roberts.pc
+install: all $(BUILD)/$(SHARED) ## program, man page, completions, libraries, header and roberts.pc
 	@for folder in '$(TO)/bin' '$(TO)/include' '$(TO)/share/man/man1' '$(LIB)/pkgconfig'; do \
 	    there=$$folder; while [ ! -e "$$there" ]; do there=$$(dirname "$$there"); done; \
 	    mkdir -p "$$folder" 2>/dev/null && [ -w "$$folder" ] || { \
@@ -170,7 +170,12 @@ install: all $(BUILD)/$(SHARED) $(BUILD)/roberts.pc ## program, man page, comple
 	$(Q)install -m 644 $(BUILD)/libroberts.a $(BUILD)/$(SHARED) '$(LIB)/'
 	$(Q)ln -sf $(SHARED) '$(LIB)/$(SONAME)'
 	$(Q)ln -sf $(SONAME) '$(LIB)/libroberts.so'
-	$(Q)install -m 644 $(BUILD)/roberts.pc '$(LIB)/pkgconfig/'
+	@# Libs.private: what else a program needs that links the static library.
+	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
+	    'Description: line drawings of polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
+	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Cflags: -I"$${includedir}"' >'$(LIB)/pkgconfig/roberts.pc'
+	$(Q)chmod 644 '$(LIB)/pkgconfig/roberts.pc'
 	$(Q)install -D -m 644 $(BUILD)/roberts.1 '$(TO)/share/man/man1/roberts.1'
 	$(Q)install -D -m 644 $(BUILD)/completions/bash '$(TO)/share/bash-completion/completions/roberts'
 	$(Q)install -D -m 644 $(BUILD)/completions/zsh '$(TO)/share/zsh/site-functions/_roberts'
@@ -225,14 +230,6 @@ $(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
 	$(call show,LD,$@)
 	$(Q)$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
 	    -Wl,-z,defs -o $@ $^ $(LIBS)
-
-# Libs.private: what else a program needs that links the static library.
-$(BUILD)/roberts.pc: force
-	@mkdir -p $(@D)
-	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
-	    'Description: line drawings of convex polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
-	    'Cflags: -I"$${includedir}"' >$@
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
 	$(call show,LD,$@)
