@@ -102,7 +102,7 @@ typedef struct roberts_group {
 
 /** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
  * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). You may read all
- * arrays; only the functions below may change them. */
+ * arrays; only the functions below may change them. For arrays of your own see roberts_mesh_check(). */
 typedef struct roberts_mesh {
     size_t vertex_count, face_count, corner_count, source_count, group_count;
     roberts_vec3 *vertex;        /**< [vertex_count] */
@@ -156,16 +156,13 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
 
 /**
- * Appends vertices and faces, all or nothing.
- * vertex      [vertex_count]
- * face_start  [face_count + 1] as in roberts_mesh: it begins with 0 and does not descend; NULL where there is no face
- * corner      [face_start[face_count]] numbers of vertices, from 0 for the first one of `vertex`
- * Returns ROBERTS_OK, _NO_MEMORY, _BAD_NUMBER, _BAD_INDEX or _BAD_ARGUMENT (face_start). On failure `mesh` is as it
- * was.
+ * Checks a mesh that you have filled yourself: set the counts and let the pointers point to your own arrays, the rest 0
+ * or NULL. roberts_scene_build() then reads them in place, without a copy. They stay yours: no other function may have
+ * this mesh, and nothing of it is released.
+ * Returns ROBERTS_OK, _BAD_NUMBER (a coordinate), _BAD_INDEX (a corner) or _BAD_ARGUMENT (face_start, a count, groups
+ * or sources, which arrays cannot have).
  */
-roberts_status roberts_mesh_add(roberts_mesh *mesh, const roberts_vec3 *vertex, size_t vertex_count,
-                                const uint32_t *face_start, const uint32_t *corner, size_t face_count,
-                                roberts_error *error);
+roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);

@@ -254,54 +254,39 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
     return ROBERTS_OK;
 }
 
-/* Checks what roberts_mesh_add() is given. */
-static roberts_status check_arrays(const roberts_vec3 *vertex, size_t vertex_count, const uint32_t *face_start,
-                                   const uint32_t *corner, size_t face_count, roberts_error *error)
+/* The starts of faces begin with 0, do not descend, and end with the number of corners. */
+static roberts_status check_starts(const roberts_mesh *mesh, roberts_error *error)
 {
-    for (size_t v = 0; v < vertex_count; v++)
-        if (!mesh_position(vertex[v]))
-            return bad_vertex(error, v);
-    if (face_count && face_start[0] != 0)
+    const uint32_t *start = mesh->face_start;
+    if (start[0] != 0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start begins with %lu, not with 0",
-                         (unsigned long)face_start[0]);
-    for (size_t f = 0; f < face_count; f++) {
-        if (face_start[f + 1] < face_start[f])
+                         (unsigned long)start[0]);
+    for (size_t f = 0; f < mesh->face_count; f++)
+        if (start[f + 1] < start[f])
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start descends behind face %zu", f);
-        for (size_t i = face_start[f]; i < face_start[f + 1]; i++)
-            if (corner[i] >= vertex_count)
-                return bad_corner(error, f, corner[i], vertex_count);
-    }
+    if (start[mesh->face_count] != mesh->corner_count)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "face_start ends with %lu, but there are %zu corners",
+                         (unsigned long)start[mesh->face_count], mesh->corner_count);
     return ROBERTS_OK;
 }
 
-roberts_status roberts_mesh_add(roberts_mesh *mesh, const roberts_vec3 *vertex, size_t vertex_count,
-                                const uint32_t *face_start, const uint32_t *corner, size_t face_count,
-                                roberts_error *error)
+roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error)
 {
-    const size_t vertices = mesh->vertex_count, faces = mesh->face_count, corners = mesh->corner_count;
     error_set_file(error, "");
-    roberts_status status = check_arrays(vertex, vertex_count, face_start, corner, face_count, error);
-    if (status != ROBERTS_OK)
-        return status;
-    const size_t corner_count = face_count ? face_start[face_count] : 0;
-    const mesh_mark mark = mesh_here(mesh);
-    if (!mesh_room(mesh, vertices + vertex_count, faces + face_count, corners + corner_count) ||
-        (mesh->vertex_color &&
-         !fill(&mesh->vertex_color, &mesh->vertex_color_room, vertices, vertices + vertex_count)) ||
-        (mesh->face_color && !fill(&mesh->face_color, &mesh->face_color_room, faces, faces + face_count))) {
-        mesh_back(mesh, mark);
-        return error_no_memory(error);
-    }
-    for (size_t v = 0; v < vertex_count; v++)
-        mesh->vertex[vertices + v] = vertex[v];
-    for (size_t i = 0; i < corner_count; i++)
-        mesh->corner[corners + i] = corner[i] + (uint32_t)vertices;
-    for (size_t f = 0; f < face_count; f++)
-        mesh->face_start[faces + f + 1] = face_start[f + 1] + (uint32_t)corners;
-    mesh->vertex_count += vertex_count;
-    mesh->face_count += face_count;
-    mesh->corner_count += corner_count;
-    return ROBERTS_OK;
+    if (mesh->source_count || mesh->group_count)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "arrays have neither sources nor groups");
+    if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count > UINT32_MAX)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "there are more vertices, faces or corners than 32 bits count");
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        if (!mesh_position(mesh->vertex[v]))
+            return bad_vertex(error, v);
+    roberts_status status = mesh->face_count ? check_starts(mesh, error) : ROBERTS_OK;
+    for (size_t f = 0; f < mesh->face_count && status == ROBERTS_OK; f++)
+        for (size_t i = mesh->face_start[f]; i < mesh->face_start[f + 1]; i++)
+            if (mesh->corner[i] >= mesh->vertex_count)
+                return bad_corner(error, f, mesh->corner[i], mesh->vertex_count);
+    return status;
 }
 
 void roberts_mesh_free(roberts_mesh *mesh)

@@ -215,42 +215,6 @@ static void adding_survives(void **state)
     assert_true(failures >= 8);
 }
 
-/* Arrays are added whole or not at all, to a mesh with colours. */
-static void arrays_are_added_whole(void **state)
-{
-    enum { VERTICES = 100, FACES = 100 };
-    static const char colored[] = "COFF 1 1 0\n0 0 0 1. 0 0\n3 0 0 0 7\n";
-    static roberts_vec3 vertex[VERTICES];
-    static uint32_t start[FACES + 1], corner[3 * FACES];
-    size_t failures = 0, before = memory_blocks;
-    (void)state;
-    for (uint32_t i = 0; i < FACES; i++) {
-        start[i + 1] = 3 * (i + 1);
-        corner[3 * i] = i;
-    }
-    for (size_t n = 1;; n++) {
-        roberts_mesh mesh = {0};
-        roberts_error error;
-        memory_fail(0);
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "t", colored, sizeof colored - 1, NULL, NULL), ROBERTS_OK);
-        memory_fail(n);
-        roberts_status status = roberts_mesh_add(&mesh, vertex, VERTICES, start, corner, FACES, &error);
-        bool failed = memory_failed(), added = status == ROBERTS_OK;
-        memory_fail(0);
-        failures += failed;
-        assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
-        assert_true(mesh.vertex_count == (added ? 1 + VERTICES : 1) && mesh.face_count == (added ? 1 + FACES : 1));
-        assert_true(mesh.corner_count == (added ? 3 + 3 * FACES : 3));
-        assert_int_equal(mesh.face_start[mesh.face_count], mesh.corner_count);
-        assert_int_equal(mesh.corner[mesh.corner_count - 3], added ? FACES : 0);
-        roberts_mesh_free(&mesh);
-        assert_int_equal(memory_blocks, before);
-        if (!failed)
-            break;
-    }
-    assert_true(failures >= 5); /* vertices, faces, corners and both colours */
-}
-
 /* What is declared and does not come takes no memory: no block is larger than the one that bytes are read into. */
 static void declared_counts_take_no_memory(void **state)
 {
@@ -281,13 +245,9 @@ static void declared_counts_take_no_memory(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(text_survives),
-        cmocka_unit_test(binary_survives),
-        cmocka_unit_test(other_formats_survive),
-        cmocka_unit_test(pieces_survive),
-        cmocka_unit_test(adding_survives),
-        cmocka_unit_test(arrays_are_added_whole),
-        cmocka_unit_test(declared_counts_take_no_memory),
+        cmocka_unit_test(text_survives),         cmocka_unit_test(binary_survives),
+        cmocka_unit_test(other_formats_survive), cmocka_unit_test(pieces_survive),
+        cmocka_unit_test(adding_survives),       cmocka_unit_test(declared_counts_take_no_memory),
     };
     return cmocka_run_group_tests_name("memory off", tests, NULL, NULL);
 }

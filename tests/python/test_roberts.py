@@ -98,6 +98,14 @@ class Scenes(unittest.TestCase):
                               [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
         self.assertEqual([len(face) for face in mixed.faces], [4, 3, 3, 3, 3])
         self.assertEqual(mixed.body_kind(0), "convex")
+        vertices, faces = triangles.vertices.copy(), triangles.faces.copy()
+        placed = roberts.Scene(vertices, faces)  # their own numbers, and no copies of them
+        self.assertEqual(placed.vertices.ctypes.data, vertices.ctypes.data)
+        self.assertEqual(placed.corners.ctypes.data, faces.ctypes.data)
+        shown = placed.vertices
+        del vertices, placed
+        gc.collect()
+        np.testing.assert_array_equal(shown, triangles.vertices)
 
     def test_bytes(self):
         with open(CUBE, "rb") as file:

@@ -94,48 +94,80 @@ static void adds_to_a_coloured_mesh(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* Arrays at once give what vertices and faces one by one give. Faces name vertices of their own call. */
-static void adds_arrays(void **state)
+/* A mesh over arrays gives the scene that vertices and faces one by one give, and leaves the arrays as they are. */
+static void takes_arrays_in_place(void **state)
 {
     static const roberts_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    static const uint32_t start[] = {0, 3, 3, 7}, corner[] = {0, 1, 2, 3, 2, 1, 0};
-    roberts_mesh mesh = {0};
+    static const uint32_t start[] = {0, 3, 3, 6, 9, 12}, corner[] = {0, 1, 2, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+    roberts_vec3 own_vertex[4];
+    uint32_t own_start[6], own_corner[12];
+    roberts_mesh built = {0};
+    roberts_scene *scene[2];
     (void)state;
-    mesh.vertex_color = calloc(1, sizeof *mesh.vertex_color); /* room for none: the rows are "none" */
-    mesh.vertex_color_room = 1;
-    for (uint32_t i = 0; i < 3; i++)
-        assert_int_equal(roberts_mesh_add(&mesh, vertex, 4, start, corner, 3, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_mesh_add(&mesh, vertex, 1, NULL, NULL, 0, NULL), ROBERTS_OK);
-    assert_true(mesh.vertex_count == 13 && mesh.face_count == 9 && mesh.corner_count == 21);
-    for (uint32_t i = 0; i < 9; i++) {
-        assert_int_equal(mesh.face_start[i], 7 * (i / 3) + start[i % 3]);
-        assert_int_equal(mesh.vertex_color[i].count, 0);
-    }
-    assert_int_equal(mesh.face_start[9], 21);
-    for (uint32_t i = 0; i < 21; i++)
-        assert_int_equal(mesh.corner[i], 4 * (i / 7) + corner[i % 7]);
-    assert_memory_equal(&mesh.vertex[8], vertex, sizeof vertex);
-    roberts_mesh_free(&mesh);
+    memcpy(own_vertex, vertex, sizeof vertex);
+    memcpy(own_start, start, sizeof start);
+    memcpy(own_corner, corner, sizeof corner);
+    const roberts_mesh given = {.vertex_count = 4,
+                                .face_count = 5,
+                                .corner_count = 12,
+                                .vertex = own_vertex,
+                                .face_start = own_start,
+                                .corner = own_corner};
+    for (size_t v = 0; v < 4; v++)
+        assert_int_equal(roberts_mesh_add_vertex(&built, vertex[v], NULL, NULL), ROBERTS_OK);
+    for (size_t f = 0; f < 5; f++)
+        assert_int_equal(roberts_mesh_add_face(&built, corner + start[f], start[f + 1] - start[f], NULL), ROBERTS_OK);
+    assert_int_equal(roberts_mesh_check(&given, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&given, NULL, &scene[0], NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_build(&built, NULL, &scene[1], NULL), ROBERTS_OK);
+    assert_int_equal(roberts_scene_edge_count(scene[0]), 6);
+    assert_int_equal(roberts_scene_edge_count(scene[1]), 6);
+    assert_int_equal(roberts_scene_face_count(scene[0]), roberts_scene_face_count(scene[1]));
+    assert_memory_equal(own_vertex, vertex, sizeof vertex);
+    assert_memory_equal(own_start, start, sizeof start);
+    assert_memory_equal(own_corner, corner, sizeof corner);
+    roberts_scene_free(scene[0]);
+    roberts_scene_free(scene[1]);
+    roberts_mesh_free(&built);
 }
 
 static void refuses_bad_arrays(void **state)
 {
-    static const roberts_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, bad[] = {{0, 0, 0}, {0, NAN, 0}};
-    static const uint32_t corner[] = {0, 1, 2}, beyond[] = {0, 1, 3}, start[] = {0, 3}, late[] = {1, 3},
-                          back[] = {0, 3, 2};
-    roberts_mesh mesh = {0};
+    static roberts_vec3 vertex[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, bad[] = {{0, 0, 0}, {0, NAN, 0}, {0, 1, 0}};
+    static uint32_t corner[] = {0, 1, 2}, beyond[] = {0, 1, 3}, start[] = {0, 3, 3}, late[] = {1, 3, 3},
+                    back[] = {0, 4, 3}, brief[] = {0, 1, 2};
+    const struct {
+        size_t vertices;
+        roberts_vec3 *vertex;
+        uint32_t *start, *corner; /* NULL: no faces */
+        roberts_status status;
+        const char *message;
+    } rows[] = {
+        {3, vertex, start, corner, ROBERTS_OK, NULL},
+        {3, vertex, NULL, NULL, ROBERTS_OK, NULL},
+        {3, bad, start, corner, ROBERTS_BAD_NUMBER, "vertex 1 has a coordinate that is infinite or beyond 1e+150"},
+        {3, vertex, start, beyond, ROBERTS_BAD_INDEX, "face 0 names vertex 3, but there are 3"},
+        {3, vertex, late, corner, ROBERTS_BAD_ARGUMENT, "face_start begins with 1, not with 0"},
+        {3, vertex, back, corner, ROBERTS_BAD_ARGUMENT, "face_start descends behind face 1"},
+        {3, vertex, brief, corner, ROBERTS_BAD_ARGUMENT, "face_start ends with 2, but there are 3 corners"},
+        {ROBERTS_NONE, vertex, start, corner, ROBERTS_BAD_ARGUMENT,
+         "there are more vertices, faces or corners than 32 bits count"},
+    };
     roberts_error error;
     (void)state;
-    assert_int_equal(roberts_mesh_add(&mesh, bad, 2, NULL, NULL, 0, &error), ROBERTS_BAD_NUMBER);
-    assert_string_equal(error.message, "vertex 1 has a coordinate that is infinite or beyond 1e+150");
-    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, start, beyond, 1, &error), ROBERTS_BAD_INDEX);
-    assert_string_equal(error.message, "face 0 names vertex 3, but there are 3");
-    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, late, corner, 1, &error), ROBERTS_BAD_ARGUMENT);
-    assert_string_equal(error.message, "face_start begins with 1, not with 0");
-    assert_int_equal(roberts_mesh_add(&mesh, vertex, 3, back, corner, 2, &error), ROBERTS_BAD_ARGUMENT);
-    assert_string_equal(error.message, "face_start descends behind face 1");
-    assert_true(mesh.vertex_count == 0 && !mesh.vertex && mesh.face_count == 0 && !mesh.corner);
-    roberts_mesh_free(&mesh);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const roberts_mesh mesh = {.vertex_count = rows[i].vertices,
+                                   .vertex = rows[i].vertex,
+                                   .face_count = rows[i].start ? 2 : 0,
+                                   .face_start = rows[i].start,
+                                   .corner_count = rows[i].start ? 3 : 0,
+                                   .corner = rows[i].corner};
+        assert_int_equal(roberts_mesh_check(&mesh, &error), rows[i].status);
+        if (rows[i].message)
+            assert_string_equal(error.message, rows[i].message);
+    }
+    assert_int_equal(roberts_mesh_check(&(roberts_mesh){.source_count = 1}, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "arrays have neither sources nor groups");
 }
 
 static void frees_what_is_empty(void **state)
@@ -155,7 +187,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(adds_vertices_and_faces), cmocka_unit_test(refuses_bad_coordinates),
         cmocka_unit_test(refuses_bad_corners),     cmocka_unit_test(adds_to_a_coloured_mesh),
-        cmocka_unit_test(frees_what_is_empty),     cmocka_unit_test(adds_arrays),
+        cmocka_unit_test(frees_what_is_empty),     cmocka_unit_test(takes_arrays_in_place),
         cmocka_unit_test(refuses_bad_arrays),
     };
     return cmocka_run_group_tests_name("mesh", tests, NULL, NULL);

@@ -174,41 +174,43 @@ def _camera(where: ViewLike) -> c.camera:
 class Scene:
     """Bodies of any shape, ready to be seen from any side.
 
-    vertices    (n, 3) numbers, model units; copied
-    faces       (m, k) vertex numbers, or a sequence of m sequences of any lengths; copied
+    vertices    (n, 3) numbers, model units; read in place if they are float64 and contiguous, else converted
+    faces       (m, k) vertex numbers, read in place if they are uint32 and contiguous, else converted; or a sequence
+                of m sequences of any lengths
     hull        what is no convex solid is replaced by its hull
     solids      what is no convex solid is refused
     tolerance   how far a corner may lie off its face's plane, as a part of the solid's size; 0: 1e-5
     even_odd    the inside of a face that crosses itself is what its border winds round an odd number of times
+    The scene keeps arrays that are read in place. What is drawn does not follow later changes of them.
     Raises Error, MemoryError, ValueError.
     """
 
     def __init__(self, vertices: Any, faces: Any, *, hull: bool = False, solids: bool = False, tolerance: float = 0.0,
                  even_odd: bool = False) -> None:
-        mesh = c.mesh()
-        free = weakref.finalize(self, c.lib.roberts_mesh_free, ctypes.byref(mesh))
         points = np.ascontiguousarray(vertices, np.float64)
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
         start, corners = _pack(faces)
-        c.check("mesh_add", ctypes.byref(mesh), points.ctypes.data, len(points), start.ctypes.data,
-                corners.ctypes.data, len(start) - 1)
-        self._build(mesh, free, hull, solids, tolerance, even_odd, _Warned())
+        mesh = c.mesh(vertex_count=len(points), face_count=len(start) - 1, corner_count=len(corners),
+                      vertex=points.ctypes.data, face_start=start.ctypes.data, corner=corners.ctypes.data)
+        mesh.arrays = points, start, corners  # they live as long as the mesh
+        c.check("mesh_check", ctypes.byref(mesh))
+        self._build(mesh, hull, solids, tolerance, even_odd, _Warned())
 
-    def _build(self, mesh: c.mesh, free: Any, hull: bool, solids: bool, tolerance: float, even_odd: bool,
+    def _build(self, mesh: c.mesh, hull: bool, solids: bool, tolerance: float, even_odd: bool,
                warned: _Warned) -> None:
         options = c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
                                   warnings=warned.struct)
         handle = ctypes.c_void_p()
         c.check("scene_build", ctypes.byref(mesh), ctypes.byref(options), ctypes.byref(handle))
         weakref.finalize(self, c.lib.roberts_scene_free, handle)
-        self._mesh, self._handle, self._free_mesh = mesh, handle, free
+        self._mesh, self._handle = mesh, handle
         self.name = ""
         warned.issue()
 
     @property
     def vertices(self) -> np.ndarray:
-        """(n, 3) float64: the vertices of the input. A view of the library's memory."""
+        """(n, 3) float64: the vertices of the input. A view."""
         return _array(self, self._mesh.vertex, self._mesh.vertex_count, _vec3)
 
     @property
@@ -309,7 +311,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
     """
     scene = Scene.__new__(Scene)
     mesh, warned = c.mesh(), _Warned()
-    free = weakref.finalize(scene, c.lib.roberts_mesh_free, ctypes.byref(mesh))
+    weakref.finalize(scene, c.lib.roberts_mesh_free, ctypes.byref(mesh))
     if isinstance(what, (bytes, bytearray, memoryview)):
         data = bytes(what)
         c.check("mesh_read_memory", ctypes.byref(mesh), (name or "data").encode(), data, len(data),
@@ -318,7 +320,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
         path = os.fspath(what)
         name = name or os.path.basename(path)
         c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
-    scene._build(mesh, free, hull, solids, tolerance, even_odd, warned)
+    scene._build(mesh, hull, solids, tolerance, even_odd, warned)
     scene.name = name or ""
     return scene
 

@@ -195,7 +195,7 @@ def _declare(name: str, result, *arguments) -> None:
 _error_p = POINTER(error)
 _declare("mesh_read_file", c_int, POINTER(mesh), c_char_p, POINTER(warnings), _error_p)
 _declare("mesh_read_memory", c_int, POINTER(mesh), c_char_p, c_void_p, c_size_t, POINTER(warnings), _error_p)
-_declare("mesh_add", c_int, POINTER(mesh), c_void_p, c_size_t, c_void_p, c_void_p, c_size_t, _error_p)
+_declare("mesh_check", c_int, POINTER(mesh), _error_p)
 _declare("mesh_free", None, POINTER(mesh))
 _declare("scene_build", c_int, POINTER(mesh), POINTER(scene_options), POINTER(c_void_p), _error_p)
 _declare("scene_free", None, c_void_p)
