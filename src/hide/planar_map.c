@@ -480,8 +480,8 @@ static uint32_t cell_above(const cell_sweep *s, uint32_t line)
     return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s, line));
 }
 
-/* The next line that ends at a node, upward; ROBERTS_NONE: there is none. left: how many half-edges of the star are left
- * to look at; those on the left side go downward. */
+/* The next line that ends at a node, upward; ROBERTS_NONE: there is none. left: how many half-edges of the star are
+ * left to look at; those on the left side go downward. */
 static uint32_t next_ended(const cell_sweep *s, uint32_t node, uint32_t *left)
 {
     const map_stars *stars = &s->c->stars;
@@ -541,7 +541,8 @@ static bool number_cells(map_cells *c, const planar_map *m)
     }
     if (groups < 2)
         return true;
-    bool enough = sort_nodes(&s) && find_leftmost(&s) && find_directions(&s) && sweep_order_start(&s.order, m->line_count);
+    bool enough =
+        sort_nodes(&s) && find_leftmost(&s) && find_directions(&s) && sweep_order_start(&s.order, m->line_count);
     for (size_t i = 0; enough && i < s.count; i++)
         pass_node(&s, s.node[i]);
     sweep_order_free(&s.order);
