@@ -207,6 +207,11 @@ try {
   await browser.until(`${drawn} && ${silent}`);
   await compare("svg");
 
+  // two models are refused, and the one that is there stays
+  await browser.drop("#stage", here("table.off"), here("colours.obj"));
+  await browser.until(`document.querySelector("#messages").textContent.includes("one model at a time")`);
+  await compare("svg");
+
   // what is wrong is said in the words of the program
   for (const name of ["broken.off", "words.stl"]) {
     await browser.drop("#stage", here(name));

@@ -355,7 +355,8 @@ async function open(own) {
 /* Takes one model of the files that a user gives. Materials without a model are for the one that is there. */
 function takeOwn(files) {
   const materials = [...files].filter((one) => /\.mtl$/i.test(one.name)),
-    file = [...files].find((one) => !materials.includes(one));
+    [file, ...more] = [...files].filter((one) => !materials.includes(one));
+  if (more.length) return say("The page draws one model at a time.", true);
   if (file) by("model").value = "";
   if (file) take(file, materials);
   else if (materials.length && model) take(model.file, [...model.materials, ...materials]);
