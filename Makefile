@@ -108,12 +108,13 @@ TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/locale/de_DE.UTF-8
 test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
 	@$(RUN_TESTS) $(TEST_BIN)
 
-test-quick: $(TESTED) $(QUICK_BIN) ## runs the quick tests, in less than 20 s; the slow ones (SLOW) are in `make test` alone
+test-quick: $(TESTED) $(QUICK_BIN) ## runs the quick tests; `make test` also has the slow ones (SLOW)
 	@$(RUN_TESTS) $(QUICK_BIN)
 
 # 5,000,000 edges and 1,000,000 regions against the exact oracles (EDGES=n, REGIONS=n), 1,000 drawings against their
 # tables (DRAWINGS=n)
-check-long: $(BUILD)/tests/oracle/compare $(BUILD)/tests/oracle/mesh_compare $(BUILD)/tests/oracle/region_compare $(BUILD)/tests/test_regions $(BUILD)/tests/paper/compare ## compares millions of edges with the oracle; fuzzes
+LONG := $(addprefix $(BUILD)/tests/,oracle/compare oracle/mesh_compare oracle/region_compare test_regions paper/compare)
+check-long: $(LONG) ## compares millions of edges with the oracle; fuzzes
 	$(BUILD)/tests/oracle/compare --folder $(BUILD) --edges $(EDGES) --per-family
 	$(BUILD)/tests/oracle/mesh_compare --folder $(BUILD) --edges $(EDGES)
 	$(BUILD)/tests/oracle/region_compare --folder $(BUILD) --regions $(REGIONS)
@@ -216,7 +217,8 @@ clean: ## removes build/
 	rm -rf $(BUILD)
 
 help: ## lists the targets
-	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile src/web/module.mk | expand -t 24
+	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile src/web/module.mk | \
+	    expand -t 24
 	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
@@ -354,7 +356,8 @@ lint-tidy: $(BUILD)/generated/draw/letters_data.h
 	@mkdir -p $(BUILD)
 	@echo clang-tidy on $(words $(C_SRC)) files
 	@printf '%s\n' $(C_SRC) | xargs -P $(CPUS) -I FILE \
-	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc -I$(BUILD)/generated -iquote tests -iquote tests/support \
+	    clang-tidy --quiet FILE -- $(STD) $(WARN) -Iinclude -Isrc -I$(BUILD)/generated -iquote tests \
+	    -iquote tests/support \
 	    $(patsubst -I%,-isystem%,$(CAIRO_CFLAGS) $(QHULL_CFLAGS)) 2>$(BUILD)/tidy.err || \
 	    { cat $(BUILD)/tidy.err; exit 1; }
 
@@ -368,9 +371,9 @@ lint-cppcheck:
 JOBS     ?= $(CPUS)
 export JOBS
 
-.PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures force fuzz \
-    fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test test-quick \
-    test-sanitize test-threads tools uninstall web
+.PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures \
+    force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test \
+    test-quick test-sanitize test-threads tools uninstall web
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

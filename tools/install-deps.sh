@@ -1,5 +1,6 @@
 #!/bin/sh
-# Installs the Debian packages that are missing, and nothing else: tools/install-deps.sh [build] [test] [lint] [fuzz] [web]
+# Installs the Debian packages that are missing, and nothing else:
+# tools/install-deps.sh [build] [test] [lint] [fuzz] [web]
 #
 # A package counts as installed if the needed part works (a command runs, a header is found) or if dpkg says so.
 # If nothing is missing, on Debian or elsewhere, it installs nothing. It installs as root or with passwordless sudo;
