@@ -2,6 +2,7 @@
 #include "cli/part.h"
 
 #include <string.h>
+#include <sys/resource.h>
 
 #include "cli/message.h"
 #include "cli/signals.h"
@@ -40,9 +41,21 @@ static bool wants_names(const cli_options *options)
     return wants;
 }
 
+/* All parts are open at a time, and often no more than 1024 files may be, unless more are asked for. */
+static void allow_files(size_t count)
+{
+    const rlim_t wanted = (rlim_t)count + 64; /* with the drawing's, and what was open before */
+    struct rlimit limit;
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted)
+        return;
+    limit.rlim_cur = wanted < limit.rlim_max ? wanted : limit.rlim_max;
+    (void)setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 roberts_status part_join(const cli_options *options, roberts_joined *joined, roberts_error *error)
 {
     const roberts_task task = task_of(options);
+    allow_files(options->input_count);
     roberts_status status = roberts_join(&(roberts_inputs){options->input_count, options->input}, &task, joined, error);
     if (status != ROBERTS_OK || !joined->has_names || !wants_names(options))
         return status;

@@ -142,3 +142,9 @@ scan_frame cells_for_covers(const cells_boxes *b, int threads)
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }
+
+bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count)
+{
+    return (nx == 0) == (ny == 0) && nx <= SIDE_MOST && ny <= SIDE_MOST &&
+           (double)nx * ny <= COVER_CELLS_PER_BOX * count + CELLS_FREE;
+}

@@ -22,4 +22,7 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
  * not pay, and the frame has no columns. The number of threads does not change the result. */
 scan_frame cells_for_covers(const cells_boxes *b, int threads);
 
+/* Can cells_for_covers() return so many columns and rows, for `count` boxes? */
+bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count);
+
 #endif

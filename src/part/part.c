@@ -141,7 +141,21 @@ static bool keep(part *q, uint32_t number, uint64_t at, const plan_place *place,
  * that are met are kept. */
 typedef enum look { LOOK_OWN, LOOK_MET, LOOK_KEEP } look;
 
-/* Looks at the places of all bodies, one after the other. */
+static roberts_status broken(roberts_error *error)
+{
+    return error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is broken, or cannot be read");
+}
+
+/* Does the record have room for what its place says of it? */
+static bool has_room(const plan_place *place)
+{
+    const uint64_t numbers = (uint64_t)place->faces + place->corners;
+    return sizeof(plan_body) + place->vertices * sizeof(roberts_vec3) + numbers * sizeof(uint32_t) <=
+           (uint64_t)place->size * UNIT;
+}
+
+/* Looks at the places of all bodies, one after the other. What they say of sizes has to fit the file, so a damaged plan
+ * cannot ask for more memory than a sound one of its length. */
 static roberts_status look_through(part *q, look what, roberts_error *error)
 {
     const plan_facts *facts = &q->p->facts;
@@ -150,12 +164,17 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
     if (!plan_read_from(&places, q->p->file, facts->places, facts->starts) ||
         !plan_read_from(&starts, q->p->file, facts->starts, facts->names))
         status = error_no_memory(error);
-    uint64_t at = 0;
+    uint64_t at = 0, vertices = 0;
     for (uint32_t i = 0; i < facts->bodies && status == ROBERTS_OK; i++) {
         plan_place place;
         uint32_t start;
         if (!plan_read(&places, &place, sizeof place) || !plan_read(&starts, &start, sizeof start)) {
             status = error_set(error, ROBERTS_IO, 0, "cannot read the plan");
+            break;
+        }
+        vertices += place.vertices;
+        if (start >= facts->weight || vertices > facts->weight || !has_room(&place)) {
+            status = broken(error);
             break;
         }
         const bool own = is_own(q, start);
@@ -167,6 +186,8 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
             status = error_no_memory(error);
         at += (uint64_t)place.size * UNIT;
     }
+    if (status == ROBERTS_OK && (at != facts->places || vertices != facts->weight))
+        status = broken(error);
     plan_reader_free(&places);
     plan_reader_free(&starts);
     return status;
@@ -224,13 +245,14 @@ static bool read_numbers(plan_reader *in, bool listed, uint32_t first, uint32_t 
 }
 
 /* Reads one body to the end of the mesh. False: it is not as its place says, or cannot be read. */
-static bool read_body(part *q, plan_reader *in)
+static bool read_body(part *q, const kept_body *body, plan_reader *in)
 {
     roberts_mesh *m = &q->mesh;
     plan_body head;
-    const uint32_t first = (uint32_t)m->vertex_count;
-    if (!plan_read(in, &head, sizeof head) || head.vertices > q->vertices - m->vertex_count ||
-        head.faces > q->faces - m->face_count || head.corners > q->corners - m->corner_count ||
+    const uint32_t first = body->first_vertex;
+    if (first != m->vertex_count || !plan_read(in, &head, sizeof head) ||
+        head.vertices > q->vertices - m->vertex_count || head.faces > q->faces - m->face_count ||
+        head.corners > q->corners - m->corner_count ||
         !plan_read(in, m->vertex + first, head.vertices * sizeof *m->vertex) ||
         !read_numbers(in, head.listed & PLAN_VERTICES, head.first_vertex, head.vertices, q->vertex_number + first) ||
         !read_numbers(in, head.listed & PLAN_FACES, head.first_face, head.faces, q->face_number + m->face_count))
@@ -238,8 +260,12 @@ static bool read_body(part *q, plan_reader *in)
     uint32_t *start = m->face_start + m->face_count, *corner = m->corner + m->corner_count;
     if (!plan_read(in, start + 1, head.faces * sizeof *start) || !plan_read(in, corner, head.corners * sizeof *corner))
         return false;
-    for (uint32_t f = 0; f < head.faces; f++)
+    for (uint32_t f = 0, left = head.corners; f < head.faces; f++) { /* up to here start[f + 1] is a face's corners */
+        if (start[f + 1] > left)
+            return false;
+        left -= start[f + 1];
         start[f + 1] += start[f];
+    }
     for (uint32_t i = 0; i < head.corners; i++) {
         if (corner[i] >= head.vertices)
             return false;
@@ -295,9 +321,13 @@ static roberts_status gather(part *q, roberts_error *error)
     for (size_t k = 0; k < q->count && status == ROBERTS_OK; k++) {
         const uint64_t now = in.at - (in.filled - in.used);
         at = q->body[k].at;
-        if (at < now || !plan_read(&in, NULL, (size_t)(at - now)) || !read_body(q, &in))
-            status = error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is broken, or cannot be read");
+        if (at < now || !plan_read(&in, NULL, (size_t)(at - now)) || !read_body(q, &q->body[k], &in))
+            status = broken(error);
     }
+    const roberts_mesh *m = &q->mesh;
+    if (status == ROBERTS_OK &&
+        (m->vertex_count != q->vertices || m->face_count != q->faces || m->corner_count != q->corners))
+        status = broken(error);
     plan_reader_free(&in);
     if (status == ROBERTS_OK && !sort_faces(q))
         status = error_no_memory(error);

@@ -593,13 +593,15 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
     return status;
 }
 
-/* Are the sections one behind the other, and as large as they have to be? */
+/* Are the sections one behind the other, and as large as they have to be? And is the picture's grid one that so many
+ * bodies can have? */
 static bool is_sound(const plan_facts *facts, uint64_t end)
 {
     return facts->bodies < ROBERTS_NONE && facts->weight < ROBERTS_NONE && facts->places <= facts->starts &&
            facts->starts <= facts->names && facts->names <= end &&
            facts->starts - facts->places == facts->bodies * sizeof(plan_place) &&
-           facts->names - facts->starts >= facts->bodies * sizeof(uint32_t) && facts->inputs > 0;
+           facts->names - facts->starts >= facts->bodies * sizeof(uint32_t) && facts->inputs > 0 &&
+           cells_may_cover(facts->whole.columns, facts->whole.rows, (uint32_t)facts->bodies);
 }
 
 roberts_status plan_open(plan *p, const char *path, roberts_error *error)

@@ -115,6 +115,7 @@ static const struct foreign {
     {"MeshVersionFormatted", "Medit", "gmsh -0 model.mesh -o model.stl", true},
     {"LIST", "a Geomview LIST", "", true},
     {"MESH", "a Geomview MESH", "", true},
+    {"roberts", "a part of a drawing", "roberts --join -o drawing.svg part-*", true}, /* see part/rows.h */
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
     {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
@@ -191,7 +192,8 @@ static bool need_stl_header(input *in)
 /* Do the bytes begin a binary format that is not supported? (Binary OFF begins with a line of text.) */
 static bool begins_foreign_binary(const char *bytes)
 {
-    static const char *const begins[] = {"PK\x03\x04", "\x1f\x8b", "\xff\xfe", "\xfe\xff", "$MeshFormat"};
+    static const char *const begins[] = {"PK\x03\x04", "\x1f\x8b",    "\xff\xfe",
+                                         "\xfe\xff",   "$MeshFormat", "roberts part"};
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
         if (memcmp(bytes, begins[i], strlen(begins[i])) == 0)
             return true;

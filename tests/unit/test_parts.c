@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "part/plan.h"
 #include "rng.h"
 #include "roberts.h"
 #include "temporary.h"
@@ -19,13 +20,13 @@
 
 enum { PARTS_MOST = 7, NAME = TEMPORARY_ROOM + 32 };
 
-static char plan[NAME], part[PARTS_MOST][NAME], one[NAME], joined[NAME], model[2][NAME];
+static char plan_path[NAME], part[PARTS_MOST][NAME], one[NAME], joined[NAME], model[2][NAME];
 
 static int begin(void **state)
 {
     if (temporary_make(state) != 0)
         return -1;
-    snprintf(plan, sizeof plan, "%s/scene.plan", temporary);
+    snprintf(plan_path, sizeof plan_path, "%s/scene.plan", temporary);
     snprintf(one, sizeof one, "%s/one", temporary);
     snprintf(joined, sizeof joined, "%s/joined", temporary);
     for (int k = 0; k < PARTS_MOST; k++)
@@ -107,8 +108,8 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
     roberts_drawing drawing;
     roberts_joined from_parts;
     roberts_error error = {0};
-    char *const plans[] = {plan};
-    if (roberts_plan_save(input, task, plan, &error) != ROBERTS_OK)
+    char *const plans[] = {plan_path};
+    if (roberts_plan_save(input, task, plan_path, &error) != ROBERTS_OK)
         return false;
     for (size_t i = 0; i < input->count; i++)
         assert_int_equal(roberts_mesh_read_file(&mesh, input->name[i], NULL, NULL), ROBERTS_OK);
@@ -343,32 +344,77 @@ static void wholes_are_refused(void **state)
     assert_int_equal(roberts_part_save(&input, &task, (roberts_share){4, 3}, part[6], NULL), ROBERTS_BAD_ARGUMENT);
     task = task_of("eye");
     task.camera.near_distance = 199;
-    assert_int_equal(roberts_plan_save(&input, &task, plan, NULL), ROBERTS_BAD_VIEW);
+    assert_int_equal(roberts_plan_save(&input, &task, plan_path, NULL), ROBERTS_BAD_VIEW);
     task = task_of("iso");
     task.scene.hull = true;
-    assert_int_equal(roberts_plan_save(&input, &task, plan, NULL), ROBERTS_BAD_ARGUMENT);
+    assert_int_equal(roberts_plan_save(&input, &task, plan_path, NULL), ROBERTS_BAD_ARGUMENT);
 }
 
 /* A plan of another task, a plan beside a model, and a plan that is cut off. */
 static void plans_are_checked(void **state)
 {
-    char *names[] = {model[0], plan}, *plans[] = {plan};
+    char *names[] = {model[0], plan_path}, *plans[] = {plan_path};
     const roberts_task task = task_of("iso"), turned = task_of("front");
     size_t size;
     (void)state;
     write_crowd(model[0], 4, 9, IN_A_ROW);
-    assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan_path, NULL), ROBERTS_OK);
     const roberts_share first = {1, 2};
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, first, part[0], NULL), ROBERTS_OK);
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &turned, first, part[0], NULL),
                      ROBERTS_BAD_ARGUMENT);
     assert_int_equal(roberts_part_save(&(roberts_inputs){2, names}, &task, first, part[0], NULL), ROBERTS_BAD_ARGUMENT);
-    char *bytes = whole_file(plan, &size);
-    FILE *file = fopen(plan, "wb");
+    char *bytes = whole_file(plan_path, &size);
+    FILE *file = fopen(plan_path, "wb");
     assert_int_equal(fwrite(bytes, 1, size - 8, file), size - 8);
     assert_int_equal(fclose(file), 0);
     free(bytes);
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, first, part[0], NULL), ROBERTS_BAD_SYNTAX);
+}
+
+/* Sizes and counts in a plan that do not fit the file. */
+static void broken_plans_are_refused(void **state)
+{
+    char *names[] = {model[0]}, *plans[] = {plan_path};
+    const roberts_task task = task_of("iso");
+    plan_facts facts;
+    size_t size;
+    (void)state;
+    write_crowd(model[0], 4, 9, IN_A_ROW);
+    assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan_path, NULL), ROBERTS_OK);
+    char *bytes = whole_file(plan_path, &size);
+    memcpy(&facts, bytes + size - sizeof facts, sizeof facts);
+    const size_t end = size - sizeof facts, place = facts.places;
+    const uint32_t vertices = ((const plan_body *)bytes)->vertices;
+    const size_t corners = sizeof(plan_body) + vertices * sizeof(roberts_vec3); /* of the first face */
+    const struct {
+        size_t at;
+        uint32_t value;
+    } wrong[] = {{end + offsetof(plan_facts, weight), 0},
+                 {end + offsetof(plan_facts, weight), (uint32_t)facts.weight + 1},
+                 {end + offsetof(plan_facts, bodies), 0},
+                 {end + offsetof(plan_facts, whole.columns), 1u << 31},
+                 {end + offsetof(plan_facts, whole.columns), facts.whole.columns ? 0 : 1},
+                 {place + offsetof(plan_place, vertices), vertices + 1},
+                 {place + offsetof(plan_place, faces), 5},
+                 {place + offsetof(plan_place, faces), 1000000},
+                 {place + offsetof(plan_place, corners), 23},
+                 {place + offsetof(plan_place, size), 1},
+                 {facts.starts, (uint32_t)facts.weight},
+                 {corners, 0xfffffff0},
+                 {corners, 5}};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        uint32_t right;
+        memcpy(&right, bytes + wrong[i].at, sizeof right);
+        memcpy(bytes + wrong[i].at, &wrong[i].value, sizeof right);
+        FILE *file = fopen(plan_path, "wb");
+        assert_int_equal(fwrite(bytes, 1, size, file), size);
+        assert_int_equal(fclose(file), 0);
+        memcpy(bytes + wrong[i].at, &right, sizeof right);
+        assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, (roberts_share){1, 1}, part[0], NULL),
+                         ROBERTS_BAD_SYNTAX);
+    }
+    free(bytes);
 }
 
 int main(void)
@@ -382,6 +428,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(broken_parts_are_refused, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(wholes_are_refused, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(plans_are_checked, begin, temporary_remove),
+        cmocka_unit_test_setup_teardown(broken_plans_are_refused, begin, temporary_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

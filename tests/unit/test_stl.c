@@ -197,6 +197,7 @@ static void knows_other_binary(void **state)
                 {"PK\x03\x04", "a ZIP archive"},
                 {"\xff\xfe", "text in UTF-16"},
                 {"$MeshFormat\n", "Gmsh"},
+                {"roberts part 1\n", "roberts --join"},
                 {"OFF BINARY\n\1\1\1\1", "vertex"},
                 {"# first\ncoff binary\n\1\1\1\1", "vertex"}};
     (void)state;

@@ -58,17 +58,11 @@ part | join)
         part=${PART:-$SLURM_ARRAY_TASK_ID}
         try "$folder/part-$part" "$roberts" "$@" --part "$part/$count" "$plan" -o "$folder/part-$part"
     else
-        parts=
+        set -- "$@" --join -o "$output"
         for k in $(seq "$count"); do
-            parts="$parts part-$k"
+            set -- "$@" "$folder/part-$k"
         done
-        case $output in
-        /*) ;;
-        *) output=$PWD/$output ;;
-        esac
-        cd "$folder"
-        # shellcheck disable=SC2086 # the names of parts have no blanks
-        exec "$roberts" "$@" --join -o "$output" $parts
+        exec "$roberts" "$@"
     fi
     ;;
 *)
