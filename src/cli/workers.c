@@ -111,6 +111,7 @@ static bool start(crew *c, int number)
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
         return false;
+    fflush(NULL); /* what waits in buffers is not for the worker to write */
     const pid_t process = signals_fork(number);
     if (process == 0) {
         for (int i = 0; i < SIGNALS_WORKERS; i++)
@@ -118,7 +119,7 @@ static bool start(crew *c, int number)
                 close(c->member[i].socket); /* otherwise they would not end with that process */
         close(ends[0]);
         serve(c->plan, ends[1]);
-        _exit(0);
+        exit(0); /* not _exit(): LLVM's OpenMP would leave a file in shared memory */
     }
     const int reason = errno;
     close(ends[1]);

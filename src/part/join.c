@@ -62,7 +62,7 @@ static bool read_frame(source *s, uint64_t size, bool *is_part)
 static roberts_status open_part(source *s, const char *path, roberts_error *error)
 {
     struct stat found;
-    bool is_part;
+    bool is_part = false;
     *s = (source){.path = path, .file = fopen(path, "rb")};
     if (!s->file || fstat(fileno(s->file), &found) != 0) {
         error_set_file(error, path);
