@@ -47,8 +47,10 @@ export function toArguments(options = {}) {
 
 export async function save(bytes, format, options = {}) {
   const name = options.name ?? "model";
-  const module = await load();
   const files = { ...options.files, [name]: bytes };
+  for (const [file, content] of Object.entries(files))
+    if (!(content instanceof Uint8Array)) throw new TypeError(`${file}: the bytes of a file have to be a Uint8Array`);
+  const module = await load();
   const { status, messages, output } = run(module, [...toArguments(options), "-f", format, "--", name], files);
   const lines = messages.split("\n").filter((line) => line !== "");
   if (status !== 0) throw new RobertsError(lines.join("\n"), status);

@@ -67,6 +67,20 @@ int mkstemp(char *template)
     return -1;
 }
 
+int getrlimit(int resource, struct rlimit *limit)
+{
+    (void)resource;
+    (void)limit;
+    return fail(ENOSYS);
+}
+
+int setrlimit(int resource, const struct rlimit *limit)
+{
+    (void)resource;
+    (void)limit;
+    return fail(ENOSYS);
+}
+
 /* ---- batches ---- */
 
 int batch_make(const cli_options *options)

@@ -12,6 +12,15 @@ uid_t geteuid(void);
 int dup(int descriptor);
 int mkstemp(char *template);
 
+/* Limits are not known. */
+typedef unsigned long long rlim_t;
+struct rlimit {
+    rlim_t rlim_cur, rlim_max;
+};
+int getrlimit(int resource, struct rlimit *limit);
+int setrlimit(int resource, const struct rlimit *limit);
+#define RLIMIT_NOFILE 0
+
 #define F_DUPFD_CLOEXEC (-1) /* no such command: fcntl() fails */
 
 #endif
