@@ -218,17 +218,18 @@ static void few_open_files(void **state)
     assert_entries(MANY + 1 - told);
 }
 
-/* A manifest may grow to 1 kB, which is in the middle of a row. The files are computed all the same. */
+/* A manifest may grow to 1 or 2 kB (two blocks of the shell), which is in the middle of a row. The files are computed
+ * all the same. With less, LLVM's OpenMP ends the program by SIGBUS: it needs 1 kB of shared memory. */
 static void manifest_is_full(void **state)
 {
     char whole[TEXT];
     (void)state;
-    assert_int_equal(run_from("ulimit -f 1; set -- \"$@\" models/platonic/*.off models/catalan/*.off",
+    assert_int_equal(run_from("ulimit -f 2; set -- \"$@\" models/platonic/*.off models/catalan/*.off",
                               "--batch in --manifest in/rows -f null", ""),
                      1);
     assert_string_equal(last.err, "roberts: in/rows: cannot write: File too large\n");
     read_text("in/rows", whole);
-    assert_true(strlen(whole) == 1024 || strlen(whole) == 512);
+    assert_true(strlen(whole) == 1024 || strlen(whole) == 2048);
     assert_int_equal(run("--batch in --manifest in/rows -f null models/table.off"), 0);
     read_text("in/rows", whole);
     assert_int_equal(count_of(whole, "{\"file\":"), count_of(whole, "}\n"));
