@@ -155,7 +155,7 @@ part_stamp part_stamp_of(const roberts_task *task)
                               c->up.y,        c->up.z,         c->oblique.x,      c->oblique.y, c->near_distance,
                               c->fov_degrees, c->roll_degrees, h->crease_degrees, h->epsilon,   task->scene.tolerance};
     static_assert(sizeof numbers == offsetof(part_stamp, perspective), "every number has its place");
-    memcpy(s.dir, numbers, sizeof numbers);
+    memcpy(&s, numbers, sizeof numbers);
     s.perspective = c->projection == ROBERTS_PERSPECTIVE;
     s.has_look_at = c->has_look_at;
     s.crease_auto = h->crease_auto;
