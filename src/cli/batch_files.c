@@ -19,6 +19,13 @@ static int no_memory(void)
 
 /* ---- names ---- */
 
+/* Length of the folder's name in a file's, with its slash. */
+static size_t folder_length(const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    return slash ? (size_t)(slash - name) + 1 : 0;
+}
+
 /* Moves past slashes and past parts that are only a dot: they lead nowhere. */
 static const char *next_part(const char *at)
 {
@@ -50,10 +57,7 @@ static const char *name_below(const char *root, const char *name)
  * is not in that folder. */
 static const char *kept_name(const cli_options *options, const char *input)
 {
-    const char *slash = strrchr(input, '/');
-    if (options->root)
-        return name_below(options->root, input);
-    return slash ? slash + 1 : input;
+    return options->root ? name_below(options->root, input) : input + folder_length(input);
 }
 
 /* DIR/name.svg for any/where/name.off, where the kept name is name.off; NULL: no memory. */
@@ -78,13 +82,6 @@ static int by_output(const void *a, const void *b)
 {
     const batch_file *const *f = a, *const *g = b;
     return strcmp((*f)->output, (*g)->output);
-}
-
-/* Length of the folder's name in a file's, with its slash. */
-static size_t folder_length(const char *name)
-{
-    const char *slash = strrchr(name, '/');
-    return slash ? (size_t)(slash - name) + 1 : 0;
 }
 
 static bool in_one_folder(const char *a, const char *b)
@@ -213,7 +210,7 @@ static size_t keep(batch_files *b, bool (*wanted)(size_t, const void *), const v
 /* Takes every n-th file: large ones are often neighbours in a list. */
 static bool is_in_shard(size_t i, const void *context)
 {
-    const cli_share *shard = context;
+    const roberts_share *shard = context;
     return i % shard->of == shard->number - 1;
 }
 

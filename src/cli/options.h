@@ -20,11 +20,6 @@ typedef struct description {
     bool is_full;
 } description;
 
-/* One of `of` equal shares, numbered from 1; of 0: all of it. */
-typedef struct cli_share {
-    uint32_t number, of;
-} cli_share;
-
 typedef struct cli_options {
     char *const *input; /* [input_count], of argv; "-" is standard input; at least one, unless there is a list */
     size_t input_count;
@@ -33,12 +28,12 @@ typedef struct cli_options {
     const char *list;     /* NULL, or the file with names of further inputs; "-" is standard input */
     const char *root;     /* NULL, or the folder from which on a drawing keeps the name of its input */
     const char *manifest; /* NULL, or the file that gets a row for each input */
-    cli_share shard;      /* of the inputs */
+    roberts_share shard;  /* of the inputs; of 0: all */
     bool update;          /* draw only what is newer than its drawing */
     double limit_seconds; /* for each input; 0: none */
     double limit_memory;  /* for each input, MB; 0: none */
     bool plan;            /* lay out the scene for parts, and draw nothing */
-    cli_share part;       /* draw this part of the scene into a file that --join reads */
+    roberts_share part;   /* draw this part of the scene into a file that --join reads; of 0: all */
     bool join;            /* the inputs are parts */
     const char *names;    /* NULL, or the file with names of vertices, edges, faces and bodies */
     const char *regions;  /* NULL, or the file for the visible regions of faces; "-" is standard output */

@@ -22,10 +22,8 @@ int part_make(const cli_options *options)
     const roberts_inputs input = {options->input_count, options->input};
     roberts_error error = {0};
     progress_stage(options->plan ? "laying out" : "drawing a part");
-    roberts_status status =
-        options->plan ? roberts_plan_save(&input, &task, options->output, &error)
-                      : roberts_part_save(&input, &task, (roberts_share){options->part.number, options->part.of},
-                                          options->output, &error);
+    roberts_status status = options->plan ? roberts_plan_save(&input, &task, options->output, &error)
+                                          : roberts_part_save(&input, &task, options->part, options->output, &error);
     if (status != ROBERTS_OK && !error.file[0])
         snprintf(error.file, sizeof error.file, "%s", options->input[0]);
     return status == ROBERTS_OK ? EXIT_DONE : message_error(options->log, &error);

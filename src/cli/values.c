@@ -73,7 +73,7 @@ int values_set_length(const option *o, const char *value, cli_options *options)
 
 int values_set_share(const option *o, const char *value, cli_options *options)
 {
-    cli_share *share = field(o, options);
+    roberts_share *share = field(o, options);
     char word[16];
     bool fits;
     const char *of = parse_word(value, '/', word, sizeof word, &fits);
