@@ -7,9 +7,11 @@
 
 #include <errno.h>
 #include <math.h>
+#include <poll.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/bits.h"
 #include "base/error.h"
@@ -287,4 +289,31 @@ roberts_status output_error(roberts_error *error, const char *what, int reason)
     if (strerror_r(reason, text, sizeof text) != 0)
         return error_set(error, ROBERTS_IO, 0, "%s: error %d", what, reason);
     return error_set(error, ROBERTS_IO, 0, "%s: %s", what, text);
+}
+
+/* ---- descriptors ---- */
+
+/* Waits until a descriptor that somebody has made non-blocking takes bytes again. */
+static bool wait_writable(int descriptor)
+{
+    struct pollfd one = {.fd = descriptor, .events = POLLOUT};
+    return poll(&one, 1, -1) >= 0 || errno == EINTR;
+}
+
+bool output_descriptor(void *context, const void *bytes, size_t size)
+{
+    int descriptor = *(int *)context;
+    const char *at = bytes;
+    while (size) {
+        ssize_t done = write(descriptor, at, size);
+        if (done < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) && wait_writable(descriptor))
+            continue;
+        if (done < 0 && errno == EINTR)
+            continue;
+        if (done < 0)
+            return false;
+        at += done;
+        size -= (size_t)done;
+    }
+    return true;
 }

@@ -50,6 +50,9 @@ roberts_status output_finish(output *out, roberts_error *error);
 /* Sets ROBERTS_IO with the message "what: reason", in the system's words for this errno. */
 roberts_status output_error(roberts_error *error, const char *what, int reason);
 
+/* A roberts_write_fn that writes to a descriptor, an int to which `context` points. False: errno says why. */
+bool output_descriptor(void *context, const void *bytes, size_t size);
+
 enum { DECIMAL_ROOM = 40 }; /* the longest text has 24 bytes and its NUL; copies of a fixed size write beyond it */
 
 /* Writes what printf("%.17g", x) writes in the C locale, but "0" for -0, and returns its length. It reads back as x

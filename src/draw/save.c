@@ -15,7 +15,6 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <math.h>
-#include <poll.h>
 #include <stdio.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -340,8 +339,7 @@ typedef struct target {
     bool replaces;
 } target;
 
-/* Directory of `path` with its slash, then `name`. NULL: no memory. */
-static char *beside(const char *path, const char *name)
+char *save_beside(const char *path, const char *name)
 {
     const char *slash = strrchr(path, '/');
     size_t head = slash ? (size_t)(slash - path) + 1 : 0, tail = strlen(name);
@@ -380,7 +378,7 @@ static int follow_links(target *t)
         if (length < 0)
             return errno == EINVAL || errno == ENOENT ? 0 : errno; /* no link; nothing there yet */
         link[length] = '\0';
-        char *next = beside(link[0] == '/' ? "" : t->path, link);
+        char *next = save_beside(link[0] == '/' ? "" : t->path, link);
         if (!next)
             return ENOMEM;
         free(t->path);
@@ -399,7 +397,7 @@ static char *temporary_name(const target *t, unsigned attempt)
     for (const char *c = slash ? slash + 1 : t->path; *c; c++)
         hash = (hash ^ (unsigned char)*c) * 1099511628211u;
     snprintf(name, sizeof name, ".roberts-%016llx-%x", (unsigned long long)hash, attempt);
-    return beside(t->path, name);
+    return save_beside(t->path, name);
 }
 
 /* Whether an open file still has that name. */
@@ -500,31 +498,6 @@ static int open_target(target *t, const roberts_draw_options *options)
     return open_beside(t, options);
 }
 
-/* Waits until a descriptor that somebody has made non-blocking takes bytes again. */
-static bool wait_writable(int descriptor)
-{
-    struct pollfd one = {.fd = descriptor, .events = POLLOUT};
-    return poll(&one, 1, -1) >= 0 || errno == EINTR;
-}
-
-static bool write_descriptor(void *context, const void *bytes, size_t size)
-{
-    int descriptor = *(int *)context;
-    const char *at = bytes;
-    while (size) {
-        ssize_t done = write(descriptor, at, size);
-        if (done < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) && wait_writable(descriptor))
-            continue;
-        if (done < 0 && errno == EINTR)
-            continue;
-        if (done < 0)
-            return false;
-        at += done;
-        size -= (size_t)done;
-    }
-    return true;
-}
-
 /* Closes the file, and renames it where all went well. In every case the temporary file is gone. */
 static roberts_status close_target(target *t, const roberts_draw_options *options, roberts_status status,
                                    roberts_error *error)
@@ -550,13 +523,13 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
 static roberts_status save_file(const subject *what, const roberts_draw_options *options, const char *path,
                                 roberts_error *error)
 {
-    target t = {.path = beside("", path), .descriptor = -1};
+    target t = {.path = save_beside("", path), .descriptor = -1};
     roberts_status status;
     int reason = t.path ? open_target(&t, options) : ENOMEM;
     if (reason) {
         status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
     } else {
-        status = write_subject(what, options, write_descriptor, &t.descriptor, error);
+        status = write_subject(what, options, output_descriptor, &t.descriptor, error);
         status = close_target(&t, options, status, error);
     }
     free(t.temporary);
@@ -574,7 +547,7 @@ static roberts_status save(const subject *what, const roberts_draw_options *opti
     if (!options)
         options = &defaults;
     if (to_standard_output || options->format == ROBERTS_NULL)
-        status = write_subject(what, options, write_descriptor, &standard_output, error);
+        status = write_subject(what, options, output_descriptor, &standard_output, error);
     else
         status = save_file(what, options, path, error);
     if (status != ROBERTS_OK)

@@ -10,6 +10,9 @@ typedef struct save_source {
     void *context;
 } save_source;
 
+/* Returns the folder of `path` with its slash, then `name`, to be freed by the caller. NULL: no memory. */
+char *save_beside(const char *path, const char *name);
+
 /* Saves a file as roberts_drawing_save() does; "-" is standard output. temporary: as in roberts_draw_options. */
 roberts_status save_from(const save_source *source, roberts_temporary_fn *temporary, void *temporary_context,
                          const char *path, roberts_error *error);

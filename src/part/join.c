@@ -3,18 +3,14 @@
 #include "part/rows.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "base/array.h"
 #include "base/error.h"
 #include "draw/output.h"
-
-enum { JOIN_BUFFER = 1 << 16, UNIT = 8 };
 
 /* One part, open at its next line. */
 typedef struct source {
@@ -51,7 +47,7 @@ static bool read_frame(source *s, uint64_t size, bool *is_part)
         fread(&s->end, sizeof s->end, 1, s->file) != 1 || memcmp(s->end.magic, ROWS_MAGIC, sizeof ROWS_MAGIC) != 0)
         return false;
     const uint64_t rest = size - sizeof s->head - sizeof s->end;
-    const uint64_t names = s->head.names + -s->head.names % UNIT;
+    const uint64_t names = s->head.names + -s->head.names % PLAN_UNIT;
     return s->head.names <= rest && names <= rest && s->end.lines <= rest / sizeof(rows_line) &&
            s->end.segments <= rest / sizeof(rows_segment) && s->end.crossings <= s->end.lines &&
            s->end.lines <= s->end.segments &&
@@ -97,15 +93,15 @@ static roberts_status check_parts(joiner *j, const roberts_task *task, roberts_e
             why = "of another drawing";
         else if (head->of != first->of)
             why = "of another number of parts";
-        if (why || memcmp(&stamp, &head->facts.stamp, sizeof stamp) != 0)
-            error_set_file(error, j->part[i].path);
+        if (!why && memcmp(&stamp, &head->facts.stamp, sizeof stamp) == 0)
+            continue;
+        error_set_file(error, j->part[i].path);
         if (why)
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u of %u is %s than %.100s", head->number, head->of,
                              why, j->part[0].path);
-        if (memcmp(&stamp, &head->facts.stamp, sizeof stamp) != 0)
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                             "part %u of %u was drawn with another view, or with other options for lines", head->number,
-                             head->of);
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "part %u of %u was drawn with another view, or with other options for lines", head->number,
+                         head->of);
     }
     qsort(j->part, j->count, sizeof *j->part, by_number);
     for (size_t i = 0; i < j->count; i++)

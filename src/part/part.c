@@ -18,7 +18,7 @@
 #include "base/sort.h"
 #include "draw/save.h"
 
-enum { CELLS = 512, UNIT = 8 };
+enum { CELLS = 512 };
 
 /* Cells of covers: how far beside its box a body may read covers; and a little more, for margins. */
 #define COVERS_BESIDE 5.0
@@ -151,7 +151,7 @@ static bool has_room(const plan_place *place)
 {
     const uint64_t numbers = (uint64_t)place->faces + place->corners;
     return sizeof(plan_body) + place->vertices * sizeof(roberts_vec3) + numbers * sizeof(uint32_t) <=
-           (uint64_t)place->size * UNIT;
+           (uint64_t)place->size * PLAN_UNIT;
 }
 
 /* Looks at the places of all bodies, one after the other. What they say of sizes has to fit the file, so a damaged plan
@@ -184,7 +184,7 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
             mark(q->next, &place);
         if (what == LOOK_KEEP && is_met(q->cells, &place) && !keep(q, i, at, &place, own))
             status = error_no_memory(error);
-        at += (uint64_t)place.size * UNIT;
+        at += (uint64_t)place.size * PLAN_UNIT;
     }
     if (status == ROBERTS_OK && (at != facts->places || vertices != facts->weight))
         status = broken(error);
@@ -444,7 +444,7 @@ static roberts_status hide(part *q, roberts_error *error)
 static roberts_status write_part(void *context, output *out, roberts_error *error)
 {
     part *q = context;
-    static const char zeros[UNIT];
+    static const char zeros[PLAN_UNIT];
     const plan_facts *facts = &q->p->facts;
     rows_head head;
     memset(&head, 0, sizeof head);
@@ -454,7 +454,7 @@ static roberts_status write_part(void *context, output *out, roberts_error *erro
     head.of = q->share.of;
     for (uint64_t i = 0; i < facts->inputs; i++)
         head.names += strlen(q->p->name + head.names) + 1;
-    const size_t padding = (size_t)(-head.names % UNIT);
+    const size_t padding = (size_t)(-head.names % PLAN_UNIT);
     output_bytes(out, &head, sizeof head);
     output_bytes(out, q->p->name, head.names);
     output_bytes(out, zeros, padding);

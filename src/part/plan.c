@@ -27,7 +27,7 @@
 #include "view/clip.h"
 #include "view/view.h"
 
-enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */, UNIT = 8 /* bytes */ };
+enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 
 /* The last digit is the version. */
 static const char magic[16] = "roberts plan 1\n";
@@ -41,7 +41,7 @@ static const char magic[16] = "roberts plan 1\n";
 uint64_t part_hash(uint64_t hash, const void *bytes, size_t size)
 {
     const char *at = bytes;
-    for (size_t i = 0; i + UNIT <= size; i += UNIT) {
+    for (size_t i = 0; i + PLAN_UNIT <= size; i += PLAN_UNIT) {
         uint64_t word;
         memcpy(&word, at + i, sizeof word);
         hash = (hash ^ word) * 0x9e3779b97f4a7c15u; /* the golden ratio, as in D. E. Knuth's multiplicative hashing */
@@ -61,12 +61,8 @@ typedef struct plan_writer {
 static void flush(plan_writer *w)
 {
     w->hash = part_hash(w->hash, w->bytes, w->used);
-    for (size_t done = 0; done < w->used && !w->reason;) {
-        ssize_t some = write(w->file, w->bytes + done, w->used - done);
-        if (some < 0 && errno != EINTR)
-            w->reason = errno;
-        done += some > 0 ? (size_t)some : 0;
-    }
+    if (!w->reason && !output_descriptor(&w->file, w->bytes, w->used))
+        w->reason = errno;
     w->at += w->used;
     w->used = 0;
 }
@@ -88,8 +84,8 @@ static void put(plan_writer *w, const void *bytes, size_t size)
 /* Puts zero bytes up to the next unit. */
 static void put_padding(plan_writer *w)
 {
-    static const char zeros[UNIT];
-    put(w, zeros, (size_t)(-(w->at + w->used)) % UNIT);
+    static const char zeros[PLAN_UNIT];
+    put(w, zeros, (size_t)(-(w->at + w->used)) % PLAN_UNIT);
 }
 
 bool plan_read_from(plan_reader *r, int file, uint64_t at, uint64_t end)
@@ -251,10 +247,11 @@ static void put_body(planner *pl, const roberts_scene *scene, uint32_t s)
         put(&pl->out, &corner, sizeof corner);
     }
     put_padding(&pl->out);
-    pl->place[pl->p->facts.bodies++] = (plan_place){.vertices = vertices,
-                                                    .faces = faces,
-                                                    .corners = head.corners,
-                                                    .size = (uint32_t)((pl->out.at + pl->out.used - begin) / UNIT)};
+    pl->place[pl->p->facts.bodies++] =
+        (plan_place){.vertices = vertices,
+                     .faces = faces,
+                     .corners = head.corners,
+                     .size = (uint32_t)((pl->out.at + pl->out.used - begin) / PLAN_UNIT)};
     pl->p->facts.weight += vertices;
 }
 
@@ -342,7 +339,7 @@ static roberts_status next_points(planner *pl, const plan_place *place, roberts_
         !array_reserve(&pl->seen, &pl->vertex_room, place->vertices, sizeof *pl->seen))
         return error_no_memory(error);
     bool done = plan_read(&pl->in, &head, sizeof head) && plan_read(&pl->in, pl->point, points) &&
-                plan_read(&pl->in, NULL, (size_t)place->size * UNIT - sizeof head - points);
+                plan_read(&pl->in, NULL, (size_t)place->size * PLAN_UNIT - sizeof head - points);
     return done ? ROBERTS_OK : error_set(error, ROBERTS_IO, 0, "cannot read the plan again");
 }
 
@@ -495,16 +492,11 @@ static roberts_status put_places(planner *pl, roberts_error *error)
 /* Creates a file without a name in the folder of `path`. Returns it, or -1 with errno. */
 static int open_nameless(const char *path)
 {
-    static const char name[] = ".roberts-plan-XXXXXX";
-    const char *slash = strrchr(path, '/');
-    const size_t head = slash ? (size_t)(slash - path) + 1 : 0;
-    char *full = malloc(head + sizeof name);
+    char *full = save_beside(path, ".roberts-plan-XXXXXX");
     if (!full) {
         errno = ENOMEM;
         return -1;
     }
-    memcpy(full, path, head);
-    memcpy(full + head, name, sizeof name);
     int file = mkstemp(full);
     if (file >= 0)
         unlink(full);

@@ -18,6 +18,8 @@
 
 #include "model/scene.h"
 
+enum { PLAN_UNIT = 8 }; /* bytes; records, and names together, take a multiple of it */
+
 /* What decides which rows there are. Padding is zero, so that stamps are compared as bytes. */
 typedef struct part_stamp {
     double dir[3], eye[3], look_at[3], up[3], oblique[2], near_distance, fov, roll; /* of the camera */
