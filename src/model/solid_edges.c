@@ -213,12 +213,12 @@ static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to,
     return vec3_add(line[0], vec3_scale((t - from) / (to - from), vec3_sub(line[1], line[0])));
 }
 
-bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
-                     roberts_known_edge *known)
+/* Finds the ends of a segment's line; not its faces. False: there is no such line. */
+static bool find_line(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                      roberts_known_edge *known)
 {
     const uint32_t body = segment->solid, e = segment->edge;
     *known = (roberts_known_edge){.t1 = 1.0};
-    roberts_segment_faces(scene, drawing, segment, known->face);
     if (scene_crosses(segment)) {
         if (e >= drawing->crossing_count)
             return false;
@@ -241,11 +241,19 @@ bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing,
     return true;
 }
 
+bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                     roberts_known_edge *known)
+{
+    const bool found = find_line(scene, drawing, segment, known);
+    roberts_segment_faces(scene, drawing, segment, known->face);
+    return found;
+}
+
 bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                           roberts_vec3 end[2])
 {
     roberts_known_edge line;
-    if (!scene_know_edge(scene, drawing, segment, &line))
+    if (!find_line(scene, drawing, segment, &line))
         return false;
     end[0] = point_at(line.end, line.t0, line.t1, segment->t0);
     end[1] = point_at(line.end, line.t0, line.t1, segment->t1);

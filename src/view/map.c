@@ -439,8 +439,9 @@ void view_add_reach(const view *v, const roberts_vec3 *P, size_t count, scene_re
         return;
     reach->nearest = nearest_of(v, P, count, reach->nearest);
     add_extents(v, P, count, reach);
+    const double leaks = eye_leaks(v);
     for (size_t i = 0; i < count; i++)
-        reach->rounding = fmax(reach->rounding, eye_rounding(v, P[i], NULL, eye_leaks(v)));
+        reach->rounding = fmax(reach->rounding, eye_rounding(v, P[i], NULL, leaks));
 }
 
 /* Sets the bound of all view coordinates, and from it the touching distance and the rounding. */
