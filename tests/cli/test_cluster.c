@@ -12,10 +12,8 @@
 
 #include <cmocka.h>
 
+#include "program.h"
 #include "skip.h"
-#include "temporary.h"
-
-static char program[4096];
 
 static int shell(const char *command)
 {
@@ -114,11 +112,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(by_slurm, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(shards_by_slurm, begin, temporary_remove),
     };
-    const char *build = getenv("ROBERTS_BUILD");
-    char top[2048];
-    build = build ? build : "build";
-    if (!getcwd(top, sizeof top))
+    if (!program_find())
         return 1;
-    snprintf(program, sizeof program, "%s%s%s/roberts", build[0] == '/' ? "" : top, build[0] == '/' ? "" : "/", build);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
