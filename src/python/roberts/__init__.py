@@ -187,7 +187,7 @@ class Scene:
 
     def __init__(self, vertices: Any, faces: Any, *, hull: bool = False, solids: bool = False, tolerance: float = 0.0,
                  even_odd: bool = False) -> None:
-        points = np.ascontiguousarray(vertices, np.float64)
+        points = np.require(vertices, np.float64, "CA")
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
         start, corners = _pack(faces)
@@ -298,7 +298,7 @@ def _pack(faces: Any) -> tuple[np.ndarray, np.ndarray]:
     start = np.concatenate([[0], np.cumsum(lengths)])
     if start[-1] > NONE:
         raise ValueError("Scene: there are too many corners")
-    return np.ascontiguousarray(start, np.uint32), np.ascontiguousarray(corners, np.uint32)
+    return np.require(start, np.uint32, "CA"), np.require(corners, np.uint32, "CA")
 
 
 def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, solids: bool = False,
