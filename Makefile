@@ -158,13 +158,20 @@ test-threads: ## runs the tests with several threads under the thread sanitizer,
 ##@ To install
 TO  = $(DESTDIR)$(PREFIX)
 LIB = $(DESTDIR)$(LIBDIR)
-install: all $(BUILD)/$(SHARED) ## program, man page, completions, libraries, header and roberts.pc
+to-install: all $(BUILD)/$(SHARED)
+	@:
+
+# Checks the rights before it builds anything. What another user has built completely can be installed as it is.
+install: ## program, man page, completions, libraries, header and roberts.pc
 	@for folder in '$(TO)/bin' '$(TO)/include' '$(TO)/share/man/man1' '$(LIB)/pkgconfig'; do \
 	    there=$$folder; while [ ! -e "$$there" ]; do there=$$(dirname "$$there"); done; \
 	    mkdir -p "$$folder" 2>/dev/null && [ -w "$$folder" ] || { \
 	        [ "$$(id -u)" = 0 ] && how='choose another PREFIX' || how='as root: sudo make install'; \
 	        echo "make install: cannot write to $$there; $$how; or for yourself alone:" >&2; \
 	        echo "    make install PREFIX=\"$$HOME/.local\"" >&2; exit 1; }; done
+	@$(MAKE) --no-print-directory to-install || { [ -w '$(BUILD)' ] || { \
+	    echo "make install: cannot write to $(BUILD), where it builds; choose a folder of your own:" >&2; \
+	    echo "    make install BUILD=FOLDER" >&2; }; exit 1; }
 	$(Q)install -d '$(TO)/bin' '$(TO)/include' '$(LIB)/pkgconfig'
 	$(Q)install -m 755 $(BUILD)/roberts '$(TO)/bin/'
 	$(Q)install -m 644 include/roberts.h '$(TO)/include/'
@@ -372,8 +379,8 @@ JOBS     ?= $(CPUS)
 export JOBS
 
 .PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures \
-    force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models test \
-    test-quick test-sanitize test-threads tools uninstall web
+    force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models \
+    test test-quick test-sanitize test-threads to-install tools uninstall web
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_X:%.cpp=$(BUILD)/obj/%.d)

@@ -7,8 +7,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include <cmocka.h>
+
+#include "skip.h"
 
 static char root[256]; /* everything goes here, below the build folder */
 
@@ -173,6 +176,30 @@ static void other_folders(void **state)
     }
 }
 
+/* A build folder of another user, in which nothing has been built: a message says what to do, whether or not the user
+ * may write to PREFIX. */
+static void other_users(void **state)
+{
+    static const struct {
+        const char *prefix, *said;
+    } table[] = {{"/proc/usr", "cannot write to /proc; as root: sudo make install; or for yourself alone:"},
+                 {"$PWD/$t/usr", "cannot write to $t/build, where it builds; choose a folder of your own:"}};
+    const char *user = geteuid() ? "" : "setpriv --reuid=65534 --regid=65534 --clear-groups";
+    char command[4096];
+    (void)state;
+    snprintf(command, sizeof command, "%s make -n help >/dev/null 2>&1", user);
+    if (system(command) != 0) /* NOLINT(cert-env33-c) */
+        SKIP_BECAUSE("another user cannot read this folder, or there is no setpriv");
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        snprintf(command, sizeof command,
+                 "t=%s/theirs; mkdir -p $t/build $t/usr && chmod 777 $t/usr && chmod 555 $t/build && "
+                 "! %s make --no-print-directory install BUILD=$t/build PREFIX=%s 2>%s.said && "
+                 "grep -q \"%s\" %s.said && ! ls $t/usr/bin/roberts",
+                 root, user, table[i].prefix, root, table[i].said, root);
+        run(command);
+    }
+}
+
 static void uninstalls(void **state)
 {
     char command[4096];
@@ -195,6 +222,7 @@ int main(void)
         cmocka_unit_test(uninstalls),
         cmocka_unit_test(tells_the_loader),
         cmocka_unit_test(other_folders),
+        cmocka_unit_test(other_users),
     };
     return cmocka_run_group_tests_name("install", tests, set_up, NULL);
 }
