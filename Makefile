@@ -62,9 +62,9 @@ PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zs
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # `make test-quick` omits these. The others take less than 20 s together, on two idle cores.
-SLOW     := cross_oracle crossing fault_files faults hull_memory image install layers loose_ends memory_order \
-            mesh_oracle metamorphic off oracle paper region_oracle render same_bytes svg_groups union union_drawing \
-            union_oracle verify verify_spoiled web
+SLOW     := batch cluster cross_oracle crossing fault_files faults front_tree hull_memory image install labels layers \
+            loose_ends memory_order mesh_oracle metamorphic off oracle paper python readme region_oracle render \
+            same_bytes svg_groups union union_drawing union_oracle verify verify_spoiled web
 QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
