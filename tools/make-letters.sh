@@ -16,7 +16,8 @@ for font in futural greeks; do
         exit 1
     }
 done
-printf '/* Hershey fonts, created by A. V. Hershey at the U. S. National Bureau of Standards; their format was created\n'
-printf ' * by James Hurt, Cognition, Inc., 900 Technology Park Drive, Billerica, MA 01821. */\n'
+printf '/* Hershey fonts, created by A. V. Hershey at the U. S. National Bureau of Standards;\n'
+printf ' * their format was created by James Hurt, Cognition, Inc., 900 Technology Park Drive,\n'
+printf ' * Billerica, MA 01821. */\n'
 table "$1/futural.jhf" letters_latin
 table "$1/greeks.jhf" letters_greek

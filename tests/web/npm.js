@@ -71,7 +71,10 @@ await assert.rejects(draw(cube, { hiden: "dashed" }), {
   message: /--hiden is unknown; did you mean --hidden\?/,
 });
 for (const wrong of ["table.off", undefined, cube.buffer])
-  await assert.rejects(draw(wrong), { name: "TypeError", message: "model: the bytes of a file have to be a Uint8Array" });
+  await assert.rejects(draw(wrong), {
+    name: "TypeError",
+    message: "model: the bytes of a file have to be a Uint8Array",
+  });
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
 
 // parts need a file of their own; batches need processes, which are not here
