@@ -1033,6 +1033,9 @@ typedef struct roberts_sheet {
     const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
 } roberts_sheet;
 
+/** The name of a view: "front", "top", "left" or "right", or "iso"; NULL for any other number. */
+const char *roberts_sheet_view_name(roberts_sheet_angle angle, int view);
+
 /** Fills `camera` for a view, ROBERTS_SHEET_FRONT to ROBERTS_SHEET_ISO; false for any other number. */
 bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera);
 
@@ -1041,8 +1044,8 @@ bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *c
  * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
  * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
  * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
- * layers. As CSV and JSON a sheet is one table, whose first column `view` is "front", "top", "left" or "right", or
- * "iso". All else is as for roberts_drawing_write() and roberts_drawing_save().
+ * layers. As CSV and JSON a sheet is one table, whose first column `view` is roberts_sheet_view_name(). For a table
+ * of each view, save the drawings by themselves. All else is as for roberts_drawing_write() and roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);

@@ -340,14 +340,19 @@ static void warn_regions(const cli_options *options)
     message_warning(stderr, options->regions, 0, text);
 }
 
-/* A name with a place for a number, but no turntable: a file may have such a name, but it is probably a mistake. */
-static void warn_number(const cli_options *options)
+/* A name with a place for a number, but no turntable, or for a view, but no tables of a sheet: a file may have such a
+ * name, but it is probably a mistake. */
+static void warn_place(const cli_options *options)
 {
     char name[NAME_SIZE];
-    if (options->turntable == 0 && options->draw.format != ROBERTS_NULL &&
-        parse_numbered(options->output, 0, name, sizeof name))
+    if (options->turntable > 0 || options->draw.format == ROBERTS_NULL)
+        return;
+    if (parse_numbered(options->output, 0, name, sizeof name))
         message_warning(stderr, options->output, 0,
                         "the file gets this very name: only --turntable puts a number there");
+    if (parse_named(options->output, "", name, sizeof name) && !(options->is_sheet && is_table(options->draw.format)))
+        message_warning(stderr, options->output, 0,
+                        "the file gets this very name: only tables of --sheet have the name of a view there");
 }
 
 /* A pen wider than this part of the page's shorter side is hardly meant. */
@@ -416,7 +421,7 @@ void check_warn(const cli_options *options, const options_given *given)
     if (options_is_given(given, "format"))
         warn_ending(options);
     warn_regions(options);
-    warn_number(options);
+    warn_place(options);
     warn_twice(options);
     if (has_page(options->draw.format)) {
         warn_pages(options, given);

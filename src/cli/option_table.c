@@ -120,7 +120,8 @@ static const option rows[] = {
          "their arrangement (ISO 5456-2). ANGLE is first or third. In first angle projection the top view is below and "
          "the view from the left is at the right. In third angle projection the top view is above and the view from "
          "the right is at the right. The isometric view has no hidden lines. --scale, --fit and --align hold for all "
-         "views together, and --stats adds them up. In a table, the first column names the view.\n"
+         "views together, and --stats adds them up. As csv and json there is one table, whose first column names the "
+         "view; if FILE has a place for that name, as in table-%s.csv, there is a table of each view.\n"
          "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
          "than some 38 x 36 mm."},
     {.group = GROUP_OUTPUT,

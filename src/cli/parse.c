@@ -130,6 +130,15 @@ bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t siz
     return length >= 0 && (size_t)length < size;
 }
 
+bool parse_named(const char *pattern, const char *word, char *name, size_t size)
+{
+    const char *place = strchr(pattern, '%');
+    if (!place || place[1] != 's' || strchr(place + 1, '%'))
+        return false;
+    int length = snprintf(name, size, "%.*s%s%s", (int)(place - pattern), pattern, word, place + 2);
+    return length >= 0 && (size_t)length < size;
+}
+
 size_t parse_find(const char *word, const char *const *words)
 {
     size_t i = 0;

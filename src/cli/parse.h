@@ -39,4 +39,8 @@ size_t parse_find(const char *word, const char *const *words);
  * in front). False where there is no such place, more than one, another %, or the name does not fit. */
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);
 
+/* Puts `word` in the one place that `pattern` has for it: %s. False where there is no such place, another %, or the
+ * name does not fit. */
+bool parse_named(const char *pattern, const char *word, char *name, size_t size);
+
 #endif

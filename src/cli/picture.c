@@ -275,12 +275,8 @@ static roberts_status find_regions(const cli_options *options, const roberts_sce
 /* What messages call a view of a sheet. */
 static const char *name_view(const cli_options *options, size_t i, char *name, size_t size)
 {
-    const bool first = options->sheet == ROBERTS_FIRST_ANGLE;
-    const char *const names[ROBERTS_SHEET_VIEWS] = {[ROBERTS_SHEET_FRONT] = "front",
-                                                    [ROBERTS_SHEET_TOP] = "top",
-                                                    [ROBERTS_SHEET_SIDE] = first ? "left" : "right",
-                                                    [ROBERTS_SHEET_ISO] = "iso"};
-    snprintf(name, size, "%s%s%s", options->label ? options->label : "", options->label ? ": " : "", names[i]);
+    snprintf(name, size, "%s%s%s", options->label ? options->label : "", options->label ? ": " : "",
+             roberts_sheet_view_name(options->sheet, (int)i));
     return name;
 }
 
@@ -354,13 +350,44 @@ static void free_views(views *v)
     }
 }
 
+/* The name of the table of view `i`. False: the output is no table of a sheet, or its name has no place for that of the
+ * view. */
+static bool name_table(const cli_options *options, size_t i, char *name, size_t size)
+{
+    return options->is_sheet && is_table(options) &&
+           parse_named(options->output, roberts_sheet_view_name(options->sheet, (int)i), name, size);
+}
+
+/* Writes one file for the page, or one table for each view. */
+static roberts_status save_page(const cli_options *options, const roberts_draw_options *page, const views *v,
+                                roberts_error *error)
+{
+    char name[NAME_SIZE];
+    roberts_sheet sheet = {.angle = options->sheet};
+    roberts_drawing drawing = v->drawing[0];
+    roberts_status status = ROBERTS_OK;
+    if (is_counted_only(options))
+        drawing.count = 0;
+    if (!options->is_sheet)
+        return roberts_drawing_save(&drawing, page, options->output, error);
+    if (!name_table(options, 0, name, sizeof name)) {
+        for (size_t i = 0; i < v->count; i++)
+            sheet.view[i] = &v->drawing[i];
+        return roberts_sheet_save(&sheet, page, options->output, error);
+    }
+    for (size_t i = 0; i < v->count && status == ROBERTS_OK; i++) {
+        name_table(options, i, name, sizeof name); /* it fits: no view has a longer name than the first */
+        status = roberts_drawing_save(&v->drawing[i], page, name, error);
+    }
+    return status;
+}
+
 static roberts_status save(const cli_options *options, const roberts_scene *scene, const views *v, run_stats *run,
                            roberts_error *error)
 {
     roberts_time start = report_now();
     progress_stage("writing");
     roberts_draw_options page = options->draw;
-    roberts_sheet sheet = {.angle = options->sheet};
     char title[256];
     page.title = write_title(options, title, sizeof title);
     page.description = options->description.text;
@@ -372,13 +399,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.lettering.unit = options->unit;
     page.lettering.distance = options->distance;
     page.lettering.distance_count = options->distance_count;
-    for (size_t i = 0; i < v->count; i++)
-        sheet.view[i] = &v->drawing[i];
-    roberts_drawing drawing = v->drawing[0];
-    if (is_counted_only(options))
-        drawing.count = 0;
-    roberts_status status = options->is_sheet ? roberts_sheet_save(&sheet, &page, options->output, error)
-                                              : roberts_drawing_save(&drawing, &page, options->output, error);
+    roberts_status status = save_page(options, &page, v, error);
     run->draw = report_since(start);
     return status;
 }

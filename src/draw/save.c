@@ -241,7 +241,7 @@ static void write_table(const subject *what, const roberts_draw_options *options
     size_t count = what->sheet ? 0 : 1;
     for (int i = 0; what->sheet && i < ROBERTS_SHEET_VIEWS; i++)
         if (what->sheet->view[i])
-            view[count++] = (table_view){what->sheet->view[i], sheet_view_name(what->sheet->angle, i)};
+            view[count++] = (table_view){what->sheet->view[i], roberts_sheet_view_name(what->sheet->angle, i)};
     if (options->format == ROBERTS_CSV)
         table_write_csv(view, count, options, out);
     else

@@ -244,17 +244,20 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     return true;
 }
 
-const char *sheet_view_name(roberts_sheet_angle angle, int view)
+const char *roberts_sheet_view_name(roberts_sheet_angle angle, int view)
 {
     static const char *const name[ROBERTS_SHEET_VIEWS] = {
         [FRONT] = "front", [TOP] = "top", [SIDE] = "right", [ISO] = "iso"};
+    if (view < 0 || view >= ROBERTS_SHEET_VIEWS)
+        return NULL;
     return view == SIDE && angle == ROBERTS_FIRST_ANGLE ? "left" : name[view];
 }
 
 /* The isometric view shows the same side as the side view. */
 bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera)
 {
-    if (view < 0 || view >= ROBERTS_SHEET_VIEWS || !roberts_camera_preset(sheet_view_name(angle, view), camera))
+    const char *name = roberts_sheet_view_name(angle, view);
+    if (!name || !roberts_camera_preset(name, camera))
         return false;
     if (view == ISO && angle == ROBERTS_FIRST_ANGLE)
         camera->dir.x = -camera->dir.x;

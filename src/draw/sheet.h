@@ -17,9 +17,6 @@ typedef struct sheet_map {
  * margins and gaps leave no room; fills `error`. */
 bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_map *map, roberts_error *error);
 
-/* The name of the camera of a view: "front", "top", "left" or "right", "iso". */
-const char *sheet_view_name(roberts_sheet_angle angle, int view);
-
 /* Full size of the symbol with its centre lines, in mm. */
 #define SYMBOL_WIDTH 22.75
 #define SYMBOL_HEIGHT 10.5

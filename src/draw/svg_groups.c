@@ -210,7 +210,7 @@ static void attribute_integer(output *out, const char *name, uint32_t a)
 
 static const char *view_name(const strokes *s, uint32_t view)
 {
-    return sheet_view_name(s->sheet->angle, s->view[view].place);
+    return roberts_sheet_view_name(s->sheet->angle, s->view[view].place);
 }
 
 static const char *body_name(const roberts_draw_options *options, uint32_t body)

@@ -932,6 +932,45 @@ static void sheets(void **state)
     assert_string_equal(last.out, text);
 }
 
+/* The rows of one table for the whole sheet are those of the tables of its views, in their order. */
+static void views_have_tables_of_their_own(void **state)
+{
+    static const char *const view[] = {"front", "top", "left", "iso"};
+    static const char options[] = "--sheet first --columns +depth --hidden solid models/platonic/cube.off";
+    static char whole[TEXT], own[TEXT];
+    char command[200], name[40];
+    (void)state;
+    snprintf(command, sizeof command, "-o in/all.csv %s", options);
+    assert_int_equal(run(command), 0);
+    snprintf(command, sizeof command, "-o in/of-%%s.csv %s", options);
+    assert_int_equal(run(command), 0);
+    assert_string_equal(last.err, "");
+    read_text("in/all.csv", whole);
+    assert_memory_equal(whole, "view,", 5);
+    const char *row = whole + 5;
+    for (size_t i = 0; i < sizeof view / sizeof view[0]; i++) {
+        snprintf(name, sizeof name, "in/of-%s.csv", view[i]);
+        read_text(name, own);
+        const char *at = own;
+        if (i == 0) { /* the head */
+            assert_memory_equal(at, row, strcspn(row, "\n") + 1);
+            row += strcspn(row, "\n") + 1;
+        }
+        for (at = strchr(own, '\n') + 1; *at; at = strchr(at, '\n') + 1) {
+            const size_t length = strcspn(at, "\n") + 1, word = strlen(view[i]);
+            assert_memory_equal(row, view[i], word);
+            assert_int_equal(row[word], ',');
+            assert_memory_equal(row + word + 1, at, length);
+            row += word + 1 + length;
+        }
+    }
+    assert_string_equal(row, "");
+    snprintf(command, sizeof command, "-o in/of-%%s.json %s", options);
+    assert_int_equal(run(command), 0);
+    read_text("in/of-left.json", own);
+    assert_memory_equal(own, "[\n{\"body\":0,", 12);
+}
+
 static void warnings_can_be_silenced(void **state)
 {
     (void)state;
@@ -1132,6 +1171,7 @@ int main(void)
         IN_FOLDER(examples_of_the_help_run),
         IN_FOLDER(statistics),
         IN_FOLDER(sheets),
+        IN_FOLDER(views_have_tables_of_their_own),
         IN_FOLDER(warnings_can_be_silenced),
         IN_FOLDER(interruption_leaves_no_partial_file),
         IN_FOLDER(locale_changes_nothing),

@@ -578,8 +578,8 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_string_equal(last.err, "");
 }
 
-/* A place for a number, and nothing that counts. */
-static void numbers_without_a_turntable_are_warned_of(void **state)
+/* A place for a number, and nothing that counts; a place for a view, and no tables. */
+static void places_that_nothing_fills_are_warned_of(void **state)
 {
     static const char said[] = "warning: the file gets this very name: only --turntable puts a number there\n";
     char whole[200];
@@ -596,6 +596,9 @@ static void numbers_without_a_turntable_are_warned_of(void **state)
     assert_string_equal(last.err, "");
     assert_int_equal(run("-o in/100%.svg models/platonic/cube.off"), 0); /* no place for a number */
     assert_string_equal(last.err, "");
+    assert_int_equal(run("-o in/%s.svg --sheet first models/platonic/cube.off"), 0);
+    assert_said("in/%s.svg: warning: the file gets this very name: only tables of --sheet have the name of a view "
+                "there\n");
 }
 
 /* Somebody waits for a drawing, and the program for a model. */
@@ -857,7 +860,7 @@ int main(void)
         IN_FOLDER(what_is_no_model),
         IN_FOLDER(a_file_called_minus),
         IN_FOLDER(endings_that_mislead_are_warned_of),
-        IN_FOLDER(numbers_without_a_turntable_are_warned_of),
+        IN_FOLDER(places_that_nothing_fills_are_warned_of),
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(converters_are_named),
         IN_FOLDER(files_named_twice_are_warned_of),
