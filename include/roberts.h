@@ -861,7 +861,7 @@ typedef struct roberts_distance {
  * largest visible part of faces and bodies; where there is room, none lies on a line or on another one. What is hidden
  * has a label where hidden lines are drawn. */
 typedef struct roberts_lettering {
-    double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5 */
+    double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5, labels 2.5 or 1.8 where there is little room */
     bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the reader, which can be searched and copied */
     unsigned labels; /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input; several
                         kinds as v4, f4 and b4, edges always as 4-17 */

@@ -723,8 +723,9 @@ static const option rows[] = {
      TO(draw.lettering.height_mm),
      RANGE(0.5, 100),
      .brief = "height of capitals",
-     .help = "height of the capitals (default: 3.5)",
-     .manual = "How high capitals are. Default: 3.5, which goes with the pen of 0.25 mm (ISO 3098, type A)."},
+     .help = "height of the capitals (default: 3.5; labels 2.5 or 1.8 where they would lie on lines or on one another)",
+     .manual = "How high capitals are. Default: 3.5, which goes with the pen of 0.25 mm (ISO 3098, type A). Labels are "
+               "2.5 or 1.8 high if this size leaves no room for all of them, or one in twenty would lie on a line."},
     {.group = GROUP_TEXT,
      .name = "text",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -3,7 +3,8 @@
  * A label has a number of places that it may take: round a vertex, on both sides of an edge, about the middle of the
  * largest visible region of a face or body. Each place has a cost: what lies there already, as a length, and how far it
  * is from the best place. Labels choose one by one, those with the fewest places first; then each may choose again a
- * few times, knowing the others. So the work is bounded, and the same page comes out every time. */
+ * few times, knowing the others. Unless the size of letters is given, smaller ones are tried where the labels find no
+ * room. So the work is bounded, and the same page comes out every time. */
 #include "draw/labels.h"
 
 #include <math.h>
@@ -30,6 +31,11 @@ static const double beside_best = 0.2; /* a place that is not the best one, at i
 static const double farther = 0.3;     /* each ring */
 static const double touching = 2.0;    /* anything lies there, however little: worse than any free place */
 static const double on_label = 20.0;   /* another label: then one of them is left out */
+
+/* Heights of letters (ISO 3098) that are tried if the usual height leaves too little room. */
+static const double smaller_mm[] = {2.5, 1.8};
+/* The largest part of the labels that may lie on lines before smaller letters are tried. */
+static const double most_on_lines = 0.05;
 
 /* What a label names. Vertices that hang together in the picture are one. */
 typedef struct target {
@@ -239,15 +245,10 @@ static void set_text(label *l, const roberts_lettering *lettering)
 
 /* ---- where it goes ---- */
 
-static double text_height(const strokes *s)
-{
-    return strokes_text_height(s->options);
-}
-
 /* Space kept free round a label, and between a vertex and its label. */
-static double text_gap(const strokes *s)
+static double text_gap(const strokes *s, double height)
 {
-    return 0.25 * text_height(s) + strokes_pen(s->options, LINE_TEXT)->width_mm / 2.0;
+    return 0.25 * height + strokes_pen(s->options, LINE_TEXT)->width_mm / 2.0;
 }
 
 static size_t count_places(const target *of)
@@ -363,23 +364,41 @@ static bool place_all(label *l, size_t count, page_room *r, double gap)
     return true;
 }
 
-/* Leaves out labels that lie on others, or on no place of the page, those that were placed last first. Returns how
- * many. */
-static size_t drop_some(label *l, size_t count, page_room *r)
+/* Leaves out labels that lie on others, or on no place of the page, those that were placed last first. */
+static void drop_some(label *l, size_t count, page_room *r)
 {
-    size_t dropped = 0;
     for (size_t i = count; i-- > 0;) {
         const room_box box = box_of(&l[i], l[i].middle);
         l[i].is_dropped = isinf(room_taken(r, &box, l[i].box)) || room_is_on_box(r, &box, l[i].box);
         if (l[i].is_dropped)
             room_drop_box(r, l[i].box);
-        dropped += l[i].is_dropped;
     }
+}
+
+static size_t count_dropped(const label *l, size_t count)
+{
+    size_t dropped = 0;
+    for (size_t i = 0; i < count; i++)
+        dropped += l[i].is_dropped;
     return dropped;
 }
 
-static void tell_dropped(const roberts_lettering *lettering, size_t dropped, size_t count)
+/* Is there room for all labels, and do nearly all of them lie on no line? */
+static bool have_room(const label *l, size_t count, const page_room *r)
 {
+    size_t on_lines = 0;
+    if (count_dropped(l, count) > 0)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        const room_box box = box_of(&l[i], l[i].middle);
+        on_lines += room_taken(r, &box, l[i].box) > 0.0;
+    }
+    return (double)on_lines <= most_on_lines * (double)count;
+}
+
+static void tell_dropped(const roberts_lettering *lettering, const label *l, size_t count)
+{
+    const size_t dropped = count_dropped(l, count);
     char text[160];
     if (dropped == 0 || !lettering->warnings.warn)
         return;
@@ -394,9 +413,9 @@ static bool has_descender(const char *text)
     return strpbrk(text, "gjpqy,;Q_()[]{}|/$@") != NULL;
 }
 
-static bool add_note(strokes *s, const label *l)
+static bool add_note(strokes *s, const label *l, double height)
 {
-    const double height = text_height(s), depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
+    const double depth = has_descender(l->text) ? LETTERS_DEPTH * height : 0.0;
     const text_line line = {.text = l->text,
                             .at = {l->middle.x, l->middle.y + (height - depth) / 2.0},
                             .height_mm = height,
@@ -406,9 +425,9 @@ static bool add_note(strokes *s, const label *l)
 }
 
 /* Fills `list` with the labels of targets that have a text. */
-static size_t make_labels(const strokes *s, const targets *t, label *list)
+static size_t make_labels(const strokes *s, const targets *t, double height, label *list)
 {
-    const double height = text_height(s), gap = text_gap(s);
+    const double gap = text_gap(s, height);
     size_t count = 0;
     for (size_t i = 0; i < t->count; i++) {
         label *l = &list[count];
@@ -464,7 +483,7 @@ static bool fill_room(const strokes *s, page_room *r)
 page_room *labels_room(const strokes *s)
 {
     const roberts_page *page = &s->options->page;
-    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * text_height(s));
+    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options));
     if (r && !fill_room(s, r)) {
         room_free(r);
         return NULL;
@@ -483,19 +502,43 @@ bool labels_wanted(const strokes *s)
     return labelled_kinds(&s->options->lettering) != 0;
 }
 
+/* Makes the labels with letters of this height, and finds their places. */
+static bool try_height(const strokes *s, const targets *t, double height, page_room *r, label *list, size_t *count)
+{
+    *count = make_labels(s, t, height, list);
+    if (!place_all(list, *count, r, text_gap(s, height)))
+        return false;
+    drop_some(list, *count, r);
+    return true;
+}
+
+/* Takes the labels off the page again. */
+static void take_off(const label *l, size_t count, page_room *r)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!l[i].is_dropped)
+            room_drop_box(r, l[i].box);
+}
+
 bool labels_add(strokes *s, page_room *r)
 {
+    const roberts_lettering *lettering = &s->options->lettering;
+    const size_t sizes = lettering->height_mm > 0.0 ? 0 : sizeof smaller_mm / sizeof smaller_mm[0];
+    double height = strokes_text_height(s->options);
     targets t = {0};
     label *list = NULL;
-    bool done = find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL;
-    if (done) {
-        const size_t count = make_labels(s, &t, list);
-        done = place_all(list, count, r, text_gap(s));
-        if (done)
-            tell_dropped(&s->options->lettering, drop_some(list, count, r), count);
-        for (size_t i = 0; i < count && done; i++)
-            done = list[i].is_dropped || add_note(s, &list[i]);
+    size_t count = 0;
+    bool done = find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL &&
+                try_height(s, &t, height, r, list, &count);
+    for (size_t i = 0; done && i < sizes && !have_room(list, count, r); i++) {
+        take_off(list, count, r);
+        height = smaller_mm[i];
+        done = try_height(s, &t, height, r, list, &count);
     }
+    if (done)
+        tell_dropped(lettering, list, count);
+    for (size_t i = 0; i < count && done; i++)
+        done = list[i].is_dropped || add_note(s, &list[i], height);
     free(list);
     free(t.item);
     return done;

@@ -168,6 +168,39 @@ static void models_from_a4_to_a0(void **state)
     }
 }
 
+/* Letters are 3.5 mm high if that leaves room for all labels, smaller on a crowded page, and otherwise as given. */
+static void letters_fit_the_room(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *model;
+        double given_mm, height_mm;
+        bool all;
+    } row[] = {{"platonic/dodecahedron", 0.0, 3.5, true},
+               {"stacked-blocks", 0.0, 3.5, true},
+               {"chair", 0.0, 1.8, true},
+               {"table", 0.0, 1.8, true},
+               {"table", 3.5, 3.5, false},
+               {"platonic/dodecahedron", 1.8, 1.8, true}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        told warnings = {0};
+        roberts_drawing drawing = model_drawing(row[i].model, "iso");
+        roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, 0, &warnings);
+        strokes s;
+        options.lettering.height_mm = row[i].given_mm;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        for (size_t n = 0; n < s.notes.count; n++)
+            assert_float_equal(notes_line(&s.notes, n).height_mm, row[i].height_mm, 0.0);
+        assert_int_equal(warnings.count, row[i].all ? 0 : 1);
+        assert_true(s.notes.count > 0);
+        if (row[i].given_mm == 0.0)
+            assert_true(count_crossed(&s) <= s.notes.count / 4); /* where there is no room at all */
+        check_apart(&s, row[i].model);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
 /* A line from left to right, as seen from 0,0 to 10,0, half hidden. */
 static void hidden_and_named(void **state)
 {
@@ -319,9 +352,12 @@ static void none_beyond_the_frame(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(models_from_a4_to_a0),
-        cmocka_unit_test(hidden_and_named),      cmocka_unit_test(same_again),
-        cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron),
+                                       cmocka_unit_test(models_from_a4_to_a0),
+                                       cmocka_unit_test(letters_fit_the_room),
+                                       cmocka_unit_test(hidden_and_named),
+                                       cmocka_unit_test(same_again),
+                                       cmocka_unit_test(kinds_are_told_apart),
+                                       cmocka_unit_test(none_beyond_the_frame)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
