@@ -50,6 +50,10 @@ has_browser() {
     has_command chromium || has_command chromium-browser || has_command google-chrome
 }
 
+has_tikz() {
+    kpsewhich tikz.sty >/dev/null 2>&1
+}
+
 # Daemons are found by root alone.
 has_sbin() {
     (PATH=$PATH:/usr/sbin:/sbin && has_command "$1")
@@ -94,6 +98,13 @@ find_missing() {
             need python3-numpy has_numpy
             need python3-ezdxf has_ezdxf
             need chromium has_browser
+            need openscad has_command openscad
+            need gmsh has_command gmsh
+            need qhull-bin has_command rbox
+            need gnuplot-nox has_command gnuplot
+            need ffmpeg has_command ffmpeg
+            need texlive-latex-base has_command pdflatex
+            need texlive-pictures has_tikz
             need parallel has_command parallel
             need slurmctld has_sbin slurmctld
             need slurmd has_sbin slurmd
