@@ -258,6 +258,13 @@ static size_t count_places(const target *of)
                                               : 1 + 8 * FACE_RINGS;
 }
 
+/* All that labels need to find their places. */
+typedef struct placing {
+    page_room *room;
+    double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
+    roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
+} placing;
+
 /* How far a box reaches from its middle toward direction `d`. */
 static double reach(roberts_vec2 half, roberts_vec2 d)
 {
@@ -265,11 +272,11 @@ static double reach(roberts_vec2 half, roberts_vec2 d)
 }
 
 /* Place `i` round a vertex. The best direction is away from the vertex's lines. */
-static roberts_vec2 vertex_place(const label *l, size_t i, double gap, double *cost)
+static roberts_vec2 vertex_place(const placing *p, const label *l, size_t i, double *cost)
 {
-    const roberts_vec2 d = angle_unit(360.0 / VERTEX_SIDES * (double)(i % VERTEX_SIDES)), away = l->of->along;
+    const roberts_vec2 d = p->side[i % VERTEX_SIDES], away = l->of->along;
     const double ring = (double)(i / VERTEX_SIDES), length = hypot(away.x, away.y);
-    const double off = reach(l->half, d) + gap * (0.5 + 2.0 * ring);
+    const double off = reach(l->half, d) + p->gap * (0.5 + 2.0 * ring);
     *cost = farther * ring;
     if (length > 1e-6)
         *cost += beside_best * (1.0 + (away.x * d.x + away.y * d.y) / length);
@@ -291,14 +298,14 @@ static roberts_vec2 edge_place(const label *l, size_t i, double gap, double *cos
 }
 
 /* Place `i` about the middle of a region. */
-static roberts_vec2 face_place(const label *l, size_t i, double *cost)
+static roberts_vec2 face_place(const placing *p, const label *l, size_t i, double *cost)
 {
     if (i == 0) {
         *cost = 0.0;
         return l->of->at;
     }
     const size_t ring = (i - 1) / 8 + 1;
-    const roberts_vec2 d = angle_unit(45.0 * (double)((i - 1) % 8));
+    const roberts_vec2 d = p->side[(i - 1) % 8 * (VERTEX_SIDES / 8)];
     const double off = l->of->reach * (double)ring / FACE_RINGS;
     *cost = farther * (double)ring;
     return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
@@ -318,17 +325,17 @@ static double cost_of_what_lies_there(const page_room *r, const room_box *box, u
 }
 
 /* Finds the cheapest place, the first of several. */
-static void choose_place(label *l, const page_room *r, double gap)
+static void choose_place(const placing *p, label *l)
 {
     double least = INFINITY;
     for (size_t i = 0, places = count_places(l->of); i < places; i++) {
         double cost;
-        const roberts_vec2 middle = l->of->kind == ROBERTS_LABEL_VERTICES ? vertex_place(l, i, gap, &cost)
-                                    : l->of->kind == ROBERTS_LABEL_EDGES  ? edge_place(l, i, gap, &cost)
-                                                                          : face_place(l, i, &cost);
+        const roberts_vec2 middle = l->of->kind == ROBERTS_LABEL_VERTICES ? vertex_place(p, l, i, &cost)
+                                    : l->of->kind == ROBERTS_LABEL_EDGES  ? edge_place(l, i, p->gap, &cost)
+                                                                          : face_place(p, l, i, &cost);
         const room_box box = box_of(l, middle);
         if (cost < least)
-            cost += cost_of_what_lies_there(r, &box, l->box);
+            cost += cost_of_what_lies_there(p->room, &box, l->box);
         if (cost < least) {
             least = cost;
             l->middle = middle;
@@ -345,20 +352,20 @@ static int by_freedom(const void *a, const void *b)
     return p->kind != q->kind ? (p->kind > q->kind ? -1 : 1) : (p > q) - (p < q);
 }
 
-static bool place_all(label *l, size_t count, page_room *r, double gap)
+static bool place_all(const placing *p, label *l, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         l[i].box = UINT32_MAX;
-        choose_place(&l[i], r, gap);
+        choose_place(p, &l[i]);
         const room_box box = box_of(&l[i], l[i].middle);
-        if (!room_add_box(r, &box, &l[i].box))
+        if (!room_add_box(p->room, &box, &l[i].box))
             return false;
     }
     for (int pass = 0; pass < PASSES; pass++)
         for (size_t i = 0; i < count; i++) {
-            choose_place(&l[i], r, gap);
+            choose_place(p, &l[i]);
             const room_box box = box_of(&l[i], l[i].middle);
-            if (!room_move_box(r, l[i].box, &box))
+            if (!room_move_box(p->room, l[i].box, &box))
                 return false;
         }
     return true;
@@ -425,9 +432,9 @@ static bool add_note(strokes *s, const label *l, double height)
 }
 
 /* Fills `list` with the labels of targets that have a text. */
-static size_t make_labels(const strokes *s, const targets *t, double height, label *list)
+static size_t make_labels(const placing *p, const strokes *s, const targets *t, label *list)
 {
-    const double gap = text_gap(s, height);
+    const double height = p->height, gap = p->gap;
     size_t count = 0;
     for (size_t i = 0; i < t->count; i++) {
         label *l = &list[count];
@@ -503,12 +510,14 @@ bool labels_wanted(const strokes *s)
 }
 
 /* Makes the labels with letters of this height, and finds their places. */
-static bool try_height(const strokes *s, const targets *t, double height, page_room *r, label *list, size_t *count)
+static bool try_height(placing *p, double height, const strokes *s, const targets *t, label *list, size_t *count)
 {
-    *count = make_labels(s, t, height, list);
-    if (!place_all(list, *count, r, text_gap(s, height)))
+    p->height = height;
+    p->gap = text_gap(s, height);
+    *count = make_labels(p, s, t, list);
+    if (!place_all(p, list, *count))
         return false;
-    drop_some(list, *count, r);
+    drop_some(list, *count, p->room);
     return true;
 }
 
@@ -524,21 +533,22 @@ bool labels_add(strokes *s, page_room *r)
 {
     const roberts_lettering *lettering = &s->options->lettering;
     const size_t sizes = lettering->height_mm > 0.0 ? 0 : sizeof smaller_mm / sizeof smaller_mm[0];
-    double height = strokes_text_height(s->options);
+    placing p = {.room = r};
     targets t = {0};
     label *list = NULL;
     size_t count = 0;
+    for (int i = 0; i < VERTEX_SIDES; i++)
+        p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);
     bool done = find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL &&
-                try_height(s, &t, height, r, list, &count);
+                try_height(&p, strokes_text_height(s->options), s, &t, list, &count);
     for (size_t i = 0; done && i < sizes && !have_room(list, count, r); i++) {
         take_off(list, count, r);
-        height = smaller_mm[i];
-        done = try_height(s, &t, height, r, list, &count);
+        done = try_height(&p, smaller_mm[i], s, &t, list, &count);
     }
     if (done)
         tell_dropped(lettering, list, count);
     for (size_t i = 0; i < count && done; i++)
-        done = list[i].is_dropped || add_note(s, &list[i], height);
+        done = list[i].is_dropped || add_note(s, &list[i], p.height);
     free(list);
     free(t.item);
     return done;
