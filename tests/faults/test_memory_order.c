@@ -15,7 +15,7 @@
 #include "memory.h"
 #include "roberts.h"
 
-enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 30 };
+enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 16 };
 
 /* A number between 0 and 1 that hangs together with no other. */
 static double anyhow(uint64_t n)

@@ -586,7 +586,7 @@ static void test_wrong_tables(void **state)
     (void)state;
     assert_non_null(quiet);
     for (size_t f = 0; f < mesh_family_count(); f++)
-        for (uint64_t seed = 1; seed <= 12; seed++) {
+        for (uint64_t seed = 1; seed <= 6; seed++) {
             mesh_scene scene;
             cross_truth truth;
             mesh_total total = {0};

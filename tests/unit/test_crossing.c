@@ -454,9 +454,9 @@ static void lines_do_not_depend_on_grid_and_threads(void **state)
             assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
             if (drawing.crossing_count <= 20)
                 fail_msg("kind %d, grid %u: %zu lines", kind, grids[i], drawing.crossing_count);
-            if (kind < 2)
-                assert_int_equal(drawing.crossing_count, pairs_that_cross(scene, drawing.epsilon));
             if (i == 0) {
+                if (kind < 2)
+                    assert_int_equal(drawing.crossing_count, pairs_that_cross(scene, drawing.epsilon));
                 first = drawing;
                 continue;
             }

@@ -4,7 +4,7 @@
 #include "hide/front_tree.h"
 #include "scenes.h"
 
-enum { SOLIDS = 900, LINES = 80, SEEDS = 12 };
+enum { SOLIDS = 900, LINES = 80, SEEDS = 6 };
 
 /* Solids with ties of every kind, thin plates above one another, or long thin sticks. */
 static void make_scene(model *m, uint64_t seed)

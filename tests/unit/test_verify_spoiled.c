@@ -5,7 +5,7 @@
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
 
-enum { ROUNDS = 8, TRIES = 12 }; /* scenes of a family; faults of a kind in one drawing */
+enum { ROUNDS = 8, TRIES = 6 }; /* scenes of a family; faults of a kind in one drawing */
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
