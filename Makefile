@@ -62,11 +62,13 @@ TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
-# `make test-quick` omits these. The others take less than 20 s together, on two idle cores.
-SLOW     := batch cluster cross_oracle crossing fault_files faults front_tree hull_memory image install labels layers \
-            loose_ends memory_order mesh_oracle metamorphic off oracle paper python readme region_oracle render \
-            same_bytes svg_groups union union_drawing union_oracle verify verify_spoiled web
-QUICK_BIN = $(filter-out $(SLOW:%=$(BUILD)/tests/test_%),$(TEST_BIN))
+# `make test-quick` omits these. The others take less than 20 s together, on two idle cores. Those that take longest begin
+# first, so that none is left at the end.
+SLOW     := mesh_oracle cluster render metamorphic memory_order oracle paper readme region_oracle same_bytes \
+            cross_oracle faults layers batch install off labels union_drawing verify_spoiled union image union_oracle \
+            fault_files python verify web
+SLOW_BIN  = $(SLOW:%=$(BUILD)/tests/test_%)
+QUICK_BIN = $(filter-out $(SLOW_BIN),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
             LOCPATH='$(abspath $(BUILD)/locale)' tests/run.sh
 DEMO     := table temple tower staircase city lattice
@@ -107,7 +109,7 @@ drawings: $(PAGES) $(DEMO:%=$(BUILD)/demo/%.svg) ## manual page, completions and
 TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/locale/de_DE.UTF-8
 
 test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
-	@$(RUN_TESTS) $(TEST_BIN)
+	@$(RUN_TESTS) $(SLOW_BIN) $(QUICK_BIN)
 
 test-quick: $(TESTED) $(QUICK_BIN) ## runs the quick tests; `make test` also has the slow ones (SLOW)
 	@$(RUN_TESTS) $(QUICK_BIN)
@@ -375,9 +377,6 @@ lint-cppcheck:
 	@echo cppcheck on src and tools
 	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
-
-JOBS     ?= $(CPUS)
-export JOBS
 
 .PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures \
     force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models \

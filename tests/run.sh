@@ -7,7 +7,7 @@
 # which is also appended to the file TEST_RESULTS. A program that dies, or ends without having run a test, counts as one
 # failure, and so does one that leaves a temporary folder (support/temporary.h).
 #
-# JOBS: how many programs run at a time (default: as many as there are processors)
+# JOBS: how many programs run at a time (default: one more than there are processors, as some of them wait)
 set -u
 
 # Tests run make themselves. They inherit the variables of this make, but not its job server, which they cannot use.
@@ -65,7 +65,7 @@ fi
 for program in "$@"; do
     rm -f "$program.counts"
 done
-printf '%s\0' "$@" | xargs -0 -n 1 -P "${JOBS:-$(nproc 2>/dev/null || echo 1)}" "$0" --one
+printf '%s\0' "$@" | xargs -0 -n 1 -P "${JOBS:-$(($(nproc 2>/dev/null || echo 1) + 1))}" "$0" --one
 
 passed=0 failed=0 skipped=0
 for program in "$@"; do
