@@ -17,7 +17,7 @@
 
 enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 16 };
 
-/* A number between 0 and 1 that hangs together with no other. */
+/* Returns a pseudo-random number between 0 and 1. */
 static double anyhow(uint64_t n)
 {
     n = (n ^ n >> 30) * 0xbf58476d1ce4e5b9u;

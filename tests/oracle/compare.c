@@ -1,4 +1,4 @@
-/* compare.c - holds the program's library against the exact oracle on as many scenes as wanted; see --help. */
+/* compare.c - compares the library with the exact oracle on as many scenes as wanted; see --help. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -159,7 +159,7 @@ static bool is_known(const char *family)
     return !family;
 }
 
-/* The wanted family with the fewest edges so far, of which a scene is still to be looked at; `families` if there is
+/* Returns the wanted family with the fewest edges so far that still has scenes to compare; `families` if there is
  * none. */
 static size_t next_family(const arguments *a, const judge_total *family, size_t families)
 {

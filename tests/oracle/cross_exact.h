@@ -256,7 +256,7 @@ struct cross_finder {
         }
     }
 
-    /* Is the edge one with all others of this kind, where they lie on one another? */
+    /* Does the edge count as one with all others of this kind where they overlap? */
     bool is_open(const std::array<uint32_t, 2> &key) const
     {
         return edges.at(key).size() != 2 || joined.count(key) > 0;

@@ -1,6 +1,6 @@
-/* families.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned, not
- * the scene: so doubles hold every contact exactly. The families "turned", "tenth" and "tiny" then spoil it by
- * rounding on purpose. Every face is given either winding, because nobody may trust it. */
+/* families.c - the families. Contact is made with whole numbers, halves and powers of two, and the view is turned,
+ * not the scene: so doubles hold every contact exactly. The families "turned", "tenth" and "tiny" then spoil it by
+ * rounding on purpose. Faces have either winding, since the program must not rely on it. */
 #include "families.h"
 
 #include <math.h>
@@ -60,7 +60,7 @@ static void round_solids(studio *st)
     look_random(st);
 }
 
-/* Solids that pierce one another, anyhow. */
+/* Solids at random places that pierce one another. */
 static void crossing(studio *st)
 {
     int count = dice_int(&st->d, 6, 24);
@@ -72,7 +72,7 @@ static void crossing(studio *st)
     look_random(st);
 }
 
-/* Thin parallelograms, turned anyhow. */
+/* Thin parallelograms, turned at random. */
 static void slanted_plates(studio *st)
 {
     int count = dice_int(&st->d, 6, 24);
@@ -404,7 +404,7 @@ static void thicker_plates(studio *st)
     heap(st, 0x1p-10);
 }
 
-/* Thickness 1e-3 or 1e-6, and not judged what rounding of that might change. */
+/* Thickness 1e-3 or 1e-6. What rounding of it may change is not judged. */
 static void decimal_plates(studio *st)
 {
     heap(st, dice_int(&st->d, 0, 1) ? 1e-3 : 1e-6);
@@ -425,8 +425,7 @@ static void tower(studio *st)
     look_any(st);
 }
 
-/* Up to a million times as deep as the picture is wide: what x and y are not made of must not spoil them. Gives the
- * depth. */
+/* Up to a million times as deep as the picture is wide: large depths must not spoil x and y. Returns the depth. */
 static double put_deep(studio *st, int axis)
 {
     int count = dice_int(&st->d, 6, 24), spread = dice_int(&st->d, 1, 5);
@@ -452,7 +451,7 @@ static void deep(studio *st)
     look_along(st, axis, 0, 0, dice_int(&st->d, 0, 1) ? 1 : -3);
 }
 
-/* Not quite along it, by some widths of a solid from front to back: clearances are as small as that is little. */
+/* The view is off that axis by some widths of a solid from front to back, so clearances are small. */
 static void deep_aslant(studio *st)
 {
     int axis = dice_int(&st->d, 0, 2);

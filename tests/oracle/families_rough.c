@@ -20,8 +20,8 @@ static void put_crowd(studio *st, const shape *s, double scale)
     }
 }
 
-/* Looked at along a face, and then moved; or moved, and then looked at along one of the triangles that this has made.
- * Nothing is left open where nothing is moved and the view is exact. */
+/* The view is along a face, which is then moved; or the scene is moved, and the view is along one of the triangles
+ * that result. If nothing is moved and the view is exact, everything is judged. */
 static void roughen(studio *st)
 {
     double most = (double[]){0, 1e-12, 1e-9, 1e-6}[dice_int(&st->d, 0, 3)], off = small_angle(st);
@@ -178,7 +178,7 @@ void make_digits_in_triangles(studio *st)
     look_at_digits(st);
 }
 
-/* The hulls of these corners: nothing is left open but what counts as touching. */
+/* The hulls of these corners: all is judged but what counts as touching. */
 void make_digits_convex(studio *st)
 {
     put_digits(st);

@@ -1,6 +1,6 @@
 /* golden.c - the program must give the golden's segments to 1e-9, and each edge's golden segments must be what the
- * oracle leaves visible; both are looked at every time, so that a golden cannot be wrong for long, and none is written
- * that is. */
+ * oracle leaves visible; both are checked in every run, and before a golden is written. So no wrong golden stays
+ * unnoticed. */
 #include "golden.h"
 
 #include <errno.h>
@@ -195,7 +195,7 @@ static bool golden_read(const char *path, golden_file *g, FILE *out)
     return ok;
 }
 
-/* Every edge with its ends in space and its hidden parts, for somebody with a pencil. */
+/* Writes every edge with its ends in space and its hidden parts, for a check by hand. */
 static void list_edges(const roberts_mesh *mesh, const roberts_camera *camera, FILE *file)
 {
     oracle_view view = {.x = camera->dir.x, .y = camera->dir.y, .z = camera->dir.z};

@@ -133,8 +133,8 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
            judge_outside(truth->interval + edge->sure, edge->sure_count, mine->hidden, mine->hidden_count);
 }
 
-/* How much of an edge may differ. In a rough scene, parts too short to be certain are left open: they exist only for
- * some positions of the corners within the slack. The factor 4 is 2 for the two ends, times 2 because slack counts for
+/* How much of an edge may differ. In a rough scene, very short parts are not judged: they exist only for some
+ * positions of the corners within the slack. The factor 4 is 2 for the two ends, times 2 because slack counts for
  * more in perspective. */
 static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const oracle_edge *edge)
 {
@@ -294,7 +294,7 @@ static bool part_fails(const test_scene *scene, const oracle_result *truth, cons
     return one->wrong > one->limit;
 }
 
-/* Removes halves, then quarters, at last single solids, as long as the edge still fails. Its own solid stays. */
+/* Removes halves, then quarters, then single solids, as long as the edge still fails. The edge's own solid stays. */
 static void shrink(const test_scene *scene, const oracle_result *truth, const oracle_edge *edge, bool *wanted,
                    bool *before)
 {

@@ -1,4 +1,4 @@
-/* mesh_compare.c - holds the program's library against the mesh oracle on scenes of any bodies; see --help. */
+/* mesh_compare.c - compares the library with the mesh oracle on scenes of any bodies; see --help. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>

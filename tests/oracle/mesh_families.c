@@ -167,7 +167,7 @@ static void block_soup(workshop *w)
     add_block(w, &b, any(w, 0, 1) ? how | STRIPS : how, origin);
 }
 
-/* Cells anyhow: they meet in edges and corners alone. */
+/* Cells at random: some meet in edges and corners alone. */
 static void crumbs(workshop *w)
 {
     block b;
@@ -315,7 +315,7 @@ static void books(workshop *w)
 
 /* ---- faces of any shape, in planes through whole points ---- */
 
-/* A star polygon, a concave one or one that crosses itself anyhow; perhaps with a point over it. */
+/* A star polygon, a concave one, or a random one that crosses itself; perhaps with a point over it. */
 static void stars(workshop *w)
 {
     for (int i = any(w, 1, 3); i > 0; i--) {

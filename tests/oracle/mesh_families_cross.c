@@ -54,7 +54,7 @@ static void slots(workshop *w)
     }
 }
 
-/* Sheets through one line, each as far along it as it likes. */
+/* Sheets through one line, each along a random part of it. */
 static void fans(workshop *w)
 {
     sheet s = any_sheet(w); /* its first axis is the line */
@@ -256,7 +256,7 @@ static void notched(workshop *w)
     }
 }
 
-/* Triangles anyhow, larger than their grid: they cross in many places. */
+/* Random triangles, larger than their grid: they cross in many places. */
 static void crossed_soup(workshop *w)
 {
     int size = any(w, 3, 12);

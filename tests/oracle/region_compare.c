@@ -1,4 +1,4 @@
-/* region_compare.c - holds the library's visible regions against the region oracle; see --help. */
+/* region_compare.c - compares the library's visible regions with the region oracle; see --help. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>

@@ -85,8 +85,8 @@ static int wrap_face(const shape *s, const int *on, int count, const int64_t *n,
     return used;
 }
 
-/* Leaves the convex hull of the shape's points in the shape; false where they are flat or the hull is too large. Each
- * plane with all points on one side is a face: plain enough to be believed, and fast enough for 64 points. */
+/* Leaves the convex hull of the shape's points in the shape; false where they are flat or the hull is too large.
+ * Each plane with all points on one side is a face. This is simple, and fast enough for 64 points. */
 bool shape_hull(shape *s)
 {
     uint64_t seen[SHAPE_CORNERS];
@@ -227,7 +227,7 @@ static void add_face(shape *s, const int *corner, int count)
     s->face_start[++s->face_count] = s->corner_count;
 }
 
-/* A face and one for each of its sides, to the same corners elsewhere or to an apex. */
+/* Adds a face, and one for each of its sides, to the same corners elsewhere or to an apex. */
 static void add_coin(shape *s, int64_t (*ring)[2], int count, bool pyramid, const int *lean)
 {
     int own[SHAPE_POINTS], other[SHAPE_POINTS];
@@ -246,7 +246,7 @@ static void add_coin(shape *s, int64_t (*ring)[2], int count, bool pyramid, cons
     }
 }
 
-/* From a corner to the next, by a vector turned so many quarters. */
+/* Steps from a corner to the next, by a vector turned by this many quarters. */
 static void go_on(int64_t *x, int64_t *y, const int *v, int quarters)
 {
     int64_t turned[4][2] = {{v[0], v[1]}, {-v[1], v[0]}, {-v[0], -v[1]}, {v[1], -v[0]}};

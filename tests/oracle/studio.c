@@ -68,7 +68,7 @@ void put_at(studio *st, const shape *s, roberts_vec3 at)
     put(st, s, at.x, at.y, at.z);
 }
 
-/* A corner takes its numbers as they are: nothing is computed, nothing rounded. */
+/* A corner takes its coordinates as they are, without rounding. */
 void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1)
 {
     shape unit = shape_box(1, 1, 1);

@@ -1,6 +1,6 @@
-/* test_cross_oracle.c - intersection lines: the oracle against cases worked out by hand and against triangles crossed
- * in another way; the judge against tables that are wrong on purpose. test_mesh_oracle.c holds the library against
- * them. */
+/* test_cross_oracle.c - intersection lines: the oracle against cases worked out by hand and against triangles
+ * crossed in another way; the judge against tables that are wrong on purpose. test_mesh_oracle.c compares the
+ * library with them. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

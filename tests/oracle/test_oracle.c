@@ -256,7 +256,7 @@ static void test_refusals(void **state)
 
 /* ---- the oracle against itself --------------------------------------------------------------------------------- */
 
-/* Rational numbers throughout are slow: scenes of more corners than this are left to others of the same solids. */
+/* Rational numbers throughout are slow, so larger scenes are left out; others have the same solids. */
 enum { FILTER_CORNERS = 600, RAYS = 12, RAYS_CORNERS = 8000 };
 
 /* Intervals of doubles tried first, or rational numbers throughout: the same answers, ends to 1e-14. */
@@ -345,9 +345,8 @@ static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-/* A family and a seed are one scene, whichever compiler decides in which order what a call is given is computed.
- * (Families whose coordinates are whole numbers, halves and powers of two: the others differ where sines and roots
- * do.) */
+/* A family and a seed give one scene, in whatever order a compiler evaluates arguments. This holds for families
+ * whose coordinates are whole numbers, halves and powers of two. Others differ where sines and roots do. */
 static const struct {
     const char *family;
     uint64_t hash; /* of vertices, corners and view, little-endian */

@@ -116,7 +116,7 @@ static void test_by_hand(void **state)
 
 /* ---- wrong tables ---- */
 
-/* By a millionth of the picture, in a direction that no border has, in all likelihood. */
+/* Moves a corner by a millionth of the picture, in a direction that hardly any border has. */
 static void move_corner(roberts_region_list *list)
 {
     double size = 0;
