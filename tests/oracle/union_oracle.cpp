@@ -34,7 +34,7 @@ rational turn(const direction &p, const direction &q)
     return p.x * q.y - p.y * q.x;
 }
 
-/* Is the angle of a direction below 180 degrees? */
+/* Is the angle of a direction 180 degrees or more? */
 bool lower(const direction &d)
 {
     return d.y < 0 || (d.y == 0 && d.x < 0);
