@@ -207,6 +207,7 @@ install-python: install ## the same, and the Python package (PYTHON=python3, PYT
 	$(Q)sed 's|^INSTALLED = .*|INSTALLED = "$(LIBDIR)/$(SONAME)"|' src/python/roberts/_library.py \
 	    >'$(DESTDIR)$(PYTHONTO)/roberts/_library.py'
 	@echo 'the package is in $(DESTDIR)$(PYTHONTO)'
+	@$(PYTHON) -c 'import numpy' 2>/dev/null || echo 'it needs numpy, which $(PYTHON) lacks (Debian: python3-numpy)'
 
 uninstall: ## removes the installed files
 	$(Q)rm -f '$(TO)/bin/roberts' '$(TO)/include/roberts.h' '$(LIB)/libroberts.a' '$(LIB)'/libroberts.so* \
