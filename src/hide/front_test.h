@@ -10,8 +10,8 @@
  *
  * These tests use planes far from their faces. Each front has a reach up to which its planes can be trusted: a thousand
  * widths of a face, but nothing for models given to few digits (see set_trust() in front.c). An edge beyond the reach
- * is tested against each face by tests 1 to 4, and the front's part is the hull of what the faces hide. A one-face
- * front is handled likewise; for a bundle, only the faces that its tree leaves. */
+ * that is not deeper than the whole front is tested against each face by tests 1 to 4, and the front's part is the hull
+ * of what the faces hide. A one-face front is handled likewise; for a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H
 #define ROBERTS_HIDE_FRONT_TEST_H
 
@@ -144,11 +144,12 @@ BITS_INLINE bool hide_by_front(const hide_fronts *fronts, const hide_meeting *m,
 {
     uint32_t near = 0;
     hide_verdict depth = HIDE_INVISIBLE;
+    const bool behind = e->A.z < m->depth && e->B.z < m->depth; /* the whole front, so that its planes are not asked */
     if (m->approach != HIDE_WITHIN_REACH &&
-        (m->approach == HIDE_FACE_BY_FACE || !hide_within_reach(fronts, m->whole, e)))
+        (m->approach == HIDE_FACE_BY_FACE || (!behind && !hide_within_reach(fronts, m->whole, e))))
         return hide_by_faces(fronts, m, e, sides, part);
     sides->tally.pairs++;
-    if (!(e->A.z < m->depth && e->B.z < m->depth)) /* otherwise e is behind the whole front */
+    if (!behind)
         depth = hide_test1_of_all(m->face, m->face_count, e, &near);
     if (depth == HIDE_VISIBLE) {
         sides->tally.test1_visible++;

@@ -505,7 +505,7 @@ static void set_space(hide_fronts *fronts)
                                  .epsilon = v->epsilon,
                                  .rounding = v->across_rounding,
                                  .depth_rounding = v->rounding,
-                                 .plain = hide_plain(v->across, v->epsilon, v->across_rounding),
+                                 .plain = hide_plain(4.0 * v->across, v->epsilon, v->across_rounding),
                                  .scene = fronts->scene,
                                  .view = v};
 }

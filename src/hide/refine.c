@@ -1,7 +1,8 @@
-/* refine.c - signs and crossings in double-double numbers. See refine.h. */
+/* refine.c - signs and crossings from the coordinates as read. See refine.h. */
 #include "hide/refine.h"
 
 #include "base/dd.h"
+#include "hide/tolerance.h"
 
 /* Returns the position of a vertex. */
 static seen_point vertex_point(const hide_space *space, uint32_t a)
@@ -50,19 +51,91 @@ static dd side_determinant(const hide_space *space, const sight_plane *s, seen_p
     return dd3_dot(dd3_cross(between(space, s->Q, s->P), between(space, X, s->P)), dd3_from(space->view->viewpoint));
 }
 
-double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+/* The distance of x from the line through p and q in the picture, divided by the determinant. */
+static double per_determinant(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
 {
     const view *v = space->view;
     double length = hypot(space->P[q].x - space->P[p].x, space->P[q].y - space->P[p].y);
+    if (!v->perspective)
+        return 1.0 / (v->viewpoint_depth * length);
+    /* the picture's determinant of rows (x, y, 1) is that of rows (x, y, w), divided by the three w / D */
+    const double z[] = {space->P[p].z, space->P[q].z, x.z};
+    double scale = v->inverse_distance / length;
+    for (int i = 0; i < 3; i++)
+        scale *= 1.0 + z[i] * v->inverse_distance;
+    return scale;
+}
+
+double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+{
     const sight_plane sight = sight_plane_through(space, p, q);
-    double determinant = side_determinant(space, &sight, place_of(space, x)).hi;
-    if (v->perspective) { /* the picture's determinant of rows (x, y, 1) is that of rows (x, y, w), divided by the three
-                             w / D */
-        double z[] = {space->P[p].z, space->P[q].z, x.z};
-        for (int i = 0; i < 3; i++)
-            determinant *= 1.0 + z[i] * v->inverse_distance;
-    }
-    return v->perspective ? determinant * v->inverse_distance / length : determinant / (v->viewpoint_depth * length);
+    return side_determinant(space, &sight, place_of(space, x)).hi * per_determinant(space, p, q, x);
+}
+
+/* ---- the same in doubles ---- */
+
+/* A vector in doubles, and the sizes of its components, of which their errors are parts. */
+typedef struct near3 {
+    roberts_vec3 is, size;
+} near3;
+
+/* Returns b - a in view units. Each component is off by at most two half epsilons of its size. */
+static inline near3 gap(const hide_space *space, const seen_point *b, const seen_point *a)
+{
+    const double k = space->view->per_unit;
+    roberts_vec3 high = vec3_scale(k, vec3_sub(b->point, a->point)), low = vec3_scale(k, vec3_sub(b->low, a->low));
+    return (near3){vec3_add(high, low),
+                   {fabs(high.x) + fabs(low.x), fabs(high.y) + fabs(low.y), fabs(high.z) + fabs(low.z)}};
+}
+
+/* The sight plane through P and Q: its normal is the ray through P times PQ. */
+typedef struct near_plane {
+    seen_point P;
+    near3 normal;
+} near_plane;
+
+static near_plane plane_nearly(const hide_space *space, uint32_t p, uint32_t q)
+{
+    near_plane s = {.P = vertex_point(space, p)};
+    const seen_point Q = vertex_point(space, q), eye = {.point = space->view->viewpoint};
+    const near3 along = gap(space, &Q, &s.P);
+    near3 ray = {eye.point, {fabs(eye.point.x), fabs(eye.point.y), fabs(eye.point.z)}};
+    if (space->view->perspective)
+        ray = gap(space, &eye, &s.P);
+    s.normal.is = vec3_cross(ray.is, along.is);
+    s.normal.size = (roberts_vec3){ray.size.y * along.size.z + ray.size.z * along.size.y,
+                                   ray.size.z * along.size.x + ray.size.x * along.size.z,
+                                   ray.size.x * along.size.y + ray.size.y * along.size.x};
+    return s;
+}
+
+/* The same determinant as side_determinant() finds. */
+static refine_near determinant_nearly(const hide_space *space, const near_plane *s, const seen_point *X)
+{
+    const near3 to = gap(space, X, &s->P);
+    return (refine_near){vec3_dot(s->normal.is, to.is), REFINE_ROUNDINGS * vec3_dot(s->normal.size, to.size)};
+}
+
+refine_near refine_side_nearly(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+{
+    const near_plane s = plane_nearly(space, p, q);
+    const seen_point X = place_of(space, x);
+    const refine_near d = determinant_nearly(space, &s, &X);
+    const double scale = per_determinant(space, p, q, x);
+    return (refine_near){d.value * scale, d.error * fabs(scale)};
+}
+
+/* In the picture, the distances of A and B from the line are these determinants times 1 / w, up to a common factor. */
+bool refine_crossing_nearly(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, double *t)
+{
+    const near_plane s = plane_nearly(space, p, q);
+    const seen_point A = place_of(space, refine_start(e)), B = place_of(space, refine_end(e));
+    const refine_near a = determinant_nearly(space, &s, &A), b = determinant_nearly(space, &s, &B);
+    const double near_a = 1.0 + e->A.z * space->view->inverse_distance;
+    const double near_b = 1.0 + e->B.z * space->view->inverse_distance;
+    const double from = a.value * near_a, apart = from - b.value * near_b;
+    *t = from / apart;
+    return hide_accurate(space, e, (a.error * near_a + b.error * near_b) / fabs(apart));
 }
 
 static double to_picture(const hide_space *space, const hide_edge *e, double t)

@@ -1,9 +1,12 @@
-/* refine.h - signs and crossings in double-double numbers, from the coordinates as read.
+/* refine.h - signs and crossings from the coordinates as read, in doubles or in double-double numbers.
  *
  * View coordinates carry the rounding of the map to view space, about 1e-15 of the scene. This matters if a crossing is
  * very oblique, an edge very short, or a side very far from the point. Then the same quantities are computed from the
  * model's own coordinates, with the viewpoint V as a homogeneous point. The sight plane through P and Q is det(Q - P, X
- * - P, V) = 0 for a direction V, and det(P - V, Q - V, X - V) = 0 for an eye V. */
+ * - P, V) = 0 for a direction V, and det(P - V, Q - V, X - V) = 0 for an eye V.
+ *
+ * Differences of coordinates as read are nearly exact. So doubles nearly always suffice: their error is a part of the
+ * distances between these points, and not of the scene. Double-double numbers decide the rest. */
 #ifndef ROBERTS_HIDE_REFINE_H
 #define ROBERTS_HIDE_REFINE_H
 
@@ -30,6 +33,16 @@ static inline refine_point refine_end(const hide_edge *e)
 {
     return (refine_point){e->b, e->end ? e->end + 1 : NULL, e->B.z};
 }
+
+/* In doubles: finds what refine_side() returns, with a bound of its error. Both are NaN if p and q have one picture. */
+typedef struct refine_near {
+    double value, error;
+} refine_near;
+
+refine_near refine_side_nearly(const hide_space *space, uint32_t p, uint32_t q, refine_point x);
+
+/* In doubles: finds what refine_crossing() returns. False: that is not accurate. */
+bool refine_crossing_nearly(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, double *t);
 
 /* Returns the distance, in view units, of x from the sight plane through vertices p and q; > 0 left of p -> q in the
  * picture. */

@@ -99,8 +99,12 @@ static int sign_closely(const hide_space *space, const side_line *s, refine_poin
 {
     if (error > HIDE_TRUSTED * space->epsilon * s->length && fabs(h) <= space->epsilon * s->length + error &&
         space->scene) {
-        h = refine_side(space, s->p, s->q, x) * s->length;
-        ++*refined;
+        refine_near from = refine_side_nearly(space, s->p, s->q, x);
+        if (!(from.error <= HIDE_TRUSTED * space->epsilon)) {
+            from.value = refine_side(space, s->p, s->q, x);
+            ++*refined;
+        }
+        h = from.value * s->length;
     }
     return s->direction * sign_within(h, space->epsilon * s->length);
 }
@@ -178,14 +182,17 @@ hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_
     return c;
 }
 
-/* Computes the crossing in double-double numbers if its error is too large. */
+/* Computes the crossing from the coordinates as read if its error is too large. */
 static void refine_if_needed(const hide_cutting *c, hide_crossing *at)
 {
     if (at->error == 0.0)
         return;
     uint32_t p = c->F->corner[at->side.first], q = c->F->corner[at->side.last];
-    at->t = refine_crossing(c->space, p < q ? p : q, p < q ? q : p, c->e);
+    const uint32_t least = p < q ? p : q, most = p < q ? q : p;
     at->error = 0.0;
+    if (refine_crossing_nearly(c->space, least, most, c->e, &at->t))
+        return;
+    at->t = refine_crossing(c->space, least, most, c->e);
     ++*c->refined;
 }
 

@@ -2,6 +2,7 @@
 #include "hide/tests_fast.h"
 
 #include "base/lanes.h"
+#include "hide/refine.h"
 
 /* Stores side i, which runs from p to q. `forward`: p has the smaller vertex number. */
 BITS_INLINE void take_side(fast_outline *o, uint32_t i, two p, two q, bool forward)
@@ -56,16 +57,17 @@ static bool outside_one(const fast_sides *H, size_t count, double plain)
 }
 
 /* Decides signs that are not plain as look_closely() in tests.c does. */
-fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H)
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, double plain,
+                         fast_sides *H)
 {
-    bool a_inside = all_above(H->a, o->count, space->plain);
+    bool a_inside = all_above(H->a, o->count, plain);
     const double *h = a_inside ? H->b : H->a;
     roberts_vec3 X = a_inside ? e->B : e->A;
     uint32_t out = 0, touched = 0;
-    if (!a_inside && !all_above(H->b, o->count, space->plain))
-        return outside_one(H, o->count, space->plain) ? FAST_OUTSIDE : FAST_UNCLEAR;
+    if (!a_inside && !all_above(H->b, o->count, plain))
+        return outside_one(H, o->count, plain) ? FAST_OUTSIDE : FAST_UNCLEAR;
     for (size_t i = 0; i < o->count; i++) {
-        if (fabs(h[i]) > space->plain) {
+        if (fabs(h[i]) > plain) {
             out |= (h[i] < 0.0 ? 1u : 0u) << i;
             continue;
         }
@@ -85,13 +87,26 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
     return FAST_CUT;
 }
 
+/* An odd last side is stored twice. */
+static inline uint32_t side_of(const fast_outline *o, int i)
+{
+    return (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1;
+}
+
 double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
                         double *t)
 {
     hide_face F = {.corner = o->corner, .count = o->sides};
-    uint32_t first = (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1; /* an odd last side is stored twice */
+    const uint32_t first = side_of(o, i);
     reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
     return reach_along(space, e, &border, fabs(touch), t);
+}
+
+/* Finds the crossing with side i as refine_if_needed() in tests.c does. False: it needs double-double numbers. */
+static bool crossing_as_read(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double *t)
+{
+    const uint32_t first = side_of(o, i), p = o->corner[first], q = o->corner[first + 1 < o->sides ? first + 1 : 0];
+    return space->scene && refine_crossing_nearly(space, p < q ? p : q, p < q ? q : p, e, t);
 }
 
 fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
@@ -111,7 +126,7 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
                 lesser(hide_crossing_error(space, e, t, (roberts_vec2){ox, oy}, (roberts_vec2){dx, dy}, apart), error);
             if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
                 continue;
-            if (!hide_accurate(space, e, error))
+            if (!hide_accurate(space, e, error) && !crossing_as_read(o, space, e, i, &t))
                 return FAST_UNCLEAR;
         }
         if (a < 0.0) {

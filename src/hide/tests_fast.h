@@ -1,9 +1,9 @@
 /* tests_fast.h - tests 2 to 4 in one pass, for an edge and an outline whose signs are all plain.
  *
- * A sign is plain if its cross product is larger than hide_space.plain. Then tests.c would find the same sign, and
- * lengths and errors do not matter. H_i(A) and H_i(B) are computed for two sides at a time, in the form that test 4
- * uses for t_i, so the part found is the same to the last bit. tests.c decides if a crossing is not accurate, or if a
- * sign is not plain (unless one end of the edge is well inside). */
+ * A sign is plain if its cross product is larger than hide_plain() of this edge and outline. Then tests.c would find
+ * the same sign, and lengths and errors do not matter. H_i(A) and H_i(B) are computed for two sides at a time, in the
+ * form that test 4 uses for t_i, so the part found is the same to the last bit. tests.c decides if a crossing is not
+ * accurate, or if a sign is not plain (unless one end of the edge is well inside). */
 #ifndef ROBERTS_HIDE_TESTS_FAST_H
 #define ROBERTS_HIDE_TESTS_FAST_H
 
@@ -153,7 +153,8 @@ BITS_INLINE bool fast_within(const fast_outline *o, double plain, const fast_sid
 /* Handles an edge whose signs are not all plain. FAST_OUTSIDE: the edge is plainly outside one side, so the other signs
  * do not matter. FAST_CUT: one end is plainly inside, the other is near some side, and H has the signs that tests.c
  * would find. FAST_UNCLEAR: a sign needs double-double numbers, or no end is plainly inside. */
-fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, fast_sides *H);
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, double plain,
+                         fast_sides *H);
 
 /* Tests 2 to 4. `span` bounds the distance of any two points of outline and edge, |dx| + |dy|. `hidden` is a part of
  * the edge that is known to be hidden, where nothing new need be found; NULL: none. Fills `part` if the verdict is
@@ -161,9 +162,10 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
 {
+    const double plain = hide_plain(span, space->epsilon, space->rounding);
     fast_sides H;
-    if (!fast_signs(o, space->plain, e, &H)) {
-        fast_verdict verdict = fast_settle(o, space, e, &H);
+    if (!fast_signs(o, plain, e, &H)) {
+        fast_verdict verdict = fast_settle(o, space, e, plain, &H);
         if (verdict != FAST_CUT)
             return verdict == FAST_OUTSIDE ? FAST_OUTSIDE : FAST_UNCLEAR;
     }
@@ -173,10 +175,10 @@ BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *spac
         *part = hide_whole;
         return FAST_INSIDE;
     }
-    if (hidden && fast_within(o, space->plain, &H, hidden))
+    if (hidden && fast_within(o, plain, &H, hidden))
         return FAST_EMPTY;
     if (H.out_a && H.out_b) { /* if one end is inside, corners lie on both sides */
-        fast_verdict verdict = fast_corners(o, space->plain, e);
+        fast_verdict verdict = fast_corners(o, plain, e);
         if (verdict != FAST_CUT)
             return verdict == FAST_MISSED ? FAST_MISSED : FAST_UNCLEAR;
     }

@@ -7,6 +7,8 @@
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
+#include <float.h>
+
 #include "hide/types.h"
 
 /* ---- signs and parameters ---- */
@@ -17,6 +19,13 @@
 
 /* Fraction of epsilon: the largest error of a distance whose sign is trusted. */
 #define HIDE_TRUSTED 0.125
+
+/* No unit: the error of a determinant in doubles of differences of coordinates as read, over the same sum of products
+ * with all terms positive. A difference is off by half an epsilon for each of: the high parts, the low parts, their
+ * sum; together at most 2 half epsilons of its size. A product of two is off by 5, a component of the normal by 6. Its
+ * product with a third difference is off by 9, the sum by 11 half epsilons. The rest covers the rounding of the sizes.
+ */
+#define REFINE_ROUNDINGS (16.0 * 0.5 * DBL_EPSILON)
 
 /* Fraction of the scene's diameter: the largest touching distance accepted. Beyond it, "on" would mean a visible
  * length. */
@@ -39,15 +48,16 @@ static inline bool hide_accurate(const hide_space *space, const hide_edge *e, do
     return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
 }
 
-/* View units squared: a cross product of two picture vectors has a plain sign if it is larger than this.
+/* View units squared: a cross product of two picture vectors has a plain sign if it is larger than this. span: bounds
+ * the distance |dx| + |dy| of any two of their points; 4 extents hold for the whole picture.
  *
- * u x v| is the distance of a point from the line through two others, times their distance l. The distance certainly
- * exceeds epsilon if |u x v| > epsilon l + 2 rounding (l + reach). Here l is at most 3 extents (of the picture: x and
- * y) and the reach at most 6. The rounding of the products adds at most 4 extents times rounding. One bound serves the
- * whole scene. A sign that it does not decide is computed with its own error. */
-static inline double hide_plain(double extent, double epsilon, double rounding)
+ * |u x v| is the distance of a point from the line through two others, times their distance l. The distance certainly
+ * exceeds epsilon if |u x v| > epsilon l + 2 rounding (l + reach). Here l and the reach, |dx| + |dy| of the point from
+ * one end, are at most the span. The rounding of the products adds less than 2 span rounding. One bound serves all
+ * sides of a front and an edge. A sign that it does not decide is computed with its own error. */
+static inline double hide_plain(double span, double epsilon, double rounding)
 {
-    return 4.0 * extent * (epsilon + 8.0 * rounding);
+    return span * (epsilon + 8.0 * rounding);
 }
 
 /* View units: cells and boxes are widened by this, so that an edge and a face that touch are never separated. */

@@ -10,8 +10,7 @@ typedef struct hide_space {
     double epsilon;        /* touching distance, view units */
     double rounding;       /* bounds the error of an x or y of P, view units */
     double depth_rounding; /* bounds the error of any coordinate of P; at least `rounding` */
-    double plain; /* a cross product of two picture vectors has a plain sign if it is larger: hide_plain(); INFINITY:
-                     never */
+    double plain;          /* any cross product of two picture vectors has a plain sign if it is larger: hide_plain() */
     const roberts_scene *scene; /* the model as read, for double-double numbers; */
     const view *view;           /* NULL both: never refine (tests on bare points) */
 } hide_space;

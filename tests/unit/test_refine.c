@@ -2,6 +2,8 @@
  * one axis alone up to 2^20, so that determinants fit into 63 bits; each test chooses which of them are zero or nearly
  * zero. */
 #include "hide/refine.h"
+
+#include "hide/tolerance.h"
 #include "scenes.h"
 #include "whole.h"
 
@@ -57,7 +59,7 @@ static void set_up(fixture *f, const model *m, const roberts_camera *camera)
 
 static hide_edge edge_between(const fixture *f, uint32_t a, uint32_t b)
 {
-    return (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b};
+    return (hide_edge){.A = f->P[a], .B = f->P[b], .a = a, .b = b, .length3 = vec3_length(vec3_sub(f->P[b], f->P[a]))};
 }
 
 /* The same edge, its second end not a vertex but the sum of two points. Left alone, `place->point` would be as far from
@@ -139,6 +141,10 @@ static void sides_against_integers(void **state)
         assert_true(fabs(refine_side(&f.space, 0, 1, refine_end(&computed)) - distance) <= 1e-14 * fabs(distance));
         assert_true((exact > 0) == (distance > 0) && (exact < 0) == (distance < 0));
         assert_true(fabs(distance + back) <= 1e-15 * fabs(distance));
+        refine_near near = refine_side_nearly(&f.space, 0, 1, refine_vertex(&f.space, 4));
+        assert_true(fabs(near.value - distance) <= near.error && near.error <= 1e-13 * f.view.extent);
+        near = refine_side_nearly(&f.space, 0, 1, refine_end(&computed));
+        assert_true(fabs(near.value - distance) <= near.error && near.error <= 1e-13 * f.view.extent);
         zeros += exact == 0;
         small += exact != 0 && fabs(distance) < 1e-3;
         double dx = f.P[1].x - f.P[0].x, dy = f.P[1].y - f.P[0].y, length = hypot(dx, dy);
@@ -155,7 +161,7 @@ static void sides_against_integers(void **state)
 static void crossings_against_fractions(void **state)
 {
     rng r = {62};
-    size_t tried = 0;
+    size_t tried = 0, left = 0;
     (void)state;
     for (int i = 0; i < 4000; i++) {
         fixture f;
@@ -169,7 +175,11 @@ static void crossings_against_fractions(void **state)
             hide_edge computed = with_computed_end(e, &f, place, 0.25);
             double exact = (double)((long double)a / (long double)(a - b));
             double t = view_to_space(&f.view, e.A.z, e.B.z, refine_crossing(&f.space, 0, 1, &e));
-            double back = view_to_space(&f.view, e.B.z, e.A.z, refine_crossing(&f.space, 0, 1, &turned));
+            double back = view_to_space(&f.view, e.B.z, e.A.z, refine_crossing(&f.space, 0, 1, &turned)), near;
+            if (refine_crossing_nearly(&f.space, 0, 1, i % 8 < 4 ? &e : &computed, &near))
+                assert_true(fabs(near - refine_crossing(&f.space, 0, 1, &e)) <= HIDE_T_ACCURACY);
+            else
+                left++;
             assert_true(fabs(t - exact) <= T_BOUND);
             assert_true(fabs(back - (1 - exact)) <= T_BOUND);
             assert_true(fabs(refine_crossing(&f.space, 0, 1, &computed) - refine_crossing(&f.space, 0, 1, &e)) <=
@@ -180,6 +190,7 @@ static void crossings_against_fractions(void **state)
         roberts_scene_free(f.scene);
     }
     assert_true(tried > 1000);
+    assert_true(left < tried / 100); /* nearly all crossings are accurate in doubles */
 }
 
 /* The plane through 0, 1 and 2, likewise; the face's corner list may begin anywhere. */
