@@ -171,9 +171,19 @@ try {
     return x.reduce((a, b) => Math.max(a, b), 0) - x.reduce((a, b) => Math.min(a, b), width); })()`;
   await type("scale", "1:10");
   await rest("--scale=1:10");
-  await browser.evaluate(`document.querySelector("#stage").focus()`);
+  // a frame is soon replaced by the page, so it is measured as soon as it is painted
+  await browser.evaluate(`(() => { const stage = document.querySelector("#stage");
+    window.widths = [];
+    window.measuring = new MutationObserver(() => window.widths.push(${wide}));
+    window.measuring.observe(stage, { attributes: true, attributeFilter: ["data-frames"] });
+    stage.focus(); })()`);
   await browser.key("ArrowLeft");
-  await browser.until(`[${wide}].every((dots) => dots > 2 && dots < 40)`);
+  await browser.until("window.widths.length > 0");
+  const widths = await browser.evaluate("window.measuring.disconnect(), window.widths");
+  assert.ok(
+    widths.every((dots) => dots > 2 && dots < 40),
+    `${widths}`,
+  );
   await type("scale", "");
 
   // a file that is dropped, and the controls
