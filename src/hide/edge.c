@@ -15,6 +15,9 @@
 
 /* Edges of a solid with more columns or rows than this go one by one. */
 #define GROUP_CELLS 3
+/* Part of a cell: where cells have trees, a group must be smaller than this. The lines of a larger one go one by one,
+ * since a tree tells more of a line than of a box. */
+#define SMALL_GROUP 0.125
 /* For lists of at most this many fronts, choosing which fronts to meet first gains nothing. */
 #define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
@@ -384,6 +387,22 @@ static bool meet_tree(hide_worker *w, const line_set *p, size_t cell, double t0,
     return true;
 }
 
+/* Tests the lines of a group against the fronts of a cell with a tree. False: no memory. */
+static bool meet_tree_together(hide_worker *w, const line_set *p, size_t cell)
+{
+    const front_node *node = w->grid->tree[cell].node;
+    const objet_entry *list = w->grid->entry + w->grid->start[cell];
+    uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1;
+    while (depth > 0 && w->live) {
+        const uint32_t which = stack[--depth], child = which & ~FRONT_TREE_LEAF;
+        if (child == which)
+            depth += front_node_meets_box(&node[child], p->box, stack + depth);
+        else if (!meet_entry(w, p, list[child].front))
+            return false;
+    }
+    return true;
+}
+
 /* Tests the lines against the fronts of one cell. Of a single line, only `part` lies in the cell. far: the farthest
  * depth of the lines there. False: no memory. */
 static bool meet_cell(hide_worker *w, const line_set *p, const objet_stretch *part, float far)
@@ -393,7 +412,7 @@ static bool meet_cell(hide_worker *w, const line_set *p, const objet_stretch *pa
     if (grid->below && far > grid->below[cell])
         return true; /* only edges of the sheet that fills the cell remain */
     if (grid->tree && grid->tree[cell].node)
-        return meet_tree(w, p, cell, part->t0, part->t1);
+        return p->alone ? meet_tree(w, p, cell, part->t0, part->t1) : meet_tree_together(w, p, cell);
     return meet_list(w, p, part->column, part->row, far);
 }
 
@@ -480,7 +499,7 @@ static void box_lines(hide_worker *w)
     w->box = all;
 }
 
-/* Has one of these cells a tree? Lines meet its fronts one by one. */
+/* Has one of these cells a tree? */
 static bool has_tree(const objet *grid, uint32_t left, uint32_t right, uint32_t low, uint32_t high)
 {
     for (uint32_t i = left; grid->tree && i <= right; i++)
@@ -498,7 +517,10 @@ BITS_INLINE bool run_lines(hide_worker *w)
         box_lines(w);
         uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
         uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
-        if (right - left < GROUP_CELLS && high - low < GROUP_CELLS && !has_tree(w->grid, left, right, low, high))
+        const bool small = (double)(w->box.x1 - w->box.x0) < SMALL_GROUP * f->dx &&
+                           (double)(w->box.y1 - w->box.y0) < SMALL_GROUP * f->dy;
+        if (right - left < GROUP_CELLS && high - low < GROUP_CELLS &&
+            (small || !has_tree(w->grid, left, right, low, high)))
             return run_together(w, left, right, low, high);
     }
     for (size_t i = 0; i < w->line_count; i++)

@@ -366,6 +366,31 @@ uint32_t front_node_meets(const front_node *n, const front_line *line, float t0,
     return count;
 }
 
+/* Which children have a box that the other one meets in the picture? */
+static inline unsigned pictures_touch(const front_node *n, const hide_box *b)
+{
+    return four_at_most(four_load(n->x0), four_all(b->x1)) & four_at_most(four_all(b->x0), four_load(n->x1)) &
+           four_at_most(four_load(n->y0), four_all(b->y1)) & four_at_most(four_all(b->y0), four_load(n->y1));
+}
+
+uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4])
+{
+    unsigned met = pictures_touch(n, lines) & four_at_most(four_all(lines->z0), four_load(n->z1));
+    uint32_t count = 0;
+    float depth[4];
+    for (; met; met &= met - 1) {
+        const int k = bits_trailing_zeros(met);
+        uint32_t at = count++;
+        for (; at > 0 && depth[at - 1] < n->z1[k]; at--) {
+            found[at] = found[at - 1];
+            depth[at] = depth[at - 1];
+        }
+        found[at] = n->child[k];
+        depth[at] = n->z1[k];
+    }
+    return count;
+}
+
 void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t front)
 {
     roberts_vec3 corner[FRONT_TREE_CORNERS];
@@ -385,9 +410,8 @@ void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t fron
 
 static inline unsigned boxes_touch(const front_node *n, const hide_box *b)
 {
-    return four_at_most(four_load(n->x0), four_all(b->x1)) & four_at_most(four_all(b->x0), four_load(n->x1)) &
-           four_at_most(four_load(n->y0), four_all(b->y1)) & four_at_most(four_all(b->y0), four_load(n->y1)) &
-           four_at_most(four_load(n->z0), four_all(b->z1)) & four_at_most(four_all(b->z0), four_load(n->z1));
+    return pictures_touch(n, b) & four_at_most(four_load(n->z0), four_all(b->z1)) &
+           four_at_most(four_all(b->z0), four_load(n->z1));
 }
 
 /* Which children have points between the least and the greatest of `at`, give or take m? */

@@ -64,6 +64,10 @@ typedef struct front_visit {
  * this is mostly the next in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
 
+/* Finds the children of a node that may hide anything of the lines in a box: their numbers, the farthest child from the
+ * viewer last. Returns how many they are. */
+uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4]);
+
 /* A front as the tree sees it. */
 typedef struct front_shape {
     const hide_box *box;
