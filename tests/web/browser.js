@@ -140,12 +140,21 @@ export class Browser {
     await this.send("Input.dispatchKeyEvent", { type: "keyUp", key, code: key, modifiers });
   }
 
-  /* Drops files of this machine on an element. */
+  /* Drops files of this machine on an element. A browser ignores a drop if the page has not yet answered what may be
+   * dropped there, as on a busy machine. Then they are dropped again. */
   async drop(selector, ...files) {
     const at = await this.place(selector),
       data = { items: [], files, dragOperationsMask: 1 };
-    for (const type of ["dragEnter", "dragOver", "drop"])
-      await this.send("Input.dispatchDragEvent", { type, ...at, data });
+    const before = await this.evaluate(`window.drops ??= (addEventListener("drop", () => window.drops++, true), 0)`);
+    for (let tries = 0; ; tries++) {
+      for (const type of ["dragEnter", "dragOver", "drop"])
+        await this.send("Input.dispatchDragEvent", { type, ...at, data });
+      try {
+        return await this.until(`window.drops > ${before}`, 5);
+      } catch (error) {
+        if (tries === 5) throw error;
+      }
+    }
   }
 
   /* The processes of the browser: type, id, and seconds of the processor (cpuTime). Those of pages are renderers. */
