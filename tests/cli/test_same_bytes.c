@@ -15,7 +15,7 @@
 #include "temporary.h"
 #include "whole_file.h"
 
-enum { SIDE = 56, RUNS = 20 };
+enum { SIDE = 56, RUNS = 12 };
 
 static char program[4096], boxes[TEMPORARY_ROOM + 10];
 

@@ -15,7 +15,7 @@
 #include "memory.h"
 #include "roberts.h"
 
-enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 16 };
+enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 12 };
 
 /* Returns a pseudo-random number between 0 and 1. */
 static double anyhow(uint64_t n)
