@@ -62,8 +62,8 @@ TOOL_BIN := $(TOOL_SRC:%.c=$(BUILD)/%)
 PAGES    := $(BUILD)/roberts.1 $(BUILD)/completions/bash $(BUILD)/completions/zsh $(BUILD)/completions/fish
 # tests/unit/test_off.c becomes build/tests/test_off: names of tests are unique across folders.
 TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
-# `make test-quick` omits these. The others take less than 20 s together, on two idle cores. Those that take longest begin
-# first, so that none is left at the end.
+# `make test-quick` omits these. The others take less than 20 s together, on two idle cores. Those that take longest
+# begin first, so that none is left at the end.
 SLOW     := mesh_oracle cluster render metamorphic memory_order oracle paper readme region_oracle same_bytes \
             cross_oracle faults layers batch install off labels union_drawing verify_spoiled union image union_oracle \
             fault_files python verify web
