@@ -15,6 +15,11 @@ struct crossing {
     vec<rational> a, b;
 };
 
+roberts_vec3 nearest(const vec<rational> &p)
+{
+    return {CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)};
+}
+
 bool before(const vec<rational> &p, const vec<rational> &q)
 {
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);

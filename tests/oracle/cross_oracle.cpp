@@ -9,11 +9,6 @@
 namespace
 {
 
-roberts_vec3 nearest(const vec<rational> &p)
-{
-    return {CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)};
-}
-
 /* ---- how clear an answer is, in doubles ---- */
 
 struct doubles {

@@ -50,7 +50,7 @@ bool same_angle(const direction &p, const direction &q)
     return !by_angle(p, q) && !by_angle(q, p);
 }
 
-struct solid {
+struct closed_body {
     std::vector<size_t> face;
     bool convex;
     double low[3], high[3];
@@ -68,7 +68,7 @@ struct union_finder {
     mesh_oracle o;
     std::vector<point3> vertex;
     std::vector<point3> normal; /* [face]; points outward for convex bodies */
-    std::vector<solid> solids;
+    std::vector<closed_body> solids;
     std::vector<std::tuple<uint32_t, uint32_t, std::vector<size_t>>> edges;
     std::vector<std::array<double, 6>> face_box;
     double margin = 0;
@@ -122,23 +122,23 @@ struct union_finder {
             root[find(own[0])] = find(own[1]);
             edges.emplace_back(key[0], key[1], own);
         }
-        std::map<size_t, size_t> number;
+        std::map<size_t, size_t> index;
         for (size_t f = 0; f < o.faces.size(); f++) {
-            auto [where, fresh] = number.emplace(find(f), solids.size());
+            auto [where, fresh] = index.emplace(find(f), solids.size());
             if (fresh)
                 solids.push_back({{}, true, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}});
-            solid &s = solids[where->second];
+            closed_body &s = solids[where->second];
             s.face.push_back(f);
             for (size_t k = 0; k < 3; k++) {
                 s.low[k] = std::min(s.low[k], face_box[f][k]);
                 s.high[k] = std::max(s.high[k], face_box[f][k + 3]);
             }
         }
-        for (solid &s : solids)
+        for (closed_body &s : solids)
             turn_outward(s);
     }
 
-    void turn_outward(solid &s)
+    void turn_outward(closed_body &s)
     {
         for (size_t f : s.face) {
             int side = 0;
@@ -184,7 +184,7 @@ struct union_finder {
     }
 
     /* Is a point that lies in no face inside the body? Casts a ray that meets no border. */
-    bool inside(const solid &s, const point3 &X) const
+    bool inside(const closed_body &s, const point3 &X) const
     {
         static const int ways[][3] = {{101, 37, 11}, {-13, 97, 29}, {7, -31, 89}, {-61, 5, -83}, {43, 71, -67}};
         for (const auto &way : ways) {
@@ -261,7 +261,7 @@ struct union_finder {
 
     /* A body at a point: the point is in some of its faces, or inside it. All other bodies are left out. */
     struct presence {
-        const solid *s;
+        const closed_body *s;
         std::vector<size_t> face;
     };
 
@@ -269,7 +269,7 @@ struct union_finder {
     bool bodies_at(const point3 &X, std::vector<presence> &out) const
     {
         const double x[3] = {CGAL::to_double(X.x), CGAL::to_double(X.y), CGAL::to_double(X.z)};
-        for (const solid &s : solids) {
+        for (const closed_body &s : solids) {
             bool apart = false;
             for (int k = 0; k < 3; k++)
                 apart = apart || x[k] < s.low[k] || x[k] > s.high[k];
@@ -399,11 +399,6 @@ struct union_finder {
         return out;
     }
 };
-
-roberts_vec3 nearest(const point3 &p)
-{
-    return {CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)};
-}
 
 } // namespace
 
