@@ -250,8 +250,8 @@ static cairo_surface_t *cut_picture(cairo_surface_t *all, size_t i, int magnific
 }
 
 /* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there is
- * no browser that does. A start of it takes longer than all pictures. The name of the program differs,
- * and its home has to be one that can be written to. */
+ * no browser that does. A start of it takes longer than all pictures. The name of the program differs, and its home has
+ * to be one that can be written to. */
 static cairo_surface_t *run_chromium(size_t count, int magnification)
 {
     char command[1200];
