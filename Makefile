@@ -21,10 +21,11 @@ STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -fno-math-errno: a square root is one instruction, not followed by a test whether errno must be set; nothing reads it
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc \
-            $(TEST_DIRS) $(NEEDS) -MMD -MP
+            $(TEST_DIRS) $(NEEDS) $(UNOPTIMIZED) -MMD -MP
 LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =
+UNOPTIMIZED  =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo zlib)
 QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
 LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
@@ -269,6 +270,9 @@ $(BUILD)/completions/%: src/cli/completions/% $(BUILD)/tools/print-options
 	$(Q)$(BUILD)/tools/print-options $* <$< >$@
 
 $(BUILD)/obj/tests/%.o: TEST_DIRS = -iquote tests -iquote tests/support
+# The oracles, the readers of pages and one test compute much: they keep CFLAGS as they are.
+$(BUILD)/obj/tests/unit/%.o $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/faults/%.o: UNOPTIMIZED = $(TEST_CFLAGS)
+$(BUILD)/obj/tests/unit/test_metamorphic.o: UNOPTIMIZED =
 $(foreach test,$(TEST_SRC),$(eval $(BUILD)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TEST_BIN): $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
@@ -319,12 +323,12 @@ $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) 
 	@mkdir -p $(@D)
 	$(LINK) $(ORACLE_LIBS) $(LIBS)
 
-# All are compiled as one, since most of the time goes to CGAL's headers.
+# All are compiled as one, since most of the time goes to CGAL's headers. So a name must not stand in two of them.
 # -frounding-math: intervals of doubles change the rounding mode, so the compiler must not assume one.
 $(ORACLE_CGAL): $(ORACLE_X) $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CXX,tests/oracle/*.cpp)
-	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP -MT $@ \
+	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP \
 	    $(ORACLE_X:%=-include %) -x c++ -c -o $@ /dev/null
 
 $(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
@@ -340,14 +344,10 @@ $(BUILD)/generated/draw/letters_data.h: tools/make-letters.sh $(wildcard $(HERSH
 	$(call show,GEN,$@)
 	$(Q)tools/make-letters.sh '$(HERSHEY)' >$@
 
-# Those that compute much keep CFLAGS as they are.
-BUSY     := tests/unit/test_metamorphic.c tests/oracle/% tests/paper/% tests/support/% tests/fuzz/%
-test_flags = $(if $(filter tests/%,$(filter-out $(BUSY),$<)),$(TEST_CFLAGS))
-
 $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CC,$<)
-	$(Q)$(COMPILE) $(test_flags) -c -o $@ $<
+	$(Q)$(COMPILE) -c -o $@ $<
 
 # The compiler and its flags as last used: when they change, everything is recompiled.
 FLAGS = $(CC) $(CXX) $(OPENMP) $(CFLAGS) $(CXXFLAGS) $(TEST_CFLAGS) $(WERROR) $(LDFLAGS)
