@@ -67,7 +67,7 @@ typedef struct roberts_error {
     char message[256]; /**< e.g. "face 7 names vertex 9, but there are 8"; no file, no line, no newline */
 } roberts_error;
 
-/** Receives one warning. Warnings of one kind come as one, with their count ("2 colours that make no sense
+/** Receives one warning. Warnings of one kind are merged into one, with their count ("2 colours that make no sense
  * ignored"). file: as in roberts_error; line: 0 if none applies; message: no newline, valid during the call only. */
 typedef void roberts_warning_fn(void *context, const char *file, size_t line, const char *message);
 
@@ -100,9 +100,9 @@ typedef struct roberts_group {
     uint32_t first_face;
 } roberts_group;
 
-/** Polygons over shared vertices, in the order of the input. Faces of any corner count (also 1 and 2) and any winding.
- * Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). You may read all
- * arrays; only the functions below may change them. For arrays of your own see roberts_mesh_check(). */
+/** Polygons over shared vertices, in the order of the input. Faces may have any number of corners (also 1 and 2) and
+ * any winding. Fill it with roberts_mesh_read*() or roberts_mesh_add_*(); release it with roberts_mesh_free(). You may
+ * read all arrays; only the functions below may change them. For arrays of your own see roberts_mesh_check(). */
 typedef struct roberts_mesh {
     size_t vertex_count, face_count, corner_count, source_count, group_count;
     roberts_vec3 *vertex;        /**< [vertex_count] */
@@ -127,8 +127,8 @@ typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
  * format, not the name. Vertices are numbered from 0 in all formats, and on from those already in `mesh`. Corners of
  * STL with equal positions become one vertex within each of its solids.
  * name      what messages call the input; copied
- * read      called until it returns 0 or the last declared element has come; reads blocks, so it may take bytes behind
- *           that element
+ * read      called until it returns 0 or the last declared element is read; it is asked for whole blocks, so bytes
+ *           behind that element may be consumed
  * context   handed to `read`
  * warnings  NULL: none wanted
  * On failure `mesh` is as it was before the call.
@@ -156,11 +156,11 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
 
 /**
- * Checks a mesh that you have filled yourself: set the counts and let the pointers point to your own arrays, the rest 0
- * or NULL. roberts_scene_build() then reads them in place, without a copy. They stay yours: no other function may have
- * this mesh, and nothing of it is released.
- * Returns ROBERTS_OK, _BAD_NUMBER (a coordinate), _BAD_INDEX (a corner) or _BAD_ARGUMENT (face_start, a count, groups
- * or sources, which arrays cannot have).
+ * Checks a mesh that you have filled yourself: set the counts, point the pointers to your own arrays, and leave the
+ * rest 0 or NULL. roberts_scene_build() then reads the arrays in place, without a copy. You keep them: pass this mesh
+ * to no other function; nothing of it is released.
+ * Returns ROBERTS_OK, _BAD_NUMBER (a coordinate), _BAD_INDEX (a corner) or _BAD_ARGUMENT (face_start or a count is
+ * wrong, or there are groups or sources, which such a mesh cannot have).
  */
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
@@ -169,8 +169,8 @@ void roberts_mesh_free(roberts_mesh *mesh);
 
 /* ---- scene: bodies --------------------------------------------------------------------------------------------- */
 
-/** Bodies with face planes, edges and the faces they belong to. Opaque; read-only once built, so that any number
- * of threads may use it. */
+/** Bodies with their face planes and edges, and the faces of each edge. Opaque; read-only once built, so any number of
+ * threads may use it. */
 typedef struct roberts_scene roberts_scene;
 
 typedef struct roberts_scene_options {
@@ -181,8 +181,8 @@ typedef struct roberts_scene_options {
     roberts_warnings warnings;
     uint32_t threads; /**< 0 = one per processor; the result does not depend on it */
     bool solids;      /**< refuse what is no convex solid (unless `hull` replaces it) */
-    /** Which points belong to a face whose border crosses itself: those that it winds round an odd number of times
-     * (true), or any number of times but 0 (false). */
+    /** Which points belong to a face whose border crosses itself: those that the border winds round an odd number of
+     * times (true), or any number of times but 0 (false). */
     bool even_odd;
 } roberts_scene_options;
 
@@ -191,27 +191,27 @@ typedef struct roberts_scene_options {
  * src/model/README.md has the rules. Winding is not trusted. Components that are open are welded with one another where
  * positions are exactly equal.
  *
- * A convex solid is closed, planar, convex and not flat, within the tolerance. With options->solids, what is no convex
- * solid is refused. Faces joined by shared edges are one solid, or several if four or more of them meet in an edge.
- * Corners that repeat another corner of their face are ignored with a warning, and so are faces that this leaves with
- * fewer than three corners.
+ * A convex solid is closed, planar, convex and not flat, within the tolerance. With options->solids, anything else is
+ * refused. Faces joined by shared edges are one solid, or several if four or more of them meet in an edge. Corners that
+ * repeat another corner of their face are ignored with a warning. So are faces that then have fewer than three corners.
  *
- * With options->hull, convex hulls (by Qhull) replace what would be refused:
+ * With options->hull, convex hulls (by Qhull) replace whatever would be refused:
  * - a closed component that is no convex solid, by its hull;
- * - open components, after welding: those that share vertices, together by one hull; closed solids split off before;
+ * - open components, after welding: those that share vertices together become one hull; closed solids are split off
+ *   first;
  * - an input without a face of three corners, by the hull of all its points.
  * A hull's vertices are vertices of the input; its faces are new (ROBERTS_NONE, without colours). Points that lie
  * outside a face by less than the tolerance, or 1e-5 of the size, may be left out. Solids are still numbered by their
- * smallest vertex, even if their hull leaves it out. What lies in one plane has no hull: it is left out with a warning,
- * even if it is a whole input, and refused if there is nothing else. A warning counts the solids of each input that
- * were replaced, and says why. It does not count points without faces, since only their hull can be meant.
+ * smallest vertex, even if their hull leaves it out. Points in one plane have no hull: they are left out with a
+ * warning, even if they are a whole input, and refused if there is nothing else. A warning counts the replaced solids
+ * of each input, and says why. It does not count points without faces, since only their hull can be meant.
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (there is nothing to draw), _BAD_NUMBER or _BAD_ARGUMENT; with
  * options->solids also _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX and _FLAT; with hulls _FLAT if there is nothing else. The
- * message names the solid, the vertex or the face, and by how much it fails. Its numbers count from 0 in the file that
- * error->file names, or in the whole mesh where it names none (a solid made of several files).
+ * message names the solid, the vertex or the face, and the amount by which it fails. Its numbers count from 0 in the
+ * file that error->file names, or in the whole mesh where it names none (a solid made of several files).
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);
@@ -225,41 +225,42 @@ void roberts_scene_free(roberts_scene *scene);
 /**
  * The tolerance that would accept a mesh that roberts_scene_build() has refused as not planar or not convex: the
  * smallest 1, 2 or 5 times a power of ten that suffices for all solids together. Returns 0 if none suffices up to
- * 0.01, or up to the limit beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid that
- * is farther from the origin than it is large. Just below that limit the tolerance may have another digit (0.007 for
- * twelve faces). The search builds the mesh several times; for more than 200,000 faces it is not tried and returns 0.
+ * 0.01, or up to the limit beyond which any shape would pass: 0.025 / sqrt(faces of a solid), and less for a solid
+ * whose distance from the origin exceeds its size. Just below that limit the tolerance may have another first digit
+ * (0.007 for twelve faces). The search builds the scene several times; with more than 200,000 faces it is not tried,
+ * and 0 is returned.
  * options  as given to roberts_scene_build(); `hull` and `warnings` are not used
  */
 double roberts_scene_tolerance(const roberts_mesh *mesh, const roberts_scene_options *options);
 
-/** How much of the input the bodies use, with hulls as new faces and edges: vertices, faces of three corners or more,
+/** The numbers of bodies and of their vertices, faces (of three corners or more) and edges, with hulls as new faces and
  * edges. A vertex that several bodies use counts once for each. */
 size_t roberts_scene_solid_count(const roberts_scene *scene);
 size_t roberts_scene_vertex_count(const roberts_scene *scene);
 size_t roberts_scene_face_count(const roberts_scene *scene);
 size_t roberts_scene_edge_count(const roberts_scene *scene);
-/** How many convex pieces these faces are in: as many as faces, if all of them are planar and convex. */
+/** The number of convex pieces into which these faces are cut: that of the faces, if all are planar and convex. */
 size_t roberts_scene_piece_count(const roberts_scene *scene);
 
 /** What a body is. */
 typedef enum roberts_body_kind {
     ROBERTS_CONVEX, /**< a closed convex solid */
     ROBERTS_CLOSED, /**< each edge has two faces */
-    ROBERTS_OPEN,   /**< all else: sheets, loose faces, wires, edges of one face or of three and more */
+    ROBERTS_OPEN,   /**< anything else: sheets, loose faces, wires, edges of one face or of three or more */
 } roberts_body_kind;
 
 /** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of the edges at which
- * they meet at an angle bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
+/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of its edges that are
+ * not flat bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
-/** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid as
- * long as the scene. */
+/** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid
+ * until the scene is freed. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
 
-/** Whether a convex hull has replaced what the mesh holds as this solid; false if no solid has that number. */
+/** Whether this solid is a convex hull that replaces part of the mesh; false if no solid has that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
 
 /* ---- camera ---------------------------------------------------------------------------------------------------- */
@@ -273,14 +274,15 @@ typedef struct roberts_camera {
     roberts_vec3 eye;     /**< perspective: where the eye is */
     roberts_vec3 look_at; /**< perspective: the point in the middle of the picture */
     bool has_look_at;     /**< false: look at the centre of the scene's box */
-    /** What points up in the drawing; 0,0,0 = +z. Where `up` is parallel to the view, +z takes its place, and +y where
-     * that is parallel too. */
+    /** What points up in the drawing; 0,0,0 = +z. If `up` is parallel to the view, +z replaces it, and +y if +z is
+     * parallel too. */
     roberts_vec3 up;
-    /** Orthographic: how far right and up a point moves in the drawing for each unit that it lies farther away; 0,0 =
-     * sight lines at right angles to the picture plane. */
+    /** Orthographic: how far a point moves to the right and up in the drawing for each unit that it lies farther away;
+     * 0,0 = sight lines perpendicular to the picture plane. */
     roberts_vec2 oblique;
-    /** Perspective: what is nearer to the eye's plane is cut off, model units; 0 = a thousandth of the look-at point's
-     * distance, and at least 1e-5 of the scene's diameter. Nearer than 1e-6 of the diameter, all is cut off anyway. */
+    /** Perspective: anything nearer to the eye's plane is cut off, model units; 0 = a thousandth of the look-at point's
+     * distance, and at least 1e-5 of the scene's diameter. Anything nearer than 1e-6 of the diameter is always cut
+     * off. */
     double near_distance;
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
      * its shorter side); 0 = the whole scene, or 60 where the near plane cuts the scene. */
@@ -289,17 +291,18 @@ typedef struct roberts_camera {
 } roberts_camera;
 
 /** Fills `camera` with the preset called `name` (iso, dimetric, trimetric, front, back, right, left, top, bottom;
- * and the oblique cavalier and cabinet: front views with depth at 45 degrees, in full and in half);
+ * and the oblique cavalier and cabinet: front views with depth at 45 degrees, in full and half length);
  * false if there is no such preset. */
 bool roberts_camera_preset(const char *name, roberts_camera *camera);
 
 /** Fills `camera` with the orthographic view from an azimuth (0 = front, 90 = right, 180 = back; any) and an elevation
- * over the horizon (90 = top, with the front below; -90 to 90), its drawing turned by `roll` counter-clockwise. All are
- * in degrees; at multiples of 90 the direction is exact. False if one of them is not finite or out of its range. */
+ * over the horizon (90 = top, with the front below; -90 to 90), with the drawing turned by `roll` counter-clockwise.
+ * All are in degrees; at multiples of 90 the direction is exact. False if one of them is not finite or out of its
+ * range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
-/** Turns `camera` by `degrees` about the upright line through the centre of the scene's box, from the front to the
- * right: its direction or eye, look-at point and up. What the drawing shows turns the other way. */
+/** Turns `camera` (direction or eye, look-at point and up) by `degrees` about the vertical line through the centre of
+ * the scene's box, from the front to the right. What the drawing shows turns the other way. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
@@ -317,7 +320,7 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
 typedef enum roberts_state {
     ROBERTS_VISIBLE,
     ROBERTS_HIDDEN,
-    ROBERTS_CLIPPED, /**< perspective: nearer to the eye's plane than can be drawn */
+    ROBERTS_CLIPPED, /**< perspective: cut off by the near plane */
 } roberts_state;
 
 typedef enum roberts_line {
@@ -334,22 +337,22 @@ typedef enum roberts_line {
 typedef struct roberts_segment {
     uint32_t solid;  /**< number of the body, from 0 by smallest vertex; of an intersection, that of its first face */
     uint32_t v0, v1; /**< the edge's vertices as in the input, v0 < v1; ROBERTS_NONE for an intersection */
-    uint32_t by;     /**< hidden: the body seen at the middle of the part; else ROBERTS_NONE */
+    uint32_t by;     /**< hidden: the body seen at the middle of the part; otherwise ROBERTS_NONE */
     double t0, t1;   /**< along the line in space, 0 <= t0 < t1 <= 1: from v0 to v1, or from end[0] to end[1] of its
                           roberts_crossing */
     /** Its ends in the picture, model units. Both ends of a clipped part are where it is cut (0,0 if the whole edge is
      * clipped). */
     roberts_vec2 p0, p1;
     /** How near the viewer p0 and p1 are, model units: greater is nearer, and 0 is the depth of the scene's centre or
-     * of the look-at point. Linear along the line in the picture, so in perspective e / (1 - e / D), where e and D tell
+     * of the look-at point. Linear along the line in the picture, so in perspective e / (1 - e / D), where e and D are
      * how much nearer than the look-at point the end and the eye are, along the axis of sight. */
     double z0, z1;
     uint8_t state; /**< roberts_state */
     uint8_t line;  /**< roberts_line */
-    /** Hidden, and roberts_hide_options.levels: how many layers lie before the middle of the part, at most 65535; else
-     * 0. Each convex or closed body counts as often as the line of sight enters it there, which is how many of its
-     * faces toward the viewer lie before the part. An open body counts each face that the line of sight meets. Faces in
-     * whose planes the line lies do not count. (A. Appel, "The notion of quantitative invisibility and the machine
+    /** Hidden, and roberts_hide_options.levels: how many layers lie in front of the middle of the part, at most 65535;
+     * otherwise 0. Each convex or closed body counts as often as the line of sight enters it there: the number of its
+     * faces toward the viewer in front of the part. An open body counts each face that the line of sight meets. Faces
+     * in whose planes the line lies do not count. (A. Appel, "The notion of quantitative invisibility and the machine
      * rendering of solids", ACM 1967.) */
     uint16_t level;
     uint32_t edge; /**< number of the edge in the scene; of an intersection, its number in roberts_drawing.crossing */
@@ -361,16 +364,16 @@ typedef struct roberts_crossing {
     roberts_vec3 end[2]; /**< in the model; end[0] has the smaller x, or y where those touch, or z */
 } roberts_crossing;
 
-/** What a scene says of an edge, kept in a drawing that has no scene: see roberts_join(). */
+/** What a scene knows about an edge, kept in a drawing that has no scene: see roberts_join(). */
 typedef struct roberts_known_edge {
     uint32_t face[2];    /**< as roberts_segment_faces() gives them */
     double t0, t1;       /**< parameters of its ends along the edge of the file */
     roberts_vec3 end[2]; /**< in the model, at t0 and t1 */
 } roberts_known_edge;
 
-/** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all that
- * one convex solid shows under its outline, or one front face of a solid that shows very many, or one face of a body of
- * another kind. */
+/** How many pairs of an edge and a front each test decided (lecture: tests 1 to 4, cheapest first). A front is all
+ * front faces of a convex solid together; or one front face, if the solid has very many; or one face of any other
+ * body. */
 typedef struct roberts_tally {
     uint64_t pairs;           /**< pairs of edge and front compared */
     uint64_t test1_visible;   /**< both ends in front of a face's plane */
@@ -378,7 +381,7 @@ typedef struct roberts_tally {
     uint64_t test3_visible;   /**< outside one side */
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
-    uint64_t covered;         /**< edges dropped behind covers, without a test */
+    uint64_t covered;         /**< edges dropped without a test, because they lie behind covers */
     uint64_t pierced;         /**< hidden parts that end where the edge pierces a face; like the other counts, it
                                    depends on the grid, since what is already hidden is not tested again */
     uint64_t refined;         /**< signs and crossings computed again in twice the precision */
@@ -389,7 +392,7 @@ typedef struct roberts_time {
     double cpu, wall;
 } roberts_time;
 
-/** Why the touching distance is what it is. */
+/** What determines the touching distance. */
 typedef enum roberts_epsilon_reason {
     ROBERTS_EPSILON_GIVEN,    /**< by the options */
     ROBERTS_EPSILON_DIAMETER, /**< 1e-11 of the scene's diameter */
@@ -398,37 +401,38 @@ typedef enum roberts_epsilon_reason {
 } roberts_epsilon_reason;
 
 /** The segments of all edges, sorted by solid, v0, v1, t0; then those of all intersections, sorted by their faces and
- * t0. With them goes what was counted on the way. */
+ * t0. Statistics of the run come with them. */
 typedef struct roberts_drawing {
     size_t count;
     roberts_segment *segment; /**< [count] */
     size_t crossing_count;
     roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; with hidden lines, of all
                                      faces that are not edge-on */
-    size_t crossing_pairs;      /**< pairs of faces that cross there */
+    size_t crossing_pairs;      /**< pairs of faces that cross in these */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;   /**< the window is the field of view: segments reach beyond it, and drawing cuts them off there (see
-                        roberts_page_shape()) */
+    bool framed;   /**< the window is the field of view: segments may reach beyond it, and are cut off there when drawn
+                        (see roberts_page_shape()) */
     bool windowed; /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
-    const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for what fills it; of the same
-                                                    scene and camera. NULL: not known. Set it before drawing */
+    const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for fills, hatching and labels;
+                                                    of the same scene and camera. NULL: not known. Set it before
+                                                    drawing */
     double epsilon;                            /**< the touching distance that was used, model units */
     roberts_epsilon_reason epsilon_reason;
     double scene_diameter;        /**< diagonal of the box round the scene */
     uint32_t grid, grid_rows;     /**< columns and rows of cells, as chosen */
-    size_t solids, culled_solids; /**< all; those found wholly hidden beforehand (the counts below leave out their
+    size_t solids, culled_solids; /**< all; those found completely hidden beforehand (the counts below leave out their
                                        faces and edges) */
-    size_t front_faces, back_faces, edge_on_faces; /**< of the pieces that faces are in */
-    /** Edges, or parts of them where faces that cross themselves cut them: all; those with a front face. Cuts between
-     * the pieces of a face count too. */
+    size_t front_faces, back_faces, edge_on_faces; /**< counted in convex pieces of faces */
+    /** Edges, or their parts if faces that cross themselves divide them: all; those with a front face. Cuts between the
+     * pieces of a face count too. */
     size_t edges, surviving_edges;
-    size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept) that are left out, or parts of
-                       them, because bodies are flush there or one holds them */
-    size_t drawn_edges; /**< of the surviving ones (of all, if hidden segments are kept) those that are not flatter than
-                             the crease angle */
+    size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept), or parts of them, that are left
+                       out because bodies are flush there or because they lie inside a body */
+    size_t drawn_edges; /**< surviving edges (all, if hidden segments are kept) that are not flatter than the crease
+                             angle */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
-    size_t known_edge_count;        /**< only of a drawing that was joined: then `edge` of a segment is a number here */
+    size_t known_edge_count;        /**< only in a joined drawing: there, `edge` of a segment is an index here */
     roberts_known_edge *known_edge; /**< [known_edge_count] */
 } roberts_drawing;
 
@@ -438,20 +442,21 @@ typedef struct roberts_hide_options {
     bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
                                 than 30 degrees are not drawn (default: true) */
     bool all_edges;        /**< draw flat edges too */
-    bool keep_hidden;      /**< give hidden segments too, of back edges as well, with `by` */
+    bool keep_hidden;      /**< return hidden segments too, also of back edges, with `by` */
     bool levels;           /**< with keep_hidden: fill in `level` */
-    bool nameless;         /**< with keep_hidden: leave out `by`, which takes time; it is ROBERTS_NONE */
-    /** Draw all closed bodies as one: flush blocks lose their seam, and what is inside is gone. In the plane across an
-     * edge, the bodies together fill some angle. The edge is drawn where this angle is neither nothing, nor all, nor
-     * exactly half of the plane. The class of a line follows from it, too: a line in which faces cross becomes an
-     * outline or a crease. Where edges of several bodies coincide, that of the smallest body number is drawn. */
+    bool nameless;         /**< with keep_hidden: `by` is ROBERTS_NONE, which saves time */
+    /** Draw all closed bodies as one: seams between flush blocks and everything inside disappear. In the plane
+     * perpendicular to an edge, the bodies together fill some angle. The edge is drawn where this angle is neither
+     * nothing, nor all, nor exactly half of the plane. The angle also determines the class of a line: an intersection
+     * becomes an outline or a crease. Where edges of several bodies coincide, that of the smallest body number is
+     * drawn. */
     bool unite;
-    bool merge_regions; /**< for roberts_regions(): neighbours in one plane and of one colour are one region, with the
-                             number of the first face; those of different bodies only with `unite` */
+    bool merge_regions; /**< for roberts_regions(): coplanar neighbours of one colour become one region, with the number
+                             of the first face; those of different bodies only with `unite` */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, and 2 float ulp of the largest one that came as a 32-bit float */
-    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose. Fewer are made where the grid would take
-                           several times the scene's memory */
+    uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose. Reduced if the grid would take several
+                           times the scene's memory */
     uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = one per processor */
 } roberts_hide_options;
 
@@ -463,39 +468,39 @@ roberts_hide_options roberts_hide_options_default(void);
  * drawing  owned by the caller, released by roberts_drawing_free(); empty on failure
  * A point of a line is hidden if some face that is not edge-on holds a point strictly nearer to the viewer on the same
  * line of sight. Faces are closed in projection and hide from both sides; positions within epsilon count as touching.
- * What a line lies in does not hide it: an edge's own faces, or both faces of an intersection. The result does not
+ * Faces in which a line lies do not hide it: an edge's own faces, or both faces of an intersection. The result does not
  * depend on grid or threads. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
  */
 roberts_status roberts_hide(const roberts_scene *scene, const roberts_camera *camera,
                             const roberts_hide_options *options, roberts_drawing *drawing, roberts_error *error);
 void roberts_drawing_free(roberts_drawing *drawing);
 
-/** Finds the faces of a segment's edge, or those that cross in it: face[0] < face[1], as numbered in the input, with
- * those of fewer than three corners counted. ROBERTS_NONE where there is none (a wire, a border, a face of a hull); of
- * more than two, the two smallest. `drawing` holds the segment, or is its summary; it was made from `scene`, which
- * may be NULL for an intersection. */
+/** Finds the faces of a segment's edge, or those that cross in it: face[0] < face[1], as numbered in the input,
+ * including faces of fewer than three corners. ROBERTS_NONE where there is none (a wire, a border, a face of a hull);
+ * of more than two, the two smallest. `drawing` is the one with the segment, or its summary; it was made from `scene`,
+ * which may be NULL for an intersection. */
 void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                            uint32_t face[2]);
 
-/** Finds the ends of a segment in the model, at t0 and t1 of its line. `scene` and `drawing` as above. False, and no
- * end is set, if there is no such line. */
+/** Finds the ends of a segment in the model, at t0 and t1 of its line. `scene` and `drawing` as above. Returns false,
+ * and leaves `end` unchanged, if there is no such line. */
 bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                           roberts_vec3 end[2]);
 
 /** Receives one segment, valid during the call only; false stops the work. */
 typedef bool roberts_segment_fn(void *context, const roberts_segment *segment);
 
-/** Where segments go, one by one. */
+/** Receives segments, one by one. */
 typedef struct roberts_receiver {
     roberts_segment_fn *receive; /**< called by one thread at a time, not always the same */
     void *context;
 } roberts_receiver;
 
 /**
- * The same, but hands the segments to `each` one by one, in their order, and keeps none, so that a large drawing need
- * not fit in memory.
- * summary  NULL, or filled like a drawing without segments; its `count` says how many there were; its `crossing` is
- *          there before the first intersection comes; released by roberts_drawing_free()
+ * The same, but passes the segments to `each` one by one, in order, and stores none, so a large drawing need not fit in
+ * memory.
+ * summary  NULL, or filled like a drawing without segments; its `count` is the number of segments; its `crossing` is
+ *          set before the first intersection is passed; released by roberts_drawing_free()
  * Returns what roberts_hide() returns, or ROBERTS_STOPPED if `each->receive` returned false.
  */
 roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camera *camera,
@@ -504,23 +509,23 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
 
 /* ---- regions: what is seen of each face ------------------------------------------------------------------------ */
 
-/** What is seen of one face. Its rings bound it: each runs round one piece of it counter-clockwise in the picture, or
- * round a hole in the piece before, clockwise. */
+/** What is seen of one face. Its rings bound it: each runs counter-clockwise in the picture round one piece of it, or
+ * clockwise round a hole in the piece before. */
 typedef struct roberts_region {
     uint32_t solid; /**< number of the body */
     uint32_t face;  /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
     size_t first_ring, ring_count;
     double area;         /**< in the picture, model units squared */
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
-    roberts_vec3 normal; /**< of the face, unit, on the side that is seen; as the viewer sees it: x is to the right, y
+    roberts_vec3 normal; /**< unit normal of the face, on the side that is seen, in the viewer's axes: x to the right, y
                               upward, z toward the viewer */
     /** How a point's picture moves when the point moves by one unit in the face's plane: up along the steepest line, or
      * to the right along a level line (as seen from the side that is shown). Up is +z, or the axis along which the
      * camera's `up` lies, unless the camera looks along z. On a level face the two are +y and +x. In perspective they
-     * hold at the foot. Faces in one plane have the same. */
+     * hold at the foot. Faces in one plane have the same values. */
     roberts_vec2 steep, level;
-    roberts_vec2 foot;   /**< the picture of the point of the face's plane that is nearest to the middle of the scene */
-    roberts_color color; /**< the face's, as in the input; if it has none there, the mean of those of its corners */
+    roberts_vec2 foot;   /**< picture of that point of the face's plane which is nearest to the middle of the scene */
+    roberts_color color; /**< the face's colour in the input; if it has none, the mean of its corners' colours */
 } roberts_region;
 
 /** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
@@ -532,14 +537,14 @@ typedef struct roberts_region_list {
 } roberts_region_list;
 
 /**
- * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there; of
- * several that touch there, to that of the smallest solid, and then to the smallest face.
- * options  NULL for the defaults; only epsilon, grid, threads, merge_regions and unite count
+ * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there. If
+ * several touch there, the smallest solid wins, and then the smallest face.
+ * options  NULL for the defaults; only epsilon, grid, threads, merge_regions and unite are used
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
- * Corners are the points at which visible lines end or meet, also lines that the creases leave out. Regions that lie
- * side by side have the very same corners between them. A ring may touch itself in a corner, but does not cross itself.
- * What is narrower than a few epsilon is no region. Neither grid nor threads change the result. Returns ROBERTS_OK,
- * _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
+ * Corners are the points at which visible lines end or meet, including lines that the crease angle leaves out.
+ * Neighbouring regions have exactly the same corners along their common border. A ring may touch itself in a corner,
+ * but does not cross itself. Anything narrower than a few epsilon is no region. Neither grid nor threads change the
+ * result. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT.
  */
 roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera *camera,
                                const roberts_hide_options *options, roberts_region_list *out, roberts_error *error);
@@ -547,12 +552,13 @@ void roberts_regions_free(roberts_region_list *regions);
 
 /* ---- ray: rays against shapes -------------------------------------------------------------------------------- */
 
-/* What these have in common. A ray is the points S + t v with t >= 0; v has any length but 0, and t counts in lengths
- * of v. Shapes are closed: what only touches is met, and so is what S lies on (t = 0); what lies behind S is not. A ray
- * parallel to a flat shape (its determinant is lost in rounding) does not meet it, even if it lies in it. Otherwise
- * there is no tolerance: by rounding, a ray through the common side of two triangles may miss both. A zero or infinite
- * direction and a flat or empty shape are never met. Each returns whether the ray meets the shape, and fills its last
- * argument only then. Lengths between 1e-50 and 1e50 are safe from under- and overflow, which would show as a miss.
+/* Common rules. A ray is the points S + t v with t >= 0; v has any length but 0, and t is measured in lengths of v.
+ * Shapes are closed: a ray meets a shape that it only touches, and one that S lies on (t = 0), but not one behind S. A
+ * ray parallel to a flat shape (its determinant is lost in rounding) does not meet it, even if it lies in it. Otherwise
+ * there is no tolerance: through rounding, a ray through the common side of two triangles may miss both. A ray with a
+ * zero or infinite direction meets nothing, and nothing meets a flat or empty shape. Each function returns whether the
+ * ray meets the shape, and fills its last argument only then. Lengths between 1e-50 and 1e50 are safe from underflow
+ * and overflow, which would give a miss.
  *
  * Sources: [L] "Lancer de rayons I" with its corrections 1 to 4, [B] "Intersection entre un rayon et une boite" with
  * its corrections 1 and 2, [Z] "Zobrazovaci kanal, prienik luca s objektami" with its corrections 1 and 2. */
@@ -567,7 +573,7 @@ typedef struct roberts_ray2 {
     roberts_vec2 origin, direction;
 } roberts_ray2;
 
-/** a x + b y + c z + d = 0; (a, b, c) of any length but 0. Bounding a solid, it is > 0 inside. */
+/** a x + b y + c z + d = 0; (a, b, c) has any length but 0. For a plane that bounds a solid, > 0 is inside. */
 typedef struct roberts_plane {
     double a, b, c, d;
 } roberts_plane;
@@ -584,27 +590,27 @@ typedef struct roberts_hit {
     roberts_facing facing;
 } roberts_hit;
 
-/** Where a ray meets something solid and convex: the line is inside from t_in to t_out. */
+/** Where a ray meets a convex solid: the line is inside from t_in to t_out. */
 typedef struct roberts_span {
-    double t_in, t_out;    /**< t_in < 0: S is inside; infinite where an unbounded solid does not end */
-    double t;              /**< the surface that is met first: t_in where that is >= 0, else t_out */
+    double t_in, t_out;    /**< t_in < 0: S is inside; infinite where a solid is unbounded */
+    double t;              /**< where the surface is met first: t_in if that is >= 0, else t_out */
     roberts_facing facing; /**< front at t_in, back at t_out */
-    /** Polyhedron: the plane met at t, by index; box: 0, 1 the sides of least and greatest x, 2, 3 of y, 4, 5 of z; the
-     * first where several meet there; ROBERTS_NONE where there is none, and for circle and sphere. */
+    /** Polyhedron: index of the plane met at t; box: 0, 1 the sides of least and greatest x, 2, 3 of y, 4, 5 of z; the
+     * first if several meet there; ROBERTS_NONE if there is none, and for circle and sphere. */
     uint32_t face;
 } roberts_span;
 
-/** Segment AB in the plane; front is where n = AB turned by +90 degrees looks. [L] 1.1, proposition 1. */
+/** Segment AB in the plane; n = AB turned by +90 degrees points to its front. [L] 1.1, proposition 1. */
 bool roberts_ray_segment(roberts_ray2 ray, roberts_vec2 a, roberts_vec2 b, roberts_hit *hit);
 
-/** Plane; front is where (a, b, c) looks. [L] 1.2, proposition 2; [Z] "priesecnik priamky a roviny". */
+/** Plane; (a, b, c) points to its front. [L] 1.2, proposition 2; [Z] "priesecnik priamky a roviny". */
 bool roberts_ray_plane(roberts_ray ray, roberts_plane F, roberts_hit *hit);
 
-/** Triangle; front is where AB x AC looks. By cross products: [L] 1.3, proposition 3 with correction 1. */
+/** Triangle; AB x AC points to its front. By cross products: [L] 1.3, proposition 3 with correction 1. */
 bool roberts_ray_triangle(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit);
 
 /** The same by Moeller and Trumbore ("Fast, minimum storage ray/triangle intersection", 1997): [Z] with correction 2,
- * and with both sides met. */
+ * and meeting both sides. */
 bool roberts_ray_triangle_mt(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c, roberts_hit *hit);
 
 /** The same by way of the plane and of dot products in it: [Z] "prienik priamky a trojuholnika" with correction 1. */
@@ -625,7 +631,8 @@ bool roberts_inside_frame(const roberts_vec3 *corner, size_t count, roberts_vec3
 /** By the sum of the angles under which p sees the sides; p may lie beside the plane. [L] 1.4 C, proposition 6. */
 bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec3 p);
 
-/** Plane polygon; front is where its corners run counter-clockwise. inside: NULL = roberts_inside_signs. [L] 1.4. */
+/** Plane polygon; seen from its front, the corners run counter-clockwise. inside: NULL = roberts_inside_signs. [L]
+ * 1.4. */
 bool roberts_ray_polygon(roberts_ray ray, const roberts_vec3 *corner, size_t count, roberts_inside_fn *inside,
                          roberts_hit *hit);
 
@@ -635,7 +642,7 @@ bool roberts_ray_circle(roberts_ray2 ray, roberts_vec2 centre, double radius, ro
 /** Sphere, by the quadratic equation: [L] 2.2, proposition 7 with correction 2, for v of any length. */
 bool roberts_ray_sphere(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span);
 
-/** Sphere, by the foot of the perpendicular from its centre; the better conditioned form where S is far away.
+/** Sphere, by the foot of the perpendicular from its centre; better conditioned if S is far away.
  * [L] 2.3, proposition 8, for v of any length. */
 bool roberts_ray_sphere_geometric(roberts_ray ray, roberts_vec3 centre, double radius, roberts_span *span);
 
@@ -645,26 +652,26 @@ bool roberts_ray_box2(roberts_ray2 ray, roberts_vec2 a, roberts_vec2 b, roberts_
 /** The same in space. [L] 3.2 with corrections 3 and 4; [B] with corrections 1 and 2. */
 bool roberts_ray_box(roberts_ray ray, roberts_vec3 a, roberts_vec3 b, roberts_span *span);
 
-/** Convex polyhedron: the points where no plane is < 0 (they may be unbounded, or none). The slabs of the box, one
+/** Convex polyhedron: the points where no plane is < 0 (perhaps unbounded or empty). As the slabs of the box, but one
  * half-space at a time; Cyrus and Beck, "Generalized two- and three-dimensional clipping", 1978. */
 bool roberts_ray_polyhedron(roberts_ray ray, const roberts_plane *F, size_t count, roberts_span *span);
 
 /* ---- ray: a second opinion on a drawing ------------------------------------------------------------------------ */
 
-/** A point of an edge about which the drawing and a ray disagree. */
+/** A point of an edge at which the drawing and a ray disagree. */
 typedef struct roberts_contradiction {
     uint32_t solid, v0, v1; /**< the line, as in roberts_segment */
     double t;               /**< where on it */
     roberts_state drawn;    /**< what the drawing says */
     roberts_state cast;     /**< what the ray says; clipped: the near plane cuts the point off */
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
-    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, or ROBERTS_NONE; where `cast` is hidden
-                                 too, this is the wrong solid */
+    uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, or ROBERTS_NONE; if `cast` is hidden
+                                 too, this solid is wrong */
     uint32_t face[2];       /**< of an intersection: its faces; of an edge: ROBERTS_NONE */
-    bool no_line;           /**< these faces do not cross there; `cast` says nothing */
+    bool no_line;           /**< these faces do not cross there; `cast` is meaningless */
 } roberts_contradiction;
 
-/** Receives contradictions, by line and then along it. */
+/** Receives contradictions, line by line, and in order along each line. */
 typedef void roberts_contradiction_fn(void *context, const roberts_contradiction *contradiction);
 
 typedef struct roberts_verify_options {
@@ -684,7 +691,7 @@ roberts_verify_options roberts_verify_options_default(void);
 typedef struct roberts_verification {
     size_t segments;             /**< segments checked: visible ones, hidden ones, and those left out as hidden */
     size_t points;               /**< rays cast */
-    size_t undecided;            /**< of these: within about epsilon of where the answer changes */
+    size_t undecided;            /**< of these: points within about epsilon of where the answer changes */
     size_t contradictions;       /**< of these: the drawing is wrong there */
     roberts_contradiction first; /**< where contradictions > 0 */
 } roberts_verification;
@@ -692,13 +699,13 @@ typedef struct roberts_verification {
 /**
  * Checks a drawing by casting rays from points of its edges toward the viewer, in model space, through a tree of boxes.
  * scene, camera   those that `drawing` was made from
- * drawing         with or without hidden segments; missing parts of an edge that has to be drawn count as hidden
+ * drawing         with or without hidden segments; missing parts of an edge that must be drawn count as hidden
  * options         NULL for the defaults
- * Besides options->rays to a segment, rays are cast close to the ends of visible segments, behind whatever face hides
- * a part of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`).
- * The rule is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are
- * counted as undecided. Clipped segments are not checked. The two faces of an intersection must cross there. A
- * contradiction is not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or
+ * Besides options->rays per segment, rays are cast close to the ends of visible segments, wherever a face hides a part
+ * of one, step by step along hidden segments, and at the middle of segments that name what hides them (`by`). The rule
+ * is that of roberts_hide(), with drawing->epsilon; points where the answer depends on a few epsilon are counted as
+ * undecided. Clipped segments are not checked. The two faces of an intersection must cross there. A contradiction is
+ * not a failure. Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW, or
  * _BAD_ARGUMENT (a segment of no edge of the scene, t out of order). */
 roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *camera, const roberts_drawing *drawing,
                               const roberts_verify_options *options, roberts_verification *result,
@@ -708,8 +715,8 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
 typedef struct roberts_pick_hit {
     uint32_t solid;     /**< number of the body */
     uint32_t face;      /**< number of the face in the input; ROBERTS_NONE: a hull's, or where the near plane cuts */
-    double depth;       /**< how near the viewer, model units: along the axis of sight from the plane through the
-                             scene's centre or the look-at point, > 0 in front of it, < 0 behind it */
+    double depth;       /**< how near the viewer, model units: distance along the axis of sight from the plane through
+                             the scene's centre or the look-at point; > 0 in front of that plane, < 0 behind it */
     roberts_vec3 point; /**< where the sight line meets it, model space */
 } roberts_pick_hit;
 
@@ -721,9 +728,9 @@ typedef struct roberts_picked {
 
 /**
  * Finds what is seen at (x, y) of the picture (as in roberts_segment's p0, p1) and what lies behind it: every front
- * face on the sight line, and of a body that is not convex every face, borders included. If a solid has several faces
- * at one depth, the smallest number counts. The order is by depth; equal depths (within epsilon) go by solid.
- * picked  owned by the caller, released by roberts_picked_free(); empty where nothing is there, and on failure
+ * face on the sight line, and every face of bodies that are not convex, borders included. If a solid has several faces
+ * at one depth, the smallest number is given. Hits are sorted by depth, and at equal depths (within epsilon) by solid.
+ * picked  owned by the caller, released by roberts_picked_free(); empty if nothing is there, and on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _BAD_VIEW or _BAD_ARGUMENT (x or y not finite).
  */
 roberts_status roberts_pick(const roberts_scene *scene, const roberts_camera *camera, double x, double y,
@@ -747,14 +754,14 @@ typedef enum roberts_format {
 } roberts_format;
 
 /** Finds the format called `name` ("svg", "csv", ...), or the one that the ending of `path` names, in upper or lower
- * case ("a.SVG"). False if there is none; `*format` is then as it was. */
+ * case ("a.SVG"). Returns false if there is none, and leaves `*format` unchanged. */
 bool roberts_format_by_name(const char *name, roberts_format *format);
 bool roberts_format_by_path(const char *path, roberts_format *format);
 
-/** Can a file of the format hold text itself, and not only its strokes? (SVG, PDF, TikZ and DXF can.) */
+/** Whether a file of this format can hold text as text, not only as strokes. (SVG, PDF, TikZ and DXF can.) */
 bool roberts_format_has_text(roberts_format format);
 
-/** What becomes of hidden segments. A drawing holds them only where roberts_hide() was told to keep them. */
+/** How hidden segments are drawn. A drawing has them only if roberts_hide() was told to keep them. */
 typedef enum roberts_hidden {
     ROBERTS_HIDDEN_NONE,   /**< left out, of tables too */
     ROBERTS_HIDDEN_DASHED, /**< drawn with the dashes of their pen */
@@ -769,7 +776,7 @@ typedef struct roberts_pen {
     bool off; /**< leave these lines out */
 } roberts_pen;
 
-/** What lies below all lines, over the whole page. */
+/** The background of the whole page, below all lines. */
 typedef struct roberts_background {
     bool on; /**< false: nothing is drawn; PNG is white then */
     unsigned char red, green, blue;
@@ -778,9 +785,9 @@ typedef struct roberts_background {
 /** What visible faces are filled with, below all lines. It needs `regions` in each drawing. */
 typedef enum roberts_fill {
     ROBERTS_FILL_NONE,
-    ROBERTS_FILL_COLOR, /**< all with one colour */
+    ROBERTS_FILL_COLOR, /**< all with the same colour */
     ROBERTS_FILL_MODEL, /**< with their own colours; a face without a colour is left open, or light grey if shaded */
-    ROBERTS_FILL_BODY,  /**< each body with a colour of its own, the same again after nine */
+    ROBERTS_FILL_BODY,  /**< each body with a colour of its own; the colours repeat after nine */
 } roberts_fill;
 
 /** Which way the strokes of a hatching run. */
@@ -790,10 +797,9 @@ typedef enum roberts_hatch_along {
     ROBERTS_HATCH_ACROSS,  /**< across it, along a level line of each face */
 } roberts_hatch_along;
 
-/** Strokes on faces, closer together where less light falls (`light`). A face on which the light falls straight has
- * none; where none falls they are as close as `spacing_mm`, and between these their length on the same area goes with
- * the cosine of the light's angle (Lambert). Strokes of faces in one plane go on from one to the next. It needs
- * `regions` in each drawing. */
+/** Strokes on faces, closer together where less light falls (`light`). A face that the light meets at a right angle has
+ * none. On a face without light they are `spacing_mm` apart. In between, their length per area follows the cosine of
+ * the light's angle (Lambert). Strokes continue across coplanar faces. It needs `regions` in each drawing. */
 typedef struct roberts_hatching {
     bool on;                   /**< default: false */
     double spacing_mm;         /**< from stroke to stroke on paper, where no light falls: 0.01 to 1000; default: 0.8 */
@@ -801,15 +807,15 @@ typedef struct roberts_hatching {
     roberts_hatch_along along; /**< default: ROBERTS_HATCH_PICTURE */
     double degrees;            /**< how far strokes are turned counter-clockwise, in the picture or in the face's plane;
                                     -360 to 360; default: 45 */
-    /** false: the strokes of each tone are equally far apart. true: a darker tone has the strokes of the lighter ones,
-     * and more between them, so that strokes go on from tone to tone, as on curved surfaces; only tones of a half, a
-     * quarter, ... are spaced evenly. Default: false */
+    /** false: the strokes of each tone are evenly spaced. true: a darker tone has the strokes of the lighter ones, and
+     * more between them, so that strokes continue from tone to tone, as on curved surfaces; only tones of a half, a
+     * quarter, ... are evenly spaced. Default: false */
     bool nested;
-    double cross; /**< 0 to 1, as a part of the darkest tone: further strokes of darker tones run across the others;
-                       default: 1, none do */
+    double cross; /**< 0 to 1, a fraction of the darkest tone: the further strokes of tones darker than this run across
+                       the others; default: 1, none do */
 } roberts_hatching;
 
-/** Paper. The drawing is fitted into what the margins leave, and centred. */
+/** Paper. The drawing is fitted into the area within the margins, and centred. */
 typedef struct roberts_page {
     double width_mm, height_mm; /**< 1 to 40000 each */
     double margin_mm;           /**< on all four sides, less than half the shorter side; a fitted drawing keeps at least
@@ -817,12 +823,12 @@ typedef struct roberts_page {
 } roberts_page;
 
 /** Makes a field of view (the window of a `framed` drawing) wider or higher about its middle, until it has the shape of
- * what the page's margins leave. The page shows this part of the picture. */
+ * the area within the page's margins. The page shows this part of the picture. */
 void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
 
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */
 typedef struct roberts_placement {
-    double scale;   /**< length on paper per length of the model, 0.05 for 1:20; 0 = as large as the margins allow */
+    double scale;   /**< length on paper per length of the model, 0.05 for 1:20; 0 = as large as the margins permit */
     double unit_mm; /**< a model unit in mm, for `scale`; 0 = 1 */
     int align_x, align_y; /**< -1 left or bottom, 0 centre, 1 right or top margin */
     bool standard;        /**< scale 0: the largest of 1, 2 or 5 times a power of ten that fits (ISO 5455) */
@@ -836,11 +842,11 @@ typedef enum roberts_label_kind {
     ROBERTS_LABEL_BODIES = 8, /**< it needs `regions`, too */
 } roberts_label_kind;
 
-/** A name that a label shows in place of numbers. */
+/** A name that a label shows instead of numbers. */
 typedef struct roberts_name {
     roberts_label_kind of;
-    uint32_t number;  /**< of the vertex, face or body; of an edge its smaller vertex */
-    uint32_t other;   /**< of an edge its larger vertex; else 0 */
+    uint32_t number;  /**< of the vertex, face or body; for an edge, its smaller vertex */
+    uint32_t other;   /**< for an edge, its larger vertex; otherwise 0 */
     const char *text; /**< UTF-8; empty: no label */
 } roberts_name;
 
@@ -855,44 +861,47 @@ typedef struct roberts_distance {
     uint32_t v0, v1;
 } roberts_distance;
 
-/** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct is a page without any. Letters are strokes of
- * the fonts "simplex" of A. V. Hershey, Latin and Greek, near ISO 3098; accents are composed. A character that they
- * lack is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the
- * largest visible part of faces and bodies; where there is room, none lies on a line or on another one. What is hidden
- * has a label where hidden lines are drawn. */
+/** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct means no text. Letters are strokes of A. V.
+ * Hershey's "simplex" fonts, Latin and Greek, close to ISO 3098; accents are composed. A character that the fonts lack
+ * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the largest
+ * visible part of faces and bodies; where there is room, none lies on a line or on another label. Hidden things are
+ * labelled only if hidden lines are drawn. */
 typedef struct roberts_lettering {
     double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5, labels 2.5 or 1.8 where there is little room */
-    bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the reader, which can be searched and copied */
-    unsigned labels; /**< a set of roberts_label_kind: what has no name is labelled by its numbers in the input; several
-                        kinds as v4, f4 and b4, edges always as 4-17 */
+    bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the viewer, so that it can be searched and
+                           copied */
+    unsigned labels; /**< a set of roberts_label_kind: things without a name are labelled by their numbers in the input;
+                        with several kinds as v4, f4 and b4, edges always as 4-17 */
     size_t name_count;
-    const roberts_name *name; /**< [name_count] by of, number, other, each once; what they name is labelled */
-    /** Sheets: in the title block (ISO 7200), as are the fields. With neither there is no block. */
+    const roberts_name *name; /**< [name_count] sorted by of, number, other, each once; whatever they name is
+                                   labelled */
+    /** Sheets: text in the title block (ISO 7200), like the fields. Without title and fields there is no block. */
     const char *title;
     size_t field_count;
     const roberts_field *field; /**< [field_count] */
     bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
     size_t distance_count;
-    /** [distance_count] sheets: dimensions between vertices, each in one view that shows it in true length, if possible
-     * one that shows both vertices; they need `scene`. Where no view does, or there is no room, a warning says so. */
+    /** [distance_count] sheets: dimensions between vertices, each in one view that shows it in true length, preferably
+     * one that shows both vertices; they need `scene`. If there is no such view or no room, a warning says so. */
     const roberts_distance *distance;
     bool zones;                /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
-    const char *unit;          /**< behind the numbers of dimensions; NULL: none */
-    roberts_warnings warnings; /**< characters that the fonts lack, labels and distances without room, a tiny drawing */
+    const char *unit;          /**< printed after the numbers of dimensions; NULL: none */
+    roberts_warnings warnings; /**< of characters that the fonts lack, labels and distances without room, a tiny
+                                    drawing */
 } roberts_lettering;
 
 /** In which order the pen draws the lines of a class. */
 typedef enum roberts_order {
     ROBERTS_ORDER_TRAVEL, /**< lines that meet are chained, and chains ordered so that the lifted pen travels little */
-    ROBERTS_ORDER_NONE,   /**< as in the drawing; chained where a line begins at the end of the one before */
+    ROBERTS_ORDER_NONE,   /**< as in the drawing; a line is chained only to the one before it */
 } roberts_order;
 
-/** How the lines of an SVG are grouped. Except for ROBERTS_GROUP_CLASS, groups and elements have a `class` and names
- * for scripts and style sheets: a body's group has data-body (its number) and data-name (that of its group in the
- * input, if it has one); a piece of an edge has data-edge="4-17" (its vertices, not for an intersection),
+/** How the lines of an SVG are grouped. Except for ROBERTS_GROUP_CLASS, groups and elements have a `class`, and
+ * attributes for scripts and style sheets: a body's group has data-body (its number) and data-name (the name of its
+ * group in the input, if any); a piece of an edge has data-edge="4-17" (its vertices, not for an intersection),
  * data-faces="2,5" (the faces there, as roberts_segment_faces() gives them) and, where it is hidden, data-by (the body
- * seen there). Pens are attributes of groups, so that rules of style sheets override them. On a sheet the views are the
- * layers, with data-view="front"; the groups below are in them. */
+ * seen there). Pens are attributes of groups, so style sheets override them. On a sheet the layers are the views, with
+ * data-view="front" and so on, and contain the groups below. */
 typedef enum roberts_grouping {
     ROBERTS_GROUP_CLASS,   /**< a layer for each class, with one path */
     ROBERTS_GROUP_BODY,    /**< a layer for each body, with a group of one path for each class */
@@ -907,13 +916,13 @@ typedef struct roberts_ink {
     double scale;          /**< mm on paper per model unit */
 } roberts_ink;
 
-/** Further columns of tables, after the usual ones. */
+/** Additional columns of tables, after the usual ones. */
 typedef enum roberts_column {
     ROBERTS_COLUMN_ENDS,  /**< X0,Y0,Z0,X1,Y1,Z1: roberts_segment_ends() */
     ROBERTS_COLUMN_DEPTH, /**< z0,z1: how near the viewer the ends are, as in roberts_segment */
-    ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; roberts_hide() has to be told to fill it in */
-    ROBERTS_COLUMN_NAME,  /**< name: that of the solid's group, roberts_scene_name() */
-    ROBERTS_COLUMN_BY,    /**< by_name: the same of the solid that hides the piece */
+    ROBERTS_COLUMN_LEVEL, /**< level, as in roberts_segment; needs roberts_hide_options.levels */
+    ROBERTS_COLUMN_NAME,  /**< name: the name of the solid's group, roberts_scene_name() */
+    ROBERTS_COLUMN_BY,    /**< by_name: the same for the solid that hides the piece */
     ROBERTS_COLUMNS       /**< how many there are */
 } roberts_column;
 
@@ -923,9 +932,9 @@ typedef struct roberts_plotter {
     uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
 } roberts_plotter;
 
-/** Tells where an unfinished file is: called with its name just before it is created, and with NULL once it is renamed
- * or removed, so that an interrupted program can remove it. The name is valid between the two calls. What a killed
- * program leaves is removed when the same file is saved again. */
+/** Reports where an unfinished file is: called with its name just before it is created, and with NULL once it is
+ * renamed or removed. So an interrupted program can remove it. The name is valid between the two calls. A file left by
+ * a killed program is removed when the same file is saved again. */
 typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
@@ -939,8 +948,8 @@ typedef struct roberts_draw_options {
     roberts_pen intersection;      /**< where faces cross; default: 0.35 mm */
     roberts_pen wire;              /**< edges of no face; default: 0.35 mm */
     roberts_pen back;              /**< hidden lines; default: 0.25 mm, dashes of 12 and gaps of 3 widths (ISO 128) */
-    roberts_pen frame;             /**< along the margins, 5 mm from the drawing; if that is `framed`, where it is
-                                        cut off; default: off, 0.7 mm */
+    roberts_pen frame;             /**< along the margins, 5 mm from the drawing; if the drawing is `framed`, where it
+                                        is cut off; default: off, 0.7 mm */
     roberts_pen symbol;            /**< projection symbol of a sheet; default: 0.35 mm */
     roberts_pen hatch;             /**< strokes of `hatching`; default: 0.25 mm */
     roberts_pen text;              /**< text and its lines; default: 0.25 mm */
@@ -955,12 +964,14 @@ typedef struct roberts_draw_options {
                                         viewer; any length but 0; default: -1, 2, 3 */
     roberts_placement placement;   /**< default: fitted, in the middle */
     roberts_order order;           /**< default: ROBERTS_ORDER_TRAVEL */
-    const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, which knows the faces and ends
-                                        of edges, and names; NULL: these fields stay empty. Distances need it */
-    size_t column_count;           /**< tables: how many further columns; default: 0 */
+    const roberts_scene *scene;    /**< tables and groups of SVG: the drawing's scene, for the faces and ends of edges,
+                                        and for names; NULL: these fields stay empty. Distances need it */
+    size_t column_count;           /**< tables: how many additional columns; default: 0 */
     roberts_column column[ROBERTS_COLUMNS]; /**< [column_count] in this order, each once */
-    bool real_dashes;                       /**< dashes as strokes, fitted to the line; default: as a pattern of it */
-    bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: named alone */
+    bool real_dashes;                       /**< dashes as separate strokes, fitted to the line; default: false, a dash
+                                                 pattern of the line */
+    bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: names without
+                                          numbers */
     roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
     const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
     roberts_plotter plotter;         /**< HP-GL; default: zeroed */
@@ -973,28 +984,28 @@ typedef struct roberts_draw_options {
 
 roberts_draw_options roberts_draw_options_default(void);
 
-/** Takes all `size` bytes; false on failure (errno set). */
+/** Takes all `size` bytes; returns false on failure (errno set). */
 typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
 
 /**
  * Writes `drawing` in blocks to `write`.
  * options  NULL for the defaults
  * The same drawing and options give the same bytes, on every run and in every locale. On pages no line is drawn twice:
- * of segments that lie on one another the nearest visible one is drawn, or else the nearest hidden one. Parts of one
- * line and class that are 0.001 mm apart or less are joined, and so are ends; what is no longer than that may be left
- * out. Where nothing is joined, SVG is true to 0.0005 mm. (On pages longer than 4 m, these lengths are ten times as
- * large.) Tables have all segments as they are.
+ * of coincident segments the nearest visible one is drawn, or else the nearest hidden one. Parts of one line and class
+ * that are 0.001 mm apart or less are joined, and so are ends; parts no longer than that may be left out. Where nothing
+ * is joined, SVG is accurate to 0.0005 mm. (On pages longer than 4 m, these lengths are ten times as large.) Tables
+ * contain all segments unchanged.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also if
- * at its scale the drawing leaves the page).
+ * the drawing does not fit on the page at its scale).
  */
 roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
                                      roberts_write_fn *write, void *context, roberts_error *error);
 
 /**
- * The same into a file; "-" is standard output. A regular file appears whole or not at all: it is written beside, under
- * a temporary name, then renamed; a file of that name keeps its mode, and a symbolic link is followed. What exists and
- * is no regular file (a device, a pipe) is written in place. SIGPIPE is left to the caller; where it is ignored, a
- * closed pipe is an error like others.
+ * The same into a file; "-" is standard output. A regular file appears whole or not at all: it is written in the same
+ * folder under a temporary name, then renamed. An existing file keeps its mode, and a symbolic link is followed. A
+ * device, a pipe or any other existing file that is not regular is written in place. SIGPIPE is left to the caller; if
+ * it is ignored, a closed pipe is an error like any other.
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
@@ -1003,9 +1014,9 @@ roberts_status roberts_drawing_save(const roberts_drawing *drawing, const robert
  * Writes regions into a file as roberts_drawing_save() does ("-" is standard output): a JSON array with one object for
  * each region, which has body, face (null: not in the input), area, z0, z1 (z_min, z_max), color (null or an array) and
  * rings (arrays of [x, y]). If options->format is ROBERTS_CSV, it is a table with one row for each region: body, face,
- * area, z0, z1, color (numbers with blanks between) and polygon (a MULTIPOLYGON as well-known text, in which the
- * corners of rings are x y). `options` may be NULL; nothing else of it counts but `temporary`. Returns ROBERTS_OK,
- * _NO_MEMORY or _IO.
+ * area, z0, z1, color (numbers separated by blanks) and polygon (a MULTIPOLYGON as well-known text, with the corners of
+ * rings as x y). `options` may be NULL; only its format and `temporary` are used. Returns ROBERTS_OK, _NO_MEMORY or
+ * _IO.
  */
 roberts_status roberts_regions_save(const roberts_region_list *regions, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);
@@ -1021,7 +1032,7 @@ typedef enum roberts_sheet_angle {
 enum {
     ROBERTS_SHEET_FRONT,
     ROBERTS_SHEET_TOP,
-    ROBERTS_SHEET_SIDE, /**< from the left or from the right, as the angle wants it */
+    ROBERTS_SHEET_SIDE, /**< from the left or from the right, as the angle requires */
     ROBERTS_SHEET_ISO,  /**< in the remaining cell; seen from the front, the top and the side that is shown */
     ROBERTS_SHEET_VIEWS
 };
@@ -1029,7 +1040,7 @@ enum {
 /** Drawings of one scene, each from roberts_hide() with the camera of its view; borrowed. */
 typedef struct roberts_sheet {
     roberts_sheet_angle angle;
-    double gap_mm;                                    /**< between views; 0 = 15, or 25 where there are distances */
+    double gap_mm;                                    /**< between views; 0 = 15, or 25 if there are distances */
     const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
 } roberts_sheet;
 
@@ -1040,12 +1051,13 @@ const char *roberts_sheet_view_name(roberts_sheet_angle angle, int view);
 bool roberts_sheet_camera(roberts_sheet_angle angle, int view, roberts_camera *camera);
 
 /**
- * Writes the views of a sheet on one page, at one scale and in line with one another, with the symbol of their angle in
- * the lower right corner. On small pages the symbol is no larger than a quarter of the room for four views, and is left
- * out where that makes it about half its size. The placement holds for all views together: fitted, they are as large as
- * margins, gaps and symbol allow. With a frame the views keep 10 mm from it. Strokes of all views are in the same
- * layers. As CSV and JSON a sheet is one table, whose first column `view` is roberts_sheet_view_name(). For a table
- * of each view, save the drawings by themselves. All else is as for roberts_drawing_write() and roberts_drawing_save().
+ * Writes the views of a sheet on one page, at one scale and aligned with one another, with the symbol of their angle in
+ * the lower right corner. On small pages the symbol is no larger than one of four equal cells for the views, and is
+ * left out if that shrinks it to about half its size. The placement holds for all views together: fitted, they are as
+ * large as margins, gaps and symbol permit. With a frame the views keep 10 mm from it. Strokes of all views are in the
+ * same layers. As CSV and JSON a sheet is one table, whose first column `view` is roberts_sheet_view_name(). For a
+ * table of each view, save the drawings by themselves. All else is as for roberts_drawing_write() and
+ * roberts_drawing_save().
  */
 roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_draw_options *options,
                                    roberts_write_fn *write, void *context, roberts_error *error);
@@ -1054,8 +1066,8 @@ roberts_status roberts_sheet_save(const roberts_sheet *sheet, const roberts_draw
 
 /* ---- parts: one drawing by several programs --------------------------------------------------------------------- */
 
-/** What is drawn, the same for a plan, for its parts and for joining them. The warnings, the threads and `grid` may
- * differ. */
+/** What is drawn: the same for a plan, for its parts and for joining them. Only the warnings, the threads and `grid`
+ * may differ. */
 typedef struct roberts_task {
     roberts_camera camera;
     roberts_scene_options scene;     /**< without `hull` */
@@ -1077,36 +1089,35 @@ typedef struct roberts_share {
 
 /** A drawing joined from its parts. */
 typedef struct roberts_joined {
-    roberts_drawing drawing; /**< as roberts_hide() returns it, but most of what was counted is 0 */
-    roberts_inputs input;    /**< the models, as their names were given */
-    bool has_names;          /**< faces have names in some input; a joined drawing has none */
+    roberts_drawing drawing; /**< as roberts_hide() returns it, but most counts are 0 */
+    roberts_inputs input;    /**< the models, named as they were given */
+    bool has_names;          /**< some input has named groups, which a joined drawing does not keep */
     char *names;             /**< private */
 } roberts_joined;
 
 /**
- * Lays out a scene so that parts of it can be drawn by programs that share nothing else: writes to `path` all bodies
- * and where they lie in the picture. The inputs are read one after the other, and only one is in memory at a time.
- * All bodies have to be closed and share no vertices; faces may have any shape. What needs the whole is refused: open
- * bodies (they are welded with others), corners that repeat, hulls, and a near plane that cuts the scene.
+ * Plans a scene so that programs which share nothing else can draw parts of it: writes to `path` all bodies and where
+ * they lie in the picture. The inputs are read one after the other, and only one is in memory at a time.
+ * All bodies have to be closed and share no vertices; faces may have any shape. Anything that needs the whole scene is
+ * refused: open bodies (they are welded with others), repeated corners, hulls, and a near plane that cuts the scene.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX, _BAD_NUMBER, _NOT_CLOSED, _BAD_VIEW or _BAD_ARGUMENT.
  */
 roberts_status roberts_plan_save(const roberts_inputs *input, const roberts_task *task, const char *path,
                                  roberts_error *error);
 
 /**
- * Draws one part: writes the segments of its bodies to `path`. Parts have about as many vertices each, and lie together
- * in the picture. In memory are the bodies of the part, and those whose picture's box meets what its bodies may touch.
- * input  one plan, made for the same task; or models, which are then laid out first, in a file without a name beside
- *        `path`
- * Returns what roberts_plan_save() returns; _BAD_ARGUMENT also for a plan of another task, or a share that makes no
- * sense.
+ * Draws one part: writes the segments of its bodies to `path`. Parts have about the same number of vertices, and the
+ * bodies of a part lie close together in the picture. Memory holds the bodies of the part, and those whose box in the
+ * picture meets what its bodies may touch.
+ * input  one plan, made for the same task; or models, which are planned first, in an unnamed file beside `path`
+ * Returns what roberts_plan_save() returns; _BAD_ARGUMENT also for a plan of another task, or an impossible share.
  */
 roberts_status roberts_part_save(const roberts_inputs *input, const roberts_task *task, roberts_share share,
                                  const char *path, roberts_error *error);
 
 /**
- * Joins all parts of one drawing, named in any order. What `joined->drawing` draws or writes as a table is the same,
- * byte for byte, as one run of roberts_hide() gives. It needs no scene: it knows the faces and ends of edges itself.
+ * Joins all parts of one drawing, named in any order. Pages and tables written from `joined->drawing` are the same,
+ * byte for byte, as those of a single roberts_hide(). It needs no scene: it stores the faces and ends of edges itself.
  * joined  owned by the caller, released by roberts_joined_free(); empty on failure
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX (no part, unfinished or broken) or _BAD_ARGUMENT (parts that do not
  * belong together, of another task, missing or given twice).
