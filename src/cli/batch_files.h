@@ -2,7 +2,7 @@
 #ifndef ROBERTS_CLI_BATCH_FILES_H
 #define ROBERTS_CLI_BATCH_FILES_H
 
-#include "cli/list.h"
+#include "cli/lists.h"
 #include "cli/manifest.h"
 #include "cli/options.h"
 

@@ -14,8 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "cli/json.h"
-#include "cli/text.h"
+#include "cli/lists.h"
+#include "cli/message.h"
 
 static const char first[] = "{\"file\":", command[] = ",\"command\":";
 
@@ -23,12 +23,12 @@ static roberts_status fail(const manifest *m, const char *what, roberts_error *e
 {
     char why[200];
     snprintf(why, sizeof why, "%s: %s", what, strerror(errno));
-    return text_fail(error, ROBERTS_IO, m->path, 0, why);
+    return lists_fail(error, ROBERTS_IO, m->path, 0, why);
 }
 
 static roberts_status no_memory(const manifest *m, roberts_error *error)
 {
-    return text_fail(error, ROBERTS_NO_MEMORY, m->path, 0, "not enough memory");
+    return lists_fail(error, ROBERTS_NO_MEMORY, m->path, 0, "not enough memory");
 }
 
 /* Finds where the last whole line ends. False: it cannot be read. */
@@ -72,9 +72,9 @@ roberts_status manifest_open(manifest *m, const char *path, roberts_error *error
         return fail(m, "cannot write", error);
     const bool only = flock(m->descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
     if (fstat(m->descriptor, &found) != 0 || !S_ISREG(found.st_mode))
-        status = text_fail(error, ROBERTS_IO, path, 0, "is no file");
+        status = lists_fail(error, ROBERTS_IO, path, 0, "is no file");
     else if (!begins_well(m->descriptor))
-        status = text_fail(error, ROBERTS_BAD_SYNTAX, path, 0, "is no manifest: its first line is something else");
+        status = lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, "is no manifest: its first line is something else");
     else if (only)
         status = cut(m, found.st_size, error);
     (void)flock(m->descriptor, LOCK_SH);
@@ -109,13 +109,13 @@ static char *write_row(const manifest_row *row, bool whole)
         return NULL;
     }
     fputs(first, to);
-    json_string(to, row->file);
+    message_json(to, row->file);
     fputs(",\"output\":", to);
-    json_string(to, row->output);
+    message_json(to, row->output);
     fputs(command, to);
-    json_string(to, row->command);
+    message_json(to, row->command);
     fputs(",\"error\":", to);
-    json_string(to, row->error);
+    message_json(to, row->error);
     fputc(',', to);
     if (whole)
         fprintf(to, "\"seconds\":%.6f,\"lines\":%zu,\"warnings\":%zu}\n", row->seconds, row->lines, row->warnings);

@@ -31,4 +31,8 @@ int message_error(FILE *log, const roberts_error *error);
 /* Writes FILE:LINE: warning: what. A roberts_warning_fn, whose context is the log. */
 void message_warning(void *context, const char *file, size_t line, const char *text);
 
+/* Writes `text` as a string of JSON (RFC 8259), with its quotes; NULL is null. Bytes that are not UTF-8, which names of
+ * files may have, become U+FFFD. */
+void message_json(FILE *file, const char *text);
+
 #endif

@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "cli/hints.h"
+#include "cli/lists.h"
 #include "cli/message.h"
-#include "cli/names.h"
 #include "cli/parse.h"
 #include "cli/part.h"
 #include "cli/report.h"

@@ -7,7 +7,6 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include "cli/json.h"
 #include "cli/message.h"
 
 /* ---- times ---- */
@@ -173,9 +172,9 @@ static void print_name(const cli_options *options)
 {
     if (options->stats == STATS_JSON) {
         fputs("\"file\":", options->log);
-        json_string(options->log, options->input[0]);
+        message_json(options->log, options->input[0]);
         fputs(",\"output\":", options->log);
-        json_string(options->log, options->draw.format == ROBERTS_NULL ? NULL : options->output);
+        message_json(options->log, options->draw.format == ROBERTS_NULL ? NULL : options->output);
         fputs(",", options->log);
     } else if (options->label) {
         message_begin(options->log, options->label);

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "cli/names.h"
+#include "cli/lists.h"
 #include "temporary.h"
 
 static roberts_status read_names(const char *text, name_list *n, roberts_error *error)

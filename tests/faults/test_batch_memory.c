@@ -19,7 +19,7 @@
 #endif
 
 #include "cli/batch.h"
-#include "cli/list.h"
+#include "cli/lists.h"
 #include "cli/manifest.h"
 #include "cli/message.h"
 #include "cli/signals.h"

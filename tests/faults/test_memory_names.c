@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "cli/names.h"
+#include "cli/lists.h"
 #include "memory.h"
 #include "temporary.h"
 

@@ -1,0 +1,232 @@
+/* lists.c - lists that the user writes: names of files, one a line; names of vertices, edges, faces and bodies, in
+ * lines KIND,NUMBER,NAME. */
+#include "cli/lists.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/parse.h"
+
+enum {
+    PIECE = 4096,                   /* bytes read at a time */
+    FILES_MOST = 256 * 1024 * 1024, /* bytes of a list of files: more than two million names of a hundred */
+    NAMES_MOST = 32 * 1024 * 1024   /* bytes of a list of names */
+};
+
+/* ---- the text of a list ---- */
+
+roberts_status lists_fail(roberts_error *error, roberts_status status, const char *path, size_t line, const char *why)
+{
+    *error = (roberts_error){.status = status, .line = line};
+    snprintf(error->file, sizeof error->file, "%s", path);
+    snprintf(error->message, sizeof error->message, "%s", why);
+    return status;
+}
+
+/* Reads all `*size` bytes of an open file, of which there may be about `most`; a NUL follows them. Errors call the file
+ * `path`. `*text` is freed by the caller, after a failure too. Returns ROBERTS_OK, _IO, _NO_MEMORY or _BAD_SYNTAX (it
+ * is too long). */
+static roberts_status read_stream(FILE *file, const char *path, size_t most, char **text, size_t *size,
+                                  roberts_error *error)
+{
+    size_t room = 0;
+    *text = NULL;
+    *size = 0;
+    for (size_t got = 1; got > 0; *size += got) {
+        if (*size + PIECE > room) {
+            if (*size > most)
+                return lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, "is too long");
+            room = 2 * room + 2 * PIECE;
+            char *grown = realloc(*text, room);
+            if (!grown)
+                return lists_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
+            *text = grown;
+        }
+        got = fread(*text + *size, 1, PIECE - 1, file);
+    }
+    (*text)[*size] = '\0';
+    return ferror(file) ? lists_fail(error, ROBERTS_IO, path, 0, "cannot be read") : ROBERTS_OK;
+}
+
+/* The same for a file by its name. */
+static roberts_status read_whole(const char *path, size_t most, char **text, size_t *size, roberts_error *error)
+{
+    FILE *file = fopen(path, "rb");
+    *text = NULL;
+    *size = 0;
+    if (!file)
+        return lists_fail(error, ROBERTS_IO, path, 0, strerror(errno));
+    const roberts_status status = read_stream(file, path, most, text, size, error);
+    fclose(file);
+    return status;
+}
+
+/* ---- names of files ---- */
+
+bool list_add(file_list *list, char *name)
+{
+    if (list->count == list->room) {
+        const size_t room = 2 * list->room + 64;
+        char **grown = realloc(list->name, room * sizeof *grown); /* NOLINT(bugprone-sizeof-expression): of a pointer */
+        if (!grown)
+            return false;
+        list->name = grown;
+        list->room = room;
+    }
+    list->name[list->count++] = name;
+    return true;
+}
+
+static roberts_status read_files(file_list *list, const char *path, size_t *size, roberts_error *error)
+{
+    if (strcmp(path, "-") == 0)
+        return read_stream(stdin, "standard input", FILES_MOST, &list->text, size, error);
+    return read_whole(path, FILES_MOST, &list->text, size, error);
+}
+
+roberts_status list_read(file_list *list, const char *path, roberts_error *error)
+{
+    size_t size, line = 0, first = list->count;
+    const char *called = strcmp(path, "-") == 0 ? "standard input" : path;
+    roberts_status status = read_files(list, path, &size, error);
+    if (status != ROBERTS_OK)
+        return status;
+    const char end = memchr(list->text, '\0', size) ? '\0' : '\n';
+    for (char *at = list->text, *next; at < list->text + size; at = next) {
+        char *stop = memchr(at, end, (size_t)(list->text + size - at));
+        next = stop ? stop + 1 : list->text + size;
+        if (stop)
+            *stop = '\0'; /* behind the last name there is a NUL anyway */
+        line++;
+        if (*at == '\0')
+            continue;
+        if (strcmp(at, "-") == 0)
+            return lists_fail(error, ROBERTS_BAD_SYNTAX, called, line, "- is no file; a file of this name is ./-");
+        if (!list_add(list, at))
+            return lists_fail(error, ROBERTS_NO_MEMORY, called, 0, "not enough memory");
+    }
+    return list->count > first ? ROBERTS_OK : lists_fail(error, ROBERTS_BAD_SYNTAX, called, 0, "the list is empty");
+}
+
+void list_free(file_list *list)
+{
+    free(list->name);
+    free(list->text);
+    *list = (file_list){0};
+}
+
+/* ---- names of things in a model ---- */
+
+/* Reads the whole file; the text ends with a NUL. */
+static roberts_status read_names(name_list *n, const char *path, roberts_error *error)
+{
+    size_t size;
+    const roberts_status status = read_whole(path, NAMES_MOST, &n->text, &size, error);
+    if (status == ROBERTS_OK && memchr(n->text, '\0', size))
+        return lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, "is no text");
+    return status;
+}
+
+/* Reads one line. Returns why it is wrong, or NULL. */
+static const char *read_line(char *line, roberts_name *name)
+{
+    static const char *const kinds[] = {"vertex", "edge", "face", "body", NULL};
+    static const roberts_label_kind of[] = {ROBERTS_LABEL_VERTICES, ROBERTS_LABEL_EDGES, ROBERTS_LABEL_FACES,
+                                            ROBERTS_LABEL_BODIES};
+    char *number = strchr(line, ','), *text = number ? strchr(number + 1, ',') : NULL;
+    if (!text)
+        return "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a";
+    *number++ = *text++ = '\0';
+    const size_t kind = parse_find(line, kinds);
+    if (!kinds[kind])
+        return "the kind is none of vertex, edge, face and body";
+    *name = (roberts_name){.of = of[kind], .text = text};
+    char *second = name->of == ROBERTS_LABEL_EDGES ? strchr(number, '-') : NULL;
+    if (name->of == ROBERTS_LABEL_EDGES && !second)
+        return "an edge is named by its vertices, as 4-17";
+    if (second)
+        *second++ = '\0';
+    if (!parse_integer(number, &name->number) || (second && !parse_integer(second, &name->other)))
+        return "the number is not a whole number from 0 on";
+    if (second && name->number > name->other) {
+        const uint32_t smaller = name->other;
+        name->other = name->number;
+        name->number = smaller;
+    }
+    return NULL;
+}
+
+static int by_thing(const void *a, const void *b)
+{
+    const roberts_name *p = a, *q = b;
+    if (p->of != q->of)
+        return p->of < q->of ? -1 : 1;
+    if (p->number != q->number)
+        return p->number < q->number ? -1 : 1;
+    return (p->other > q->other) - (p->other < q->other);
+}
+
+static roberts_status refuse_twice(roberts_error *error, const char *path, const roberts_name *name)
+{
+    const char *kind = name->of == ROBERTS_LABEL_VERTICES ? "vertex"
+                       : name->of == ROBERTS_LABEL_FACES  ? "face"
+                                                          : "body";
+    char why[80];
+    if (name->of == ROBERTS_LABEL_EDGES)
+        snprintf(why, sizeof why, "edge %u-%u has two names", (unsigned)name->number, (unsigned)name->other);
+    else
+        snprintf(why, sizeof why, "%s %u has two names", kind, (unsigned)name->number);
+    return lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, why);
+}
+
+static bool add_name(name_list *n, const roberts_name *name)
+{
+    if (n->count == n->room) {
+        const size_t room = 2 * n->room + 64;
+        roberts_name *grown = realloc(n->item, room * sizeof *grown);
+        if (!grown)
+            return false;
+        n->item = grown;
+        n->room = room;
+    }
+    n->item[n->count++] = *name;
+    return true;
+}
+
+roberts_status names_read(name_list *n, const char *path, roberts_error *error)
+{
+    size_t line = 0;
+    roberts_status status = read_names(n, path, error);
+    for (char *at = n->text, *next; status == ROBERTS_OK && at && *at; at = next) {
+        roberts_name name;
+        next = strchr(at, '\n');
+        if (next)
+            *next++ = '\0';
+        line++;
+        const size_t length = strlen(at);
+        if (length > 0 && at[length - 1] == '\r')
+            at[length - 1] = '\0';
+        if (*at == '\0' || *at == '#')
+            continue;
+        const char *why = read_line(at, &name);
+        if (why)
+            return lists_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
+        if (!add_name(n, &name))
+            return lists_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
+    }
+    if (status == ROBERTS_OK && n->count > 1)
+        qsort(n->item, n->count, sizeof *n->item, by_thing);
+    for (size_t i = 1; status == ROBERTS_OK && i < n->count; i++)
+        if (by_thing(&n->item[i - 1], &n->item[i]) == 0)
+            return refuse_twice(error, path, &n->item[i]);
+    return status;
+}
+
+void names_free(name_list *n)
+{
+    free(n->item);
+    free(n->text);
+    *n = (name_list){0};
+}

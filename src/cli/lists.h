@@ -1,0 +1,39 @@
+/* lists.h - lists that the user writes: names of files; names of vertices, edges, faces and bodies. */
+#ifndef ROBERTS_CLI_LISTS_H
+#define ROBERTS_CLI_LISTS_H
+
+#include "roberts.h"
+
+/* Fills `error` and returns `status`. */
+roberts_status lists_fail(roberts_error *error, roberts_status status, const char *path, size_t line, const char *why);
+
+/* Names in the order of the list; released by list_free(). */
+typedef struct file_list {
+    char **name; /* [count], in the text */
+    size_t count, room;
+    char *text;
+} file_list;
+
+/* Reads one name a line ("-" is standard input). A name may hold any byte but a newline; empty lines are skipped. If
+ * the list holds a NUL, each name ends in a NUL instead, as find -print0 writes them: no name can hold one. On failure
+ * `error` has file, line and reason. */
+roberts_status list_read(file_list *list, const char *path, roberts_error *error);
+
+/* Adds one name, which stays the caller's. False: no memory. */
+bool list_add(file_list *list, char *name);
+
+void list_free(file_list *list);
+
+/* Names in the order that roberts_lettering wants; released by names_free(). */
+typedef struct name_list {
+    roberts_name *item;
+    size_t count, room;
+    char *text; /* of all of them */
+} name_list;
+
+/* Reads lines like "vertex,4,A", "edge,4-17,a", "face,3,base" and "body,0,leg". Empty lines and those that begin with #
+ * are skipped. On failure `error` has file, line and reason. */
+roberts_status names_read(name_list *n, const char *path, roberts_error *error);
+void names_free(name_list *n);
+
+#endif
