@@ -1,9 +1,9 @@
 /* angle.c - directions at angles.
  *
- * The sine and the cosine of the C library differ from one library to the next by a last bit, which a table of 17
- * digits shows. So their series are summed here in double-double numbers, whose error is far below half of a last bit
- * of a double. Whole quarters are taken away first: an eighth of a turn is left at the most, and 14 terms are enough,
- * since 0.79^29 / 29! is 1e-34. */
+ * The sine and the cosine of different C libraries differ in the last bit, which a table of 17 digits shows. So their
+ * series are summed here in double-double numbers, whose error is far below half of a last bit of a double. Whole
+ * quarter turns are removed first. At most an eighth of a turn remains, so 14 terms are enough, since 0.79^29 / 29! is
+ * 1e-34. */
 #include "base/angle.h"
 
 #include <math.h>

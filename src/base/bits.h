@@ -25,9 +25,9 @@
 #define BITS_HIDDEN
 #endif
 
-/* For the few functions that take most of the time. Each is compiled twice, and the program takes the one for its
- * processor when it is loaded. AVX2 has operations with three operands, which save copies, and no others are used:
- * there is no fused multiply-add (-ffp-contract=off), so both give the same bits. Sanitizers cannot run that early. */
+/* For the few functions that take most of the time. Each is compiled twice, and the version for the processor is chosen
+ * when the program is loaded. AVX2 has operations with three operands, which save copies, and no others are used: there
+ * is no fused multiply-add (-ffp-contract=off), so both give the same bits. Sanitizers cannot run that early. */
 #if defined(__x86_64__) && defined(__linux__) && defined(__GLIBC__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
 #define BITS_PER_PROCESSOR __attribute__((__target_clones__("avx2", "default")))

@@ -1,8 +1,8 @@
 /* batch.c - one picture for each file, drawn by worker processes.
  *
- * What could go wrong with the names is found out first, for all files (batch_files.c): so several runs with a --shard
- * each agree. This process hands out the files, prints what was said about them in their order, and writes the
- * manifest. A file that ends its worker, or takes too long, is one failed file. */
+ * Names are first checked for all files (batch_files.c), so runs with different --shard options agree. This process
+ * hands out the files, prints the messages about them in order, and writes the manifest. A file that kills its worker,
+ * or takes too long, is just one failed file. */
 #include "cli/batch.h"
 
 #include <errno.h>
@@ -27,7 +27,7 @@
 typedef struct batch {
     const cli_options *options;
     batch_files files;
-    size_t done, printed; /* printed: the texts of the files before this one are out */
+    size_t done, printed; /* printed: the texts of the files before this one */
     size_t failed;
     manifest manifest; /* its descriptor is -1: there is none */
     uint32_t threads;  /* of a worker */
@@ -66,7 +66,7 @@ static int prepare(batch *b)
     if (result == EXIT_DONE)
         result = open_manifest(b);
     if (result == EXIT_DONE && draws && options->manifest)
-        result = batch_files_check_places(&b->files); /* now that there is a manifest, even if it is new */
+        result = batch_files_check_places(&b->files); /* set now that there is a manifest, even a new one */
     if (result == EXIT_DONE && options->shard.of > 0)
         batch_files_take_shard(&b->files);
     if (result == EXIT_DONE && options->update)
@@ -76,7 +76,7 @@ static int prepare(batch *b)
 
 /* ---- in a worker ---- */
 
-/* What a worker reports: this, behind the text of the messages. */
+/* The report of a worker: this, after the text of the messages. */
 typedef struct file_report {
     int result;
     roberts_status status;
@@ -104,7 +104,7 @@ static void begin(void *context)
     if (b->manifest.descriptor >= 0)
         manifest_close(&b->manifest);
 #ifdef _OPENMP
-    (void)omp_get_max_threads(); /* before memory is limited: LLVM's library hangs if it gets none as it begins */
+    (void)omp_get_max_threads(); /* before memory is limited: LLVM's library hangs if it gets none at its start */
 #endif
 }
 
@@ -165,7 +165,7 @@ static char *work(void *context, size_t task, size_t *size)
 
 /* ---- as files are done ---- */
 
-/* Says what kept a file from being drawn, when no worker could say it. */
+/* Reports why a file was not drawn, if no worker could report it. */
 static void explain(const batch *b, const worker_outcome *outcome, char *text, size_t size)
 {
     const int status = outcome->status;
@@ -182,7 +182,7 @@ static void explain(const batch *b, const worker_outcome *outcome, char *text, s
         snprintf(text, size, "the process that draws it has ended with status %d", WEXITSTATUS(status));
 }
 
-/* Returns what a worker has reported, or what is to be said for it. The text of the messages goes to the file. */
+/* Returns the report of a worker, or a report in its place. The text of the messages is stored with the file. */
 static file_report take_report(const batch *b, const worker_outcome *outcome, batch_file *file)
 {
     file_report report = {.result = EXIT_FAILED, .status = ROBERTS_NO_MEMORY, .seconds = outcome->seconds};
@@ -210,7 +210,7 @@ static file_report take_report(const batch *b, const worker_outcome *outcome, ba
     return report;
 }
 
-/* A manifest that cannot be written is given up. The drawings are not. */
+/* If the manifest cannot be written, the drawings are made all the same. */
 static void add_row(batch *b, const batch_file *file, const file_report *report)
 {
     roberts_error error;
@@ -247,8 +247,8 @@ static void print_texts(batch *b)
     }
 }
 
-/* What a file needs must not depend on the files that its worker drew before: the memory that these have left behind,
- * or spoiled. So where memory was short, or the worker has died, a fresh one tries again. */
+/* Success must not depend on the files that a worker drew before: they may have used up or spoiled its memory. So if
+ * memory was short, or the worker has died, a fresh one tries again. */
 static bool finish(void *context, const worker_outcome *outcome)
 {
     batch *b = context;
@@ -267,8 +267,8 @@ static bool finish(void *context, const worker_outcome *outcome)
     return true;
 }
 
-/* Files are drawn by one thread each, unless there are fewer files than processors. Each thread takes address space for
- * itself, so with a limit on it there is one. */
+/* Files are drawn by one thread each, unless there are fewer files than processors. Each thread takes address space of
+ * its own, so if that is limited, there is one thread. */
 static void make_all(batch *b)
 {
     const cli_options *options = b->options;

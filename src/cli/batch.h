@@ -5,7 +5,7 @@
 #include "cli/options.h"
 
 /* Draws each input, and each file of the list, into the folder options->batch, several at a time. A file that fails,
- * that crashes its process or goes beyond a limit does not stop the others. Messages come in the order of the files.
+ * crashes its process or exceeds a limit does not stop the others. Messages come in the order of the files.
  * Returns the exit status: EXIT_FAILED if a file has failed, or the manifest could not be written. */
 int batch_make(const cli_options *options);
 

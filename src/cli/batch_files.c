@@ -19,14 +19,14 @@ static int no_memory(void)
 
 /* ---- names ---- */
 
-/* Length of the folder's name in a file's, with its slash. */
+/* Length of the folder part of a file name, with its slash. */
 static size_t folder_length(const char *name)
 {
     const char *slash = strrchr(name, '/');
     return slash ? (size_t)(slash - name) + 1 : 0;
 }
 
-/* Moves past slashes and past parts that are only a dot: they lead nowhere. */
+/* Skips slashes and parts that are only a dot, which have no effect. */
 static const char *next_part(const char *at)
 {
     while (*at == '/' || (at[0] == '.' && (at[1] == '/' || !at[1])))
@@ -34,8 +34,8 @@ static const char *next_part(const char *at)
     return at;
 }
 
-/* Returns the rest of a name below the folder `root`, by its letters alone: links are not followed. NULL: it does not
- * lie there. */
+/* Returns the rest of a name below the folder `root`. Compares letters only: links are not followed. NULL: it is not
+ * below it. */
 static const char *name_below(const char *root, const char *name)
 {
     if ((*root == '/') != (*name == '/'))
@@ -53,8 +53,8 @@ static const char *name_below(const char *root, const char *name)
     return *name ? name : NULL;
 }
 
-/* Returns the part of a file's name that its drawing keeps: what is behind the last slash, or behind --root. NULL: it
- * is not in that folder. */
+/* Returns the part of a file name that its drawing keeps: the part after the last slash, or below --root. NULL: it is
+ * not in that folder. */
 static const char *kept_name(const cli_options *options, const char *input)
 {
     return options->root ? name_below(options->root, input) : input + folder_length(input);
@@ -90,7 +90,7 @@ static bool in_one_folder(const char *a, const char *b)
     return length == folder_length(b) && strncmp(a, b, length) == 0;
 }
 
-/* No two files may be drawn to one name. */
+/* No two drawings may have the same name. */
 static int check_names(const batch_files *b)
 {
     int result = EXIT_DONE;
@@ -191,7 +191,7 @@ int batch_files_name(batch_files *b, const cli_options *options)
 
 /* ---- which of them are drawn ---- */
 
-/* Keeps the files that are wanted, and forgets the others. Returns how many these are. */
+/* Keeps the wanted files, and drops the others. Returns how many are dropped. */
 static size_t keep(batch_files *b, bool (*wanted)(size_t, const void *), const void *context)
 {
     const size_t all = b->count;
@@ -224,7 +224,8 @@ static bool is_newer(const struct timespec a, const struct timespec b)
     return a.tv_sec != b.tv_sec ? a.tv_sec > b.tv_sec : a.tv_nsec > b.tv_nsec;
 }
 
-/* Whether a drawing is newer than the file. Of one age, as with the coarse times of some file systems, it is not. */
+/* Whether a drawing is newer than the file. If both have the same time, as with the coarse times of some file systems,
+ * it is not. */
 static bool is_newer_than(const struct stat *drawing, const char *file)
 {
     struct stat found;
@@ -254,7 +255,8 @@ static int by_folder(const void *a, const void *b)
     return p != q ? (p > q) - (p < q) : strncmp((*f)->input, (*g)->input, p);
 }
 
-/* Finds when the newest .mtl file beside a file was changed; long ago, if there is none. False: that cannot be seen. */
+/* Finds when the newest .mtl file beside a file was changed; long ago, if there is none. False: the folder cannot be
+ * read. */
 static bool newest_material(const char *name, struct timespec *newest)
 {
     const size_t length = folder_length(name);
@@ -270,8 +272,8 @@ static bool newest_material(const char *name, struct timespec *newest)
     return open && closedir(open) == 0;
 }
 
-/* Marks as to be drawn each OBJ whose drawing is not newer than all .mtl files in its folder. Which of them it uses
- * stands somewhere in the OBJ, and that is not read. Each folder is looked through once. */
+/* Marks for drawing each OBJ whose drawing is not newer than all .mtl files in its folder. Only the OBJ itself names
+ * those that it uses, and it is not read. Each folder is searched once. */
 static int mark_coloured(const batch_files *b, bool *mark)
 {
     /* an array of pointers: the check takes sizeof a pointer for a slip */
@@ -304,7 +306,7 @@ static bool is_marked(size_t i, const void *context)
     return mark[i];
 }
 
-/* Marks as to be drawn what the manifest does not say was drawn, by the same command. */
+/* Marks for drawing every file that, by the manifest, was not drawn by the same command. */
 static int mark_unknown(const batch_files *b, const manifest *rows, bool *mark)
 {
     manifest_query *query = calloc(b->count + 1, sizeof *query);

@@ -1,4 +1,4 @@
-/* batch_files.h - the files of a batch: what their drawings are called, and which of them are to be drawn. */
+/* batch_files.h - the files of a batch: the names of their drawings, and which files to draw. */
 #ifndef ROBERTS_CLI_BATCH_FILES_H
 #define ROBERTS_CLI_BATCH_FILES_H
 
@@ -20,12 +20,12 @@ typedef struct batch_files {
     size_t current; /* others, whose drawings are up to date */
 } batch_files;
 
-/* What returns an int returns the exit status; the message is then printed. */
+/* Functions that return an int return the exit status, after printing any message. */
 
-/* Lists all files, and names their drawings; no two may have one name. Call batch_files_free() in any case. */
+/* Lists all files, and names their drawings; no two may have the same name. Call batch_files_free() in any case. */
 int batch_files_name(batch_files *b, const cli_options *options);
 
-/* No drawing may take the place of a model, of the list, or of the manifest. */
+/* No drawing may replace a model, the list, or the manifest. */
 int batch_files_check_places(const batch_files *b);
 
 /* Keeps the files of --shard. */
@@ -37,7 +37,7 @@ int batch_files_drop_current(batch_files *b, const manifest *rows);
 /* Returns the command that draws a file: the text of `command`. */
 const char *batch_files_command(const batch_files *b, const batch_file *file, description *command);
 
-/* Makes the folders between DIR and the drawing. If one cannot be made, writing the drawing says why. */
+/* Makes the folders between DIR and the drawing. If one cannot be made, writing the drawing reports why. */
 void batch_files_make_folders(const batch_files *b, const batch_file *file);
 
 void batch_files_free(batch_files *b);

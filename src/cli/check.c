@@ -1,8 +1,8 @@
 /* check.c - whether options make sense together.
  *
- * The rule: a command that would draw something else than is meant, or lose a file, is misuse. An option that changes
- * nothing is only worth a warning, so that a script can give the same options to every run. The table of options says
- * which options exclude or need each other; here is what depends on values and files. */
+ * The rule: a command that would draw something other than what is meant, or lose a file, is misuse. An option that
+ * changes nothing is only worth a warning, so that a script can give the same options to every run. The table of
+ * options defines which options exclude or need each other; checks that depend on values and files are here. */
 #include "cli/check.h"
 
 #include <stdio.h>
@@ -84,7 +84,7 @@ static int check_batch(const cli_options *options)
     return EXIT_DONE;
 }
 
-/* A name that ends in a slash means a folder, whether it exists or not. check_turntable() judges the names of a
+/* A name that ends in a slash means a folder, whether it exists or not. check_turntable() checks the names of a
  * turntable. */
 int check_folder(const cli_options *options)
 {
@@ -142,7 +142,7 @@ static int check_files(const cli_options *options, bool output_given)
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
 
-/* What the parts of a drawing cannot have, and where they come from. */
+/* Refuses options, inputs and outputs that parts of a drawing cannot have. */
 static int check_parts(const cli_options *options, const options_given *given)
 {
     static const char *const whole[] = {"fill", "hatch"};
@@ -182,7 +182,7 @@ static bool is_dashed(const roberts_pen *pen)
     return pen->dash_mm > 0.0 && !pen->off;
 }
 
-/* Warns of options with a flag that do nothing, for this format `lacks` what they are about. */
+/* Warns about options with this flag: they do nothing, since this format `lacks` what they affect. */
 static void warn_useless(const cli_options *options, const options_given *given, unsigned flag, const char *lacks)
 {
     char list[LIST_SIZE];
@@ -264,7 +264,7 @@ static bool any_width_set(const roberts_draw_options *draw)
     return any;
 }
 
-/* Warns of what a page has in other formats, but not in this one. */
+/* Warns about options for page features that this format lacks. */
 static void warn_lost(const cli_options *options)
 {
     const roberts_draw_options *draw = &options->draw;
@@ -340,7 +340,7 @@ static void warn_regions(const cli_options *options)
     message_warning(stderr, options->regions, 0, text);
 }
 
-/* A name with a place for a number, but no turntable, or for a view, but no tables of a sheet: a file may have such a
+/* A name with a place for a number without a turntable, or for a view without tables of a sheet: a file may have such a
  * name, but it is probably a mistake. */
 static void warn_place(const cli_options *options)
 {
@@ -355,7 +355,7 @@ static void warn_place(const cli_options *options)
                         "the file gets this very name: only tables of --sheet have the name of a view there");
 }
 
-/* A pen wider than this part of the page's shorter side is hardly meant. */
+/* A pen wider than this fraction of the page's shorter side is probably a mistake. */
 static const double widest_part = 0.1;
 
 /* Warns of pens that would cover much of the page. */

@@ -1,4 +1,4 @@
-/* help.c - what the table of options says, in five forms. A test runs the examples. */
+/* help.c - prints the table of options in five forms. A test runs the examples. */
 #include "cli/help.h"
 
 #include <ctype.h>
@@ -86,7 +86,7 @@ void help_print(FILE *file, const option_table *table)
 
 /* ---- the manual page ---- */
 
-/* A word as roff takes it: every hyphen a minus, so that it can be copied to a shell, and no line that looks like a
+/* Prints a word for roff: every hyphen becomes a minus, so that it can be copied to a shell, and no line looks like a
  * command. */
 static void put_roff(FILE *file, const char *word, size_t length)
 {
@@ -183,7 +183,7 @@ static void print_words(FILE *file, const option *o, const char *separator)
         fprintf(file, "%s%s%s", i ? separator : "", o->words[i], o->flags & OPTION_COLON ? ":" : "");
 }
 
-/* One branch of a case: what the option's value is completed to. */
+/* One branch of a case: the completions of the option's value. */
 static void print_bash_option(FILE *file, const option *o)
 {
     fputs("    ", file);
@@ -222,7 +222,7 @@ void help_print_bash(FILE *file, const option_table *table)
     fputs("    *) return 1 ;;\n    esac\n    return 0\n}\n", file);
 }
 
-/* The options that cannot follow this one: those that it excludes, and itself where once is enough. */
+/* The options that cannot follow this one: those that it excludes, and itself unless it repeats. */
 static void print_zsh_excluded(FILE *file, const option *o, const option_table *table)
 {
     const char *before = "(";

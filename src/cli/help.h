@@ -1,5 +1,4 @@
-/* help.h - what the table of options says: as --help, in the manual page, and in the completions of bash, zsh and
- * fish. */
+/* help.h - prints the table of options: as --help, in the manual page, and in the completions of bash, zsh and fish. */
 #ifndef ROBERTS_CLI_HELP_H
 #define ROBERTS_CLI_HELP_H
 

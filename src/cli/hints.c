@@ -56,7 +56,7 @@ const char *hint_word(const char *word, const char *const *words)
     size_t length = strlen(word), best_distance = FAR;
     for (size_t i = 0; words[i]; i++) {
         /* The beginning of a word means that word, and "isometric" means iso. Otherwise a third of the letters may be
-         * wrong, but none of two. */
+         * wrong, but none in words of two letters. */
         size_t shorter = least(length, strlen(words[i]));
         bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
         size_t d = begins ? 0 : distance(word, words[i]);
@@ -123,7 +123,7 @@ const char *hint_option(const char *word)
 int hint_unknown(const char *what, const char *word, const char *const *words, const char *also)
 {
     const char *meant = hint_word(word, words);
-    char list[256] = ""; /* more than all names of any option */
+    char list[256] = ""; /* more than the names of any option */
     for (size_t i = 0, used = 0; words[i] && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", words[i]);
     if (meant)
@@ -135,7 +135,7 @@ int hint_unknown(const char *what, const char *word, const char *const *words, c
 
 /* ---- files and models ---- */
 
-/* Commands that convert formats whose first bytes do not tell what they are. */
+/* Commands that convert formats that their first bytes do not identify. */
 static const struct {
     const char *ending, *command;
 } converters[] = {
@@ -203,7 +203,7 @@ void hint_memory(const cli_options *options, roberts_error *error)
 /* As many as a box has edges. */
 enum { FEW_LINES = 12 };
 
-/* Cuts [*t0, *t1] to where a + t (b - a) >= low; false where nothing is left. */
+/* Cuts [*t0, *t1] to where a + t (b - a) >= low; false if nothing is left. */
 static bool clip(double a, double b, double low, double *t0, double *t1)
 {
     if (a < low && b < low)
@@ -243,13 +243,13 @@ static size_t class_of(const roberts_segment *s)
     }
 }
 
-/* What a drawing shows, on the page where there is one. */
+/* What a drawing shows, on the page if there is one. */
 typedef struct glance {
     bool any_seen, any_inside; /* a segment in front of the eye; one in the field of view */
     size_t drawn;              /* segments whose pen is on */
 } glance;
 
-/* Looks at segments until `enough` of them are known to be drawn. */
+/* Examines segments until `enough` of them are known to be drawn. */
 static glance look(const cli_options *options, const roberts_drawing *drawing, size_t views, size_t enough)
 {
     const bool page = options->draw.format != ROBERTS_CSV && options->draw.format != ROBERTS_JSON;
@@ -295,7 +295,7 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
 
 /* A face that the input does not have is the cut of the near plane (or belongs to a hull). roberts_pick() takes as long
  * as the view, so it is called only if hardly anything is drawn. If --near was given and something is drawn, the cut is
- * meant. */
+ * intended. */
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size)
 {
@@ -324,7 +324,7 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
     bool there[PENS] = {0};
     size_t found = 0, used = 0;
     for (size_t pen = PEN_FRAME; pen < PENS; pen++)
-        there[pen] = true; /* check_warn() looks after these */
+        there[pen] = true; /* check_warn() handles these */
     there[PEN_HIDDEN] = options->draw.hidden == ROBERTS_HIDDEN_NONE;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         for (size_t i = 0; i < d->count; i++)

@@ -12,36 +12,36 @@ const char *hint_word(const char *word, const char *const *words);
 /* Returns the option that other programs call --word, perhaps with its value; NULL if none is known. */
 const char *hint_option(const char *word);
 
-/* Says that `word` is no value of `what`, and what was meant or what it can be (`also`: what else than `words`, or
- * NULL). Returns EXIT_MISUSED. */
+/* Reports that `word` is no value of `what`, with a suggestion or the possible values (`also`: values other than
+ * `words`, or NULL). Returns EXIT_MISUSED. */
 int hint_unknown(const char *what, const char *word, const char *const *words, const char *also);
 
 /* ---- files and models ---- */
 
-/* The input called `name` could not be read. Where it is a folder or a drawing, the message says so, or what was
- * meant. */
+/* The input called `name` could not be read. If it is a folder or a drawing, the message says so, or suggests another
+ * name. */
 void hint_unread(const cli_options *options, const char *name, roberts_error *error);
 
 /* The mesh was refused. Appends to the message which options would accept it. */
 void hint_refused(const cli_options *options, const roberts_mesh *mesh, roberts_error *error);
 
-/* If memory was short because --limit-memory is, the message says so. */
+/* If --limit-memory caused the lack of memory, the message says so. */
 void hint_memory(const cli_options *options, roberts_error *error);
 
 /* ---- drawings that show nothing ---- */
 
-/* Returns why none of the drawings on a page (or in a table) shows a line, and which option changes that; NULL if one
- * of them does. */
+/* Returns why no drawing on a page (or in a table) shows a line, and which option changes that; NULL if one of them
+ * does. */
 const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
-/* Whether the drawing shows next to nothing because the eye is on a solid, or so near that the near plane cuts the
- * solid in the middle of the picture; then `why` says so. */
+/* Whether the drawing is almost empty because the eye is on a solid, or so near that the near plane cuts the solid in
+ * the middle of the picture; then `why` says so. */
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size);
 
 /* ---- options that change nothing in this drawing ---- */
 
-/* Does --style set pens of classes that none of the drawings has? Then `text` says which. */
+/* Does --style set pens of classes that none of the drawings has? Then `text` names them. */
 bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size);
 
 /* Do all visible faces lack a colour, so that --fill model fills none? */

@@ -1,4 +1,4 @@
-/* lists.c - lists that the user writes: names of files, one a line; names of vertices, edges, faces and bodies, in
+/* lists.c - lists that the user writes: names of files, one per line; names of vertices, edges, faces and bodies, in
  * lines KIND,NUMBER,NAME. */
 #include "cli/lists.h"
 
@@ -25,9 +25,9 @@ roberts_status lists_fail(roberts_error *error, roberts_status status, const cha
     return status;
 }
 
-/* Reads all `*size` bytes of an open file, of which there may be about `most`; a NUL follows them. Errors call the file
- * `path`. `*text` is freed by the caller, after a failure too. Returns ROBERTS_OK, _IO, _NO_MEMORY or _BAD_SYNTAX (it
- * is too long). */
+/* Reads all `*size` bytes of an open file, of which there may be about `most`; a NUL follows them. Errors name the file
+ * `path`. The caller frees `*text`, after a failure too. Returns ROBERTS_OK, _IO, _NO_MEMORY or _BAD_SYNTAX (it is too
+ * long). */
 static roberts_status read_stream(FILE *file, const char *path, size_t most, char **text, size_t *size,
                                   roberts_error *error)
 {
@@ -98,7 +98,7 @@ roberts_status list_read(file_list *list, const char *path, roberts_error *error
         char *stop = memchr(at, end, (size_t)(list->text + size - at));
         next = stop ? stop + 1 : list->text + size;
         if (stop)
-            *stop = '\0'; /* behind the last name there is a NUL anyway */
+            *stop = '\0'; /* a NUL follows the last name in any case */
         line++;
         if (*at == '\0')
             continue;

@@ -14,17 +14,17 @@ typedef struct file_list {
     char *text;
 } file_list;
 
-/* Reads one name a line ("-" is standard input). A name may hold any byte but a newline; empty lines are skipped. If
+/* Reads one name per line ("-" is standard input). A name may hold any byte but a newline; empty lines are skipped. If
  * the list holds a NUL, each name ends in a NUL instead, as find -print0 writes them: no name can hold one. On failure
  * `error` has file, line and reason. */
 roberts_status list_read(file_list *list, const char *path, roberts_error *error);
 
-/* Adds one name, which stays the caller's. False: no memory. */
+/* Adds one name, which the caller keeps. False: no memory. */
 bool list_add(file_list *list, char *name);
 
 void list_free(file_list *list);
 
-/* Names in the order that roberts_lettering wants; released by names_free(). */
+/* Names in the order that roberts_lettering requires; released by names_free(). */
 typedef struct name_list {
     roberts_name *item;
     size_t count, room;

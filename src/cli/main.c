@@ -22,15 +22,15 @@ static int finish_output(void)
     return EXIT_FAILED;
 }
 
-/* A line of progress is for a person who watches. It must not come between the lines of a drawing. */
+/* A progress line is for a person who is watching. It must not appear between the lines of a drawing. */
 static bool is_watched(const cli_options *options)
 {
     bool to_terminal = !options->batch && strcmp(options->output, "-") == 0 && isatty(STDOUT_FILENO);
     return isatty(STDERR_FILENO) && !options->quiet && !to_terminal;
 }
 
-/* If a standard stream is closed, the next file opened would take its number, and messages would go into that file. So
- * /dev/null takes the number, opened so that it fails to read or write as the closed stream does. */
+/* If a standard stream is closed, the next file opened would get its number, and messages would go into that file. So
+ * /dev/null takes the number. It is opened so that reading or writing fails, as with the closed stream. */
 static void hold_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)

@@ -1,8 +1,8 @@
 /* manifest.c - the manifest of batches: a file with a line of JSON for each file that was tried.
  *
- * A row is written by one write() to a file opened for appending, so rows of several processes do not mix. A process
- * that is killed may still leave a part of a row. The next one that opens the manifest cuts that off, unless another
- * has it open: all hold a shared lock, and an exclusive one is needed to cut. */
+ * A row is written by one write() to a file opened for appending, so rows of several processes do not mix. A killed
+ * process may still leave a part of a row. The next process that opens the manifest cuts it off, unless another one has
+ * the manifest open: all hold a shared lock, and cutting needs an exclusive one. */
 #include "cli/manifest.h"
 
 #include <errno.h>
@@ -55,7 +55,7 @@ static roberts_status cut(const manifest *m, off_t size, roberts_error *error)
     return end == size || ftruncate(m->descriptor, end) == 0 ? ROBERTS_OK : fail(m, "cannot write", error);
 }
 
-/* Whether the file begins as a manifest does, as far as it goes. */
+/* Whether the file, as far as it goes, begins like a manifest. */
 static bool begins_well(int descriptor)
 {
     char found[sizeof first];
@@ -89,15 +89,14 @@ void manifest_close(manifest *m)
     m->descriptor = -1;
 }
 
-/* Most bytes that a string has in JSON. */
+/* The most bytes that a string can take in JSON. */
 static size_t room_for(const char *text)
 {
     return text ? 6 * strlen(text) + 2 : 4;
 }
 
-/* Returns the text of a row, or, unless it is to be `whole`, as far as it does not depend on the drawing. It is freed
- * by the caller; NULL: no memory. All room is there before it is written, since open_memstream() may lose bytes without
- * a word. */
+/* Returns the text of a row; unless `whole`, only the part that does not depend on the drawing. The caller frees it;
+ * NULL: no memory. All memory is allocated first, since open_memstream() may lose bytes silently. */
 static char *write_row(const manifest_row *row, bool whole)
 {
     const size_t size =
@@ -123,7 +122,7 @@ static char *write_row(const manifest_row *row, bool whole)
     return text;
 }
 
-/* A disk may be full, or a signal may come, in the middle of a row: the rest is tried once more. */
+/* A full disk or a signal may interrupt the writing of a row: the rest is tried once more. */
 static bool write_all(int descriptor, const char *text, size_t size)
 {
     while (size > 0) {
@@ -151,8 +150,8 @@ roberts_status manifest_add(const manifest *m, const manifest_row *row, roberts_
 
 /* ---- what the rows say ---- */
 
-/* How many bytes of a row say which file it is about. In the strings before it each quote has a backslash, so `command`
- * is found at its place alone. */
+/* How many bytes of a row identify its file. In the strings before it each quote has a backslash, so `command` is found
+ * only at its place. */
 static size_t key_of(const char *row)
 {
     const char *end = strstr(row, command);
@@ -179,7 +178,7 @@ static int by_key(const void *a, const void *b)
     return compare_keys(p->begins, p->key, q->begins, q->key);
 }
 
-/* Later rows overrule earlier ones. */
+/* Later rows override earlier ones. */
 static void take_row(const char *row, manifest_query *query, size_t count)
 {
     const size_t key = key_of(row);

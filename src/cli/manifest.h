@@ -18,26 +18,26 @@ typedef struct manifest {
     int descriptor;
 } manifest;
 
-/* Opens a manifest to which rows are added; it is made if it is missing. A last line without an end, which a killed run
- * has left, is cut off. A file that holds anything else is refused. On failure `error` has file and reason. */
+/* Opens a manifest for adding rows, and creates it if it is missing. An incomplete last line, left by a killed run, is
+ * cut off. A file that holds anything else is refused. On failure `error` has file and reason. */
 roberts_status manifest_open(manifest *m, const char *path, roberts_error *error);
 void manifest_close(manifest *m);
 
 /* Adds one row, in one piece: several processes may add rows to one manifest. */
 roberts_status manifest_add(const manifest *m, const manifest_row *row, roberts_error *error);
 
-/* What is asked about a file. */
+/* A query about a file. */
 typedef struct manifest_query {
     char *begins; /* owned; how the row of the file begins if it was drawn */
-    size_t key;   /* how many bytes of it say which file that is */
+    size_t key;   /* how many bytes of it identify the file */
     size_t index; /* for the caller */
     bool drawn;   /* the answer */
 } manifest_query;
 
-/* Asks whether the last row about this file says that it was drawn by this command. Returns false without memory. */
+/* Adds a query: does the last row about this file say that this command drew it? False: no memory. */
 bool manifest_ask(manifest_query *query, const manifest_row *row);
 
-/* Answers `count` queries, which are sorted by that. */
+/* Answers `count` queries, and sorts them. */
 roberts_status manifest_answer(const manifest *m, manifest_query *query, size_t count, roberts_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* message.c - what the program says on standard error. */
+/* message.c - the program's messages on standard error. */
 #include "cli/message.h"
 
 #include <stdarg.h>
@@ -8,9 +8,9 @@
 
 #include "cli/signals.h"
 
-enum { MISUSE_SIZE = 8192 }; /* two names of files and what is wrong with them */
+enum { MISUSE_SIZE = 8192 }; /* two file names, and the fault */
 
-/* Names of files may hold control characters; a terminal must not obey them. */
+/* File names may contain control characters; a terminal must not obey them. */
 static void put_plain(FILE *log, const char *text)
 {
     for (; *text; text++)

@@ -1,4 +1,4 @@
-/* message.h - what the program says on standard error, or in a log that is printed there later. Every line begins with
+/* message.h - the program's messages on standard error, or in a log that is printed there later. Every line begins with
  * "roberts: ". */
 #ifndef ROBERTS_CLI_MESSAGE_H
 #define ROBERTS_CLI_MESSAGE_H
@@ -15,14 +15,14 @@ enum { EXIT_DONE = 0, EXIT_FAILED = 1, EXIT_MISUSED = 2 };
 #define MESSAGE_PRINTF
 #endif
 
-/* Says what is wrong with the command and where help is; returns EXIT_MISUSED. */
+/* Reports what is wrong with the command, and where help is; returns EXIT_MISUSED. */
 int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 
-/* Call these before and after writing to a log: if it is standard error, they remove the line of progress meanwhile. */
+/* Call these before and after writing to a log: if it is standard error, they remove the progress line meanwhile. */
 void message_open(FILE *log);
 void message_close(FILE *log);
 
-/* Writes "roberts: " and what the message is about: a file or a picture, or NULL. */
+/* Writes "roberts: " and the subject of the message: a file or a picture, or NULL. */
 void message_begin(FILE *log, const char *label);
 
 /* Writes FILE:LINE: what is wrong. Returns the exit status for it. */

@@ -15,7 +15,7 @@
 
 /* ---- the description ---- */
 
-/* Room that is left for the dots. */
+/* Room for the dots. */
 enum { DOTS = 4 };
 
 static void add(description *d, const char *text, size_t length)
@@ -32,7 +32,7 @@ static void add(description *d, const char *text, size_t length)
     d->text[d->length] = '\0';
 }
 
-/* In quotes where a shell would take it for something else; a quote itself stands outside of them: 'it'\''s'. */
+/* In quotes if a shell would interpret it; a quote itself stands outside them: 'it'\''s'. */
 static void add_quoted(description *d, const char *word)
 {
     static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@%";
@@ -102,7 +102,8 @@ static const option *find_letter(const option_table *table, char letter)
     return NULL;
 }
 
-/* Says which option was meant: one spelled alike, one that has this name elsewhere, or one with this value. */
+/* Suggests the option that was meant: one with a similar name, one that has this name in other programs, or one with
+ * this value. */
 static int unknown_option(const option_table *table, const char *name)
 {
     const char *words[OPTIONS_MOST + 1] = {NULL}, *meant = hint_option(name);
@@ -171,7 +172,7 @@ static int take_short(parser *p, int *i)
 }
 
 /* Refuses an operand that is no file, but was meant as an option, or as the value of the option before it, which takes
- * one only behind "=". */
+ * one only after "=". */
 static int misplaced_value(const option_table *table, const char *before, const char *operand)
 {
     const option *o = strncmp(before, "--", 2) == 0 ? find_option(table, before + 2, strlen(before + 2)) : NULL;
@@ -273,7 +274,7 @@ static int choose_format(const options_given *given, cli_options *options)
     return EXIT_DONE;
 }
 
-/* Applies the options that make the camera. Their order does not matter. */
+/* Applies the options of the camera. Their order does not matter. */
 static void set_camera(const options_given *given, cli_options *options)
 {
     roberts_camera *camera = &options->camera;
@@ -302,7 +303,7 @@ static void lay_down(roberts_page *page)
     }
 }
 
-/* The command needs the name of a turntable's pictures; the folder is left out. */
+/* A command in a description needs the name of a turntable's pictures, without the folder. */
 static void describe_files(cli_options *options, size_t operands)
 {
     const char *slash = strrchr(options->output, '/');

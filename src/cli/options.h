@@ -1,7 +1,7 @@
-/* options.h - the command line as a plain struct, and the table that says which options there are.
+/* options.h - the command line as a plain struct, and the table of options.
  *
- * Everything about an option stands in one row of the table: how it is parsed, what it excludes and needs, and what
- * --help, the manual page and the completions of the shells say. A new option is a new row. */
+ * Everything about an option is in one row of the table: how it is parsed, what it excludes and needs, and its texts
+ * for --help, the manual page and the shell completions. A new option is a new row. */
 #ifndef ROBERTS_CLI_OPTIONS_H
 #define ROBERTS_CLI_OPTIONS_H
 
@@ -13,7 +13,7 @@ enum { PICKS_MOST = 64, FIELDS_MOST = 7, DISTANCES_MOST = 64 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
-/* What is drawn and how, as a shell command. What does not fit is cut off and replaced by three dots. */
+/* What is drawn and how, as a shell command. If it is too long, the end is replaced by three dots. */
 typedef struct description {
     char text[4096];
     size_t length;
@@ -26,14 +26,14 @@ typedef struct cli_options {
     const char *output;   /* "-" is standard output */
     const char *batch;    /* NULL, or the folder for a picture of each input; then `output` is not used */
     const char *list;     /* NULL, or the file with names of further inputs; "-" is standard input */
-    const char *root;     /* NULL, or the folder from which on a drawing keeps the name of its input */
+    const char *root;     /* NULL, or the folder below which a drawing keeps the path of its input */
     const char *manifest; /* NULL, or the file that gets a row for each input */
     roberts_share shard;  /* of the inputs; of 0: all */
-    bool update;          /* draw only what is newer than its drawing */
+    bool update;          /* draw only inputs that are newer than their drawings */
     double limit_seconds; /* for each input; 0: none */
     double limit_memory;  /* for each input, MB; 0: none */
-    bool plan;            /* lay out the scene for parts, and draw nothing */
-    roberts_share part;   /* draw this part of the scene into a file that --join reads; of 0: all */
+    bool plan;            /* plan the scene for parts, and draw nothing */
+    roberts_share part;   /* draw this part of the scene into a file for --join; `of` 0: draw everything */
     bool join;            /* the inputs are parts */
     const char *names;    /* NULL, or the file with names of vertices, edges, faces and bodies */
     const char *regions;  /* NULL, or the file for the visible regions of faces; "-" is standard output */
@@ -41,10 +41,10 @@ typedef struct cli_options {
     bool is_sheet;        /* several views on one page; then the camera is not used */
     roberts_sheet_angle sheet;
     FILE *log;         /* for messages */
-    const char *label; /* NULL, or which of several pictures this is: messages begin with it */
+    const char *label; /* NULL, or the name of this picture among several: messages begin with it */
     roberts_scene_options scene;
     roberts_camera camera;
-    roberts_vec3 up;                 /* goes into the camera last, as --roll does; so the order of options is free */
+    roberts_vec3 up;                 /* goes into the camera last, like --roll, so the order of options is free */
     double azimuth, elevation, roll; /* degrees */
     roberts_hide_options hide;
     roberts_draw_options draw;
@@ -83,8 +83,8 @@ typedef enum option_group {
 typedef enum option_flags {
     OPTION_DRAWS = 1,    /* changes what is drawn: part of the description in a drawing */
     OPTION_PAPER = 2,    /* about the page: without effect on tables */
-    OPTION_REPEATS = 4,  /* may be given several times; of others the last one counts */
-    OPTION_OPTIONAL = 8, /* the value may be left out; it can only follow "=" */
+    OPTION_REPEATS = 4,  /* may be given several times; otherwise the last one counts */
+    OPTION_OPTIONAL = 8, /* the value is optional, and can only follow "=" */
     OPTION_FILE = 16,    /* the value is a file: for completions */
     OPTION_FOLDER = 32,  /* the value is a folder */
     OPTION_COLON = 64,   /* completions put a colon behind the words */
@@ -104,11 +104,11 @@ struct option {
     unsigned flags;           /* of option_flags */
     const char *value;        /* what --help calls the value; NULL: the option takes none */
     const char *const *words; /* values to choose from, ending with NULL; NULL: any. For messages and completions */
-    option_set *set;          /* NULL: it is enough that the option was given */
+    option_set *set;          /* NULL: no action: it is enough that the option was given */
     size_t field;             /* what `set` fills: an offset in cli_options */
     double least, most;       /* of numbers */
-    const char *excludes;     /* options that contradict this one, with blanks between them; it works both ways */
-    const char *needs;        /* options of which one has to be given, too */
+    const char *excludes;     /* options that contradict this one, separated by blanks; it works both ways */
+    const char *needs;        /* options of which one must be given, too */
     const char *brief;        /* for completions: a few words in small letters, without quotes, colons and brackets */
     const char *help;         /* for --help */
     const char *manual;       /* for the manual page, a newline between paragraphs; NULL: as `help` */
@@ -123,7 +123,7 @@ extern const option_table option_table_all;
 
 typedef struct option_title {
     const char *title;
-    const char *help, *manual; /* what holds for the whole group, or NULL */
+    const char *help, *manual; /* text about the whole group, or NULL */
 } option_title;
 
 extern const option_title option_titles[OPTION_GROUPS];

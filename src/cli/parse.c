@@ -8,7 +8,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Reads one number at `*at`, which moves behind it. strtod() would also take blanks, inf, nan and 0x10. */
+/* Reads one number at `*at`, which moves past it. strtod() would also accept blanks, inf, nan and 0x10. */
 static bool take_number(const char **at, double *number)
 {
     char *end;
@@ -31,7 +31,7 @@ bool parse_number(const char *text, double *number)
     return true;
 }
 
-/* A number, finite, with mm, cm, in or pt (1/72 inch) behind it; `*unit_mm` is 0 where nothing is. */
+/* A finite number, perhaps followed by mm, cm, in or pt (1/72 inch); `*unit_mm` is 0 without a unit. */
 static bool parse_measure(const char *text, double *number, double *unit_mm)
 {
     static const struct {

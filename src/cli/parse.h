@@ -20,27 +20,26 @@ bool parse_numbers(const char *text, double *number, size_t count);
 /* Two numbers with `sign` between them. */
 bool parse_pair(const char *text, char sign, double *a, double *b);
 
-/* A number of mm, or with mm, cm, in or pt (1/72 inch) behind it. */
+/* A number of mm, or one followed by mm, cm, in or pt (1/72 inch). */
 bool parse_length(const char *text, double *mm);
 
-/* Two lengths with `sign` between them. A unit behind one of them holds for both, as in 8.5x11in. */
+/* Two lengths with `sign` between them. A unit after one of them holds for both, as in 8.5x11in. */
 bool parse_lengths(const char *text, char sign, double *a_mm, double *b_mm);
 
 /* ---- words ---- */
 
-/* Copies the text before the first `end` (or all of it) to `word`. Returns the text behind `end`; NULL: there is no
- * `end`. `*fits` is false where `word` is too small. */
+/* Copies the text before the first `end` (or all of it) to `word`. Returns the text after `end`; NULL: there is no
+ * `end`. `*fits` is false if `word` is too small. */
 const char *parse_word(const char *text, char end, char *word, size_t size, bool *fits);
 
-/* Index of `word` in a list that ends with NULL; that of the NULL where it is not there. */
+/* Index of `word` in a list that ends with NULL; that of the NULL if the list lacks it. */
 size_t parse_find(const char *word, const char *const *words);
 
-/* Puts `number` in the one place that `pattern` has for it: %d, or %03d (at least so many digits, up to 9, with zeros
- * in front). False where there is no such place, more than one, another %, or the name does not fit. */
+/* Puts `number` in its place in `pattern`: %d, or %03d (at least so many digits, up to 9, with leading zeros). False if
+ * there is no such place, more than one, another %, or the name does not fit. */
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);
 
-/* Puts `word` in the one place that `pattern` has for it: %s. False where there is no such place, another %, or the
- * name does not fit. */
+/* Puts `word` in its place in `pattern`: %s. False if there is no such place, another %, or the name does not fit. */
 bool parse_named(const char *pattern, const char *word, char *name, size_t size);
 
 #endif

@@ -39,10 +39,10 @@ static bool wants_names(const cli_options *options)
     return wants;
 }
 
-/* All parts are open at a time, and often no more than 1024 files may be, unless more are asked for. */
+/* All parts are open at the same time. Often the limit is 1024 open files, unless a program raises it. */
 static void allow_files(size_t count)
 {
-    const rlim_t wanted = (rlim_t)count + 64; /* with the drawing's, and what was open before */
+    const rlim_t wanted = (rlim_t)count + 64; /* including the drawing's file, and files that were open before */
     struct rlimit limit;
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= wanted)
         return;

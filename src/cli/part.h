@@ -7,7 +7,7 @@
 /* Writes a plan or a part, as the options say. Returns the exit status. */
 int part_make(const cli_options *options);
 
-/* Joins the parts that are the inputs. Refuses what needs names of groups, if the models have some. */
+/* Joins the parts that are the inputs. Refuses options that need names of groups, if the models have some. */
 roberts_status part_join(const cli_options *options, roberts_joined *joined, roberts_error *error);
 
 #endif

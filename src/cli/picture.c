@@ -1,4 +1,4 @@
-/* picture.c - from the files to what is written.
+/* picture.c - from the input files to the output.
  *
  * The pictures of a turntable share one window, the box of the windows of all sides, so that they have one scale and
  * nothing jumps. */
@@ -24,9 +24,9 @@ typedef struct picture_window {
 /* What is drawn on one page: one view, or those of a sheet. */
 typedef struct views {
     roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
-    roberts_region_list regions[ROBERTS_SHEET_VIEWS]; /* empty where nothing needs them */
+    roberts_region_list regions[ROBERTS_SHEET_VIEWS]; /* empty if nothing needs them */
     size_t count;
-    bool explained; /* a warning has said why there is next to nothing on it */
+    bool explained; /* a warning has said why it is almost empty */
 } views;
 
 /* What messages call the inputs: the first of them, and how many more there are. */
@@ -55,7 +55,7 @@ static const char *write_title(const cli_options *options, char *title, size_t s
     return name_inputs(options, slash ? slash + 1 : first, title, size);
 }
 
-/* Reports the error, which concerns the inputs where it names no file. Returns the exit status. */
+/* Reports the error, which concerns the inputs if it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error, picture_result *result)
 {
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
@@ -76,7 +76,7 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
     return status;
 }
 
-/* Names the solids that hulls have replaced, by their numbers; says nothing where all are sound. */
+/* Names the solids that hulls have replaced, by their numbers; prints nothing if there are none. */
 static void tell_hulls(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -94,7 +94,7 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 
-/* Says of which kinds the bodies are; nothing if all are convex. */
+/* Prints the kinds of the bodies; nothing if all are convex. */
 static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
     static const char *const names[] = {
@@ -112,7 +112,7 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
-/* Says that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
+/* Prints that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -157,7 +157,7 @@ static size_t count_lines(const roberts_mesh *mesh)
     return count;
 }
 
-/* Reads the inputs and builds the scene. The mesh is released on the way. */
+/* Reads the inputs and builds the scene. The mesh is released. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
     roberts_mesh mesh = {.threads = options->hide.threads};
@@ -195,14 +195,14 @@ static bool is_table(const cli_options *options)
     return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
 }
 
-/* Whether anything that is written or checked says which body hides a part of a line. */
+/* Whether the output or a check needs the body that hides a part of a line. */
 static bool names_hiders(const cli_options *options)
 {
     return is_table(options) || options->verify ||
            (options->draw.format == ROBERTS_SVG && options->draw.grouping == ROBERTS_GROUP_ELEMENT);
 }
 
-/* Whether segments need only be counted: none is written, no ray asks for them, and a page would only be empty if there
+/* Whether segments need only be counted: none is written, no ray needs them, and a page would be empty only if there
  * were none. The drawing then holds no segments. */
 static bool is_counted_only(const cli_options *options)
 {
@@ -245,7 +245,7 @@ static roberts_status hide(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
-/* Whether what is drawn needs the visible regions of faces. */
+/* Whether the drawing needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
@@ -260,7 +260,7 @@ static bool needs_regions(const cli_options *options)
            (strokes && page->hatching.on && !page->hatch.off);
 }
 
-/* Finds the visible regions of view `i`, if they are needed, and hands them to its drawing. */
+/* Finds the visible regions of view `i`, if they are needed, and attaches them to its drawing. */
 static roberts_status find_regions(const cli_options *options, const roberts_scene *scene, views *v, size_t i,
                                    roberts_error *error)
 {
@@ -300,7 +300,7 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
     return status;
 }
 
-/* Whether what is written asks the scene for the faces of edges, for names, or for vertices. */
+/* Whether the output needs faces of edges, names, or vertices from the scene. */
 static bool needs_scene(const cli_options *options)
 {
     return is_table(options) || options->distance_count > 0 ||
@@ -315,7 +315,7 @@ static const char *name_output(const cli_options *options, char *name, size_t si
     return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
 }
 
-/* Needs the scene, so it comes before that is released. */
+/* Needs the scene, so it runs before the scene is released. */
 static void warn_near(const cli_options *options, const roberts_scene *scene, views *v)
 {
     char why[256], name[NAME_SIZE];
@@ -404,7 +404,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     return status;
 }
 
-/* An empty page is hardly what was meant. */
+/* An empty page is probably a mistake. */
 static void warn_empty(const cli_options *options, const views *v)
 {
     bool known = is_counted_only(options) && v->drawing[0].count > 0;
@@ -486,10 +486,10 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     free_views(&v);
     if (status != ROBERTS_OK)
         return fail(options, &error, result);
-    return run.found.contradictions > 0 ? EXIT_FAILED : EXIT_DONE; /* the drawing is still written, to be looked at */
+    return run.found.contradictions > 0 ? EXIT_FAILED : EXIT_DONE; /* the drawing is still written, for inspection */
 }
 
-/* Joins parts and draws them. Their models take the place of the inputs, in titles and messages. */
+/* Joins parts and draws them. Titles and messages name their models in place of the inputs. */
 static int draw_joined(const cli_options *given, run_stats run, picture_result *result)
 {
     cli_options own = *given;

@@ -1,4 +1,4 @@
-/* picture.h - from the files to what is written: a scene and one picture of it, or one from each of several sides. */
+/* picture.h - from the input files to the output: a scene and one picture of it, or one from each of several sides. */
 #ifndef ROBERTS_CLI_PICTURE_H
 #define ROBERTS_CLI_PICTURE_H
 

@@ -1,4 +1,4 @@
-/* report.c - what --stats, --verify and --pick say. */
+/* report.c - the reports of --stats, --verify and --pick. */
 #include "cli/report.h"
 
 #include <inttypes.h>
@@ -66,7 +66,7 @@ static void add_tally(roberts_tally *sum, const roberts_tally *t)
     sum->refined += t->refined;
 }
 
-/* Adds up what was counted and timed in all views. The sum has no segments. */
+/* Adds up the counts and times of all views. The sum has no segments. */
 static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
 {
     roberts_drawing sum = *drawing;
@@ -127,7 +127,7 @@ static void print_stages(FILE *log, const stage *stages, size_t count, bool json
             fprintf(log, "%14.3f%12.3f  %s\n", stages[i].time.cpu, stages[i].time.wall, stages[i].name);
 }
 
-/* The ways of the pen; nothing where there is no page. */
+/* The travel of the pen; nothing if there is no page. */
 static void print_ink(FILE *log, const roberts_ink *ink, const roberts_placement *placement, bool json)
 {
     char ratio[REPORT_RATIO];
@@ -157,7 +157,7 @@ bool report_ratio(const roberts_ink *ink, const roberts_placement *placement, ch
     return true;
 }
 
-/* What --verify found, in JSON only: report_verify() has already told people. null without --verify. */
+/* The results of --verify, only in JSON: report_verify() has already printed them as text. null without --verify. */
 static void print_verified(FILE *log, const cli_options *options, const roberts_verification *found)
 {
     if (options->stats == STATS_JSON && !options->verify)
@@ -336,7 +336,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
 
 /* ---- --pick ---- */
 
-/* Somebody who misses the whole picture may have measured millimetres on the page. */
+/* A point outside the whole picture may have been measured in millimetres on the page. */
 static void tell_nothing_picked(const cli_options *options, const roberts_scene *scene, roberts_vec2 p)
 {
     roberts_vec2 low, high;

@@ -1,8 +1,8 @@
-/* signals.c - what the program does on signals, and the processes that work for it.
+/* signals.c - signals, and worker processes.
  *
- * Handlers read only what is written whole: a pointer to a constant, numbers that fit a sig_atomic_t, and a name while
- * its `unfinished` is set. They call unlink(), kill(), waitpid(), signal(), raise(), write() and alarm() alone, which
- * are async-signal-safe. */
+ * Handlers read only data that are written atomically: a pointer to a constant, numbers that fit a sig_atomic_t, and a
+ * name while its `unfinished` is set. They call only unlink(), kill(), waitpid(), signal(), raise(), write() and
+ * alarm(), which are async-signal-safe. */
 /* for MAP_ANONYMOUS */
 #define _DEFAULT_SOURCE /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include "cli/signals.h"
@@ -49,7 +49,7 @@ static void on_signal(int number)
         }
     remove_unfinished(own);
     signal(number, SIG_DFL);
-    raise(number); /* comes when the handler has returned */
+    raise(number); /* arrives when the handler has returned */
 }
 
 void signals_prepare(void)
@@ -103,7 +103,7 @@ pid_t signals_fork(int number)
             return -1;
         workers = shared;
     }
-    /* no signal finds a worker that takes itself for its parent, or a parent that does not know its worker */
+    /* so no signal finds a worker with its parent's data, or a parent that does not know its worker yet */
     sigemptyset(&set);
     for (size_t i = 0; i < sizeof ending / sizeof ending[0]; i++)
         sigaddset(&set, ending[i]);

@@ -1,5 +1,5 @@
-/* signals.h - what the program does on signals: it removes unfinished files when it is interrupted, ends its workers,
- * and once a second it says on a terminal what is being done. */
+/* signals.h - signals: an interrupted program removes unfinished files and ends its workers. Once a second, a line on
+ * the terminal shows the progress. */
 #ifndef ROBERTS_CLI_SIGNALS_H
 #define ROBERTS_CLI_SIGNALS_H
 
@@ -21,10 +21,10 @@ void signals_temporary(void *context, const char *path);
 enum { SIGNALS_WORKERS = 64 };
 
 /* As fork(), with a number that no living worker has. A worker is ended by SIGTERM when this process ends, however that
- * happens (on Linux; elsewhere it has to look for that itself), and removes its unfinished file. */
+ * happens (on Linux; elsewhere it must detect that itself), and removes its unfinished file. */
 pid_t signals_fork(int number);
 
-/* Ends a worker. signals_reap() has to follow. */
+/* Ends a worker. signals_reap() must follow. */
 void signals_kill(int number);
 
 /* Waits until a worker has ended, and removes the file that it has left unfinished. Returns its status as waitpid()
@@ -33,17 +33,17 @@ int signals_reap(int number);
 
 /* ---- progress ---- */
 
-/* From now on, a line once a second. Where this is never called there is no line, and the other functions do
+/* From now on, prints a line once a second. If this is never called there is no line, and the other functions do
  * nothing. */
 void progress_begin(void);
 
-/* What is being done: a constant, such as "reading". */
+/* The current stage: a constant, such as "reading". */
 void progress_stage(const char *name);
 
 /* `done` of `total` files or pictures. From any thread, but one at a time. */
 void progress_count(size_t done, size_t total);
 
-/* Takes the line away, and keeps it away until progress_show(): around messages. */
+/* Hides the line until progress_show(): around messages. */
 void progress_hide(void);
 void progress_show(void);
 

@@ -17,7 +17,7 @@ static void *field(const option *o, cli_options *options)
     return (char *)options + o->field;
 }
 
-/* Says that a value is not in low .. high; high = DBL_MAX: any that is not less. */
+/* Reports that a value is not in low .. high; high = DBL_MAX: there is no upper limit. */
 static int refuse_range(const char *what, const char *value, double low, double high, const char *unit)
 {
     if (high == DBL_MAX)
@@ -210,7 +210,7 @@ int values_set_fill_rule(const option *o, const char *value, cli_options *option
 
 /* ---- page ---- */
 
-/* ISO 216, and what North America uses */
+/* ISO 216, and the sizes of North America */
 const char *const values_pages[] = {"a0", "a1", "a2", "a3", "a4", "a5",     "a6",    "b0",      "b1",
                                     "b2", "b3", "b4", "b5", "b6", "letter", "legal", "tabloid", NULL};
 
@@ -221,7 +221,7 @@ int values_set_page(const option *o, const char *value, cli_options *options)
                                       {353, 500},     {250, 353},    {176, 250},   {125, 176},  {215.9, 279.4},
                                       {215.9, 355.6}, {279.4, 431.8}};
     roberts_page *page = &options->draw.page;
-    char word[64]; /* in small letters, as of "A4", "210X297" */
+    char word[64]; /* in lower case, e.g. for "A4", "210X297" */
     size_t length = strlen(value) < sizeof word ? strlen(value) : sizeof word - 1;
     for (size_t i = 0; i < length; i++)
         word[i] = (char)(value[i] >= 'A' && value[i] <= 'Z' ? value[i] - 'A' + 'a' : value[i]);
@@ -642,7 +642,7 @@ int values_set_text_mode(const option *o, const char *value, cli_options *option
 
 const char *const values_fields[] = {"owner", "author", "approved", "number", "revision", "date", "sheet", NULL};
 
-/* NAME=TEXT; the last one of a name counts. */
+/* NAME=TEXT; the last text of a name counts. */
 int values_set_field(const option *o, const char *value, cli_options *options)
 {
     char word[16];
@@ -663,7 +663,7 @@ int values_set_field(const option *o, const char *value, cli_options *options)
 
 const char *const values_dimensions[] = {"overall", NULL};
 
-/* v4-v17, or 4-17 as edges are labelled. */
+/* v4-v17, or 4-17 as in labels of edges. */
 static bool read_distance(char *word, roberts_distance *distance)
 {
     char *second = strchr(word, '-');

@@ -4,7 +4,7 @@
 
 #include "cli/options.h"
 
-/* Words that values are chosen from, ending with NULL. */
+/* Words that a value can be, ending with NULL. */
 extern const char *const values_formats[];
 extern const char *const values_fill_rules[];
 extern const char *const values_sheets[];

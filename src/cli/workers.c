@@ -1,7 +1,7 @@
 /* workers.c - processes that do numbered tasks, several at a time.
  *
- * Each worker has a socket, on which it gets the number of a task and returns a report. The end of the socket is the
- * end of the worker, whatever has ended it; and a worker whose socket ends has no more to do, or no parent any more. */
+ * Each worker has a socket, on which it gets the number of a task and returns a report. When the socket closes, the
+ * worker has ended, for whatever reason. If a worker sees it close, there is no more to do, or the parent has ended. */
 #include "cli/workers.h"
 
 #include <errno.h>
@@ -23,7 +23,7 @@ typedef struct worker {
     bool busy, fresh;
     size_t task;
     double begun;
-    size_t told; /* bytes of the report and of its size that have come */
+    size_t told; /* bytes received of the report and of its size */
     size_t size;
     char *report;
 } worker;
@@ -111,12 +111,12 @@ static bool start(crew *c, int number)
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0)
         return false;
-    fflush(NULL); /* what waits in buffers is not for the worker to write */
+    fflush(NULL); /* the worker must not write data that wait in the parent's buffers */
     const pid_t process = signals_fork(number);
     if (process == 0) {
         for (int i = 0; i < SIGNALS_WORKERS; i++)
             if (c->member[i].socket >= 0)
-                close(c->member[i].socket); /* otherwise they would not end with that process */
+                close(c->member[i].socket); /* otherwise workers would not end with that process */
         close(ends[0]);
         serve(c->plan, ends[1]);
         exit(0); /* not _exit(): LLVM's OpenMP would leave a file in shared memory */
@@ -140,7 +140,7 @@ static int dismiss(worker *w, int number)
     return signals_reap(number);
 }
 
-/* If the worker has died meanwhile, the end of its socket tells. */
+/* If the worker has died meanwhile, its socket is closed. */
 static void hand_out(worker *w, size_t task)
 {
     w->busy = true;
@@ -163,7 +163,7 @@ static void hand_out_next(crew *c, int number)
         hand_out(w, c->next++);
 }
 
-/* The task of a worker has ended. A worker that is no more, or not wanted any more, makes room for another. */
+/* The task of a worker has ended. A worker that has died, or is no longer wanted, makes room for another. */
 static void end_task(crew *c, int number, worker_outcome *outcome)
 {
     worker *w = &c->member[number];
@@ -188,7 +188,7 @@ static void end_task(crew *c, int number, worker_outcome *outcome)
     free(report);
 }
 
-/* Takes what has come of a report. Returns false where the worker has ended. */
+/* Receives available bytes of a report. Returns false if the worker has ended. */
 static bool take_report(worker *w)
 {
     const size_t head = sizeof w->size;
@@ -231,8 +231,8 @@ static int time_left(const crew *c)
     return (int)ceil(fmin(fmax(1000.0 * least, 0.0), INT_MAX));
 }
 
-/* Waits for reports, for ends, and until a task is late. poll() takes no more than there may be open files, so only
- * the busy workers are shown to it. */
+/* Waits for reports, for ends, and until a task is late. poll() accepts no more descriptors than the limit on open
+ * files, so it gets only the busy workers. */
 static void wait_for_some(crew *c)
 {
     struct pollfd from[SIGNALS_WORKERS];

@@ -20,22 +20,22 @@ typedef struct worker_outcome {
     worker_end end;
     const char *report; /* WORKER_REPORTED: `size` bytes; NULL: the worker had no memory for it */
     size_t size;
-    int status;     /* WORKER_DIED: as waitpid() gives it; WORKER_UNSTARTED: errno */
+    int status;     /* WORKER_DIED: as waitpid() returns it; WORKER_UNSTARTED: errno */
     bool fresh;     /* the worker had done nothing before */
-    double seconds; /* on the clock, since the task was handed out */
+    double seconds; /* wall-clock time since the task was handed out */
 } worker_outcome;
 
 typedef struct worker_plan {
     size_t tasks;          /* numbered from 0 */
-    int workers;           /* at most so many at a time; at least 1, at most SIGNALS_WORKERS */
-    double limit_seconds;  /* for a task, on the clock; 0: none */
-    uint64_t limit_memory; /* bytes of address space for a worker, beyond what it has when it begins; 0: none */
+    int workers;           /* the most at a time, from 1 to SIGNALS_WORKERS */
+    double limit_seconds;  /* for a task, wall-clock time; 0: none */
+    uint64_t limit_memory; /* bytes of address space for a worker, beyond what it has at its start; 0: none */
     void *context;         /* for these functions: */
     void (*begin)(void *); /* in a worker, before its first task */
     /* In a worker: does a task. Returns `*size` bytes that malloc() has allocated; NULL: no memory. */
     char *(*work)(void *, size_t task, size_t *size);
-    /* In this process, one at a time, as tasks end. False: a fresh worker is to do this task again, which is possible
-     * only if this one was not fresh. */
+    /* Called in this process, one at a time, as tasks end. False: a fresh worker shall repeat the task, which is
+     * possible only if this one was not fresh. */
     bool (*finish)(void *, const worker_outcome *outcome);
 } worker_plan;
 

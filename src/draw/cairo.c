@@ -1,11 +1,11 @@
 /* cairo.c - the page as PostScript and EPS, by Cairo's surfaces; strokes and pens for all of Cairo's surfaces.
  *
- * On every surface Cairo computes the outline of each stroke, to know what it touches. One stroke for each segment
+ * On every surface Cairo computes the outline of each stroke, to find what it touches. One stroke for each segment
  * takes several times as long as one stroke for many segments. But the outline of 100,000 segments takes 600 MB, and
  * strokes of more than 1,000 segments are no faster.
  *
- * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Files carry no date, so that the same drawing gives the same
- * bytes: from the stream of PostScript the date's line is dropped. */
+ * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Files have no date, so that the same drawing gives the same
+ * bytes: the line with the date is dropped from the PostScript stream. */
 #include "draw/cairo.h"
 
 #include <cairo-ps.h>

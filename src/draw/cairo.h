@@ -12,7 +12,7 @@ void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, robert
 /* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
 void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end);
 
-/* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: the output knows the reason. */
+/* Turns a failure in Cairo into ours. After a failed write it returns ROBERTS_OK: the output stores the reason. */
 roberts_status surface_failure(cairo_status_t status, roberts_error *error);
 
 /* Paints all fills, translucent ones as they look on the page's background. */

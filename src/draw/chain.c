@@ -1,9 +1,9 @@
 /* chain.c - pieces on the page become polylines.
  *
- * Places are kept in a hash: an end belongs to the first place found within PIECE_TOUCH of it. Cells are four times as
- * wide, so that an end looks into a neighbour only near a border. Then every piece is walked once. A connected figure
+ * Places are stored in a hash: an end belongs to the first place found within PIECE_TOUCH of it. Cells are four times
+ * as wide, so an end needs a neighbour cell only near a border. Then every piece is walked once. A connected figure
  * takes k polylines if 2 k of its places are odd, that is, an odd number of pieces ends there; and one closed polyline
- * if no place is odd (Euler). So walks start at odd places first, and what is left are closed lines. */
+ * if no place is odd (Euler). So walks start at odd places first, and the rest are closed lines. */
 #include "draw/chain.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@
 enum {
     PLACE_CELL = 4,     /* units */
     LOOK_AT_MOST = 8,   /* of the pieces at a place, to find the one that goes straight on */
-    ENDS_AT_A_TIME = 32 /* ends in a group, so that memory can be asked for ahead */
+    ENDS_AT_A_TIME = 32 /* ends in a group, so that memory can be prefetched */
 };
 
 typedef struct place {
@@ -84,7 +84,7 @@ bool polylines_copy(const polylines *from, polylines *out)
     return true;
 }
 
-/* Appends a point. It replaces the last point if that lies on the straight way to it. */
+/* Appends a point. It replaces the last point if that lies on the straight line to it. */
 static bool add_point(polylines *out, page_point at)
 {
     if (out->item[out->count - 1].count < 2)
@@ -96,7 +96,7 @@ static bool add_point(polylines *out, page_point at)
     return true;
 }
 
-/* Closes a line that has come back to where it began. Drops its first point if that lies on a straight way. */
+/* Closes a line that has returned to its start. Drops its first point if that lies on a straight line. */
 static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
@@ -176,7 +176,7 @@ static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
 }
 
-/* Where to look for the place of a point. */
+/* The cells that may hold the place of a point. */
 typedef struct search {
     page_point at;
     uint32_t *cell[4]; /* may hold places within PIECE_TOUCH; the first is its own */
@@ -292,7 +292,8 @@ static uint32_t other_end(const link *l, uint32_t from)
     return l->from == from ? l->to : l->from;
 }
 
-/* Keeps one of several links between the same two places: their pieces are so near each other that they are one. */
+/* Keeps one of several links between the same two places: their pieces are so near each other that they count as
+ * one. */
 static void drop_doubles(net *n)
 {
     for (uint32_t at = 0; at < n->place_count; at++) {
@@ -308,14 +309,14 @@ static void drop_doubles(net *n)
 
 /* ---- walks ---- */
 
-/* Takes a link off the list of a place. The last link of the list takes its position. */
+/* Removes a link from the list of a place. The last link of the list takes its position. */
 static void leave_out(net *n, uint32_t at, uint32_t index)
 {
     place *p = &n->place[at];
     n->leaving[p->start + index] = n->leaving[p->start + --p->left];
 }
 
-/* Drops drawn links from the part of a place's list that the next choice looks at. */
+/* Drops drawn links from the part of a place's list that the next choice examines. */
 static void tidy(net *n, uint32_t at)
 {
     const place *p = &n->place[at];

@@ -26,7 +26,7 @@ typedef struct piece {
 typedef struct pieces {
     piece *item;
     size_t count;
-    const uint32_t *part; /* by number: pieces of different parts are not joined; NULL: all are of one part */
+    const uint32_t *part; /* by number: pieces of different parts are not joined; NULL: there is only one part */
 } pieces;
 
 /* A point of the page, in its units. */
@@ -55,7 +55,7 @@ static inline double page_distance(page_point p, page_point q)
     return sqrt(page_square(p, q));
 }
 
-/* Whether q lies exactly on the straight way from p to r. */
+/* Whether q lies exactly on the straight line from p to r. */
 static inline bool page_is_between(page_point p, page_point q, page_point r)
 {
     int64_t ax = q.x - (int64_t)p.x, ay = q.y - (int64_t)p.y, bx = r.x - (int64_t)q.x, by = r.y - (int64_t)q.y;
@@ -96,11 +96,13 @@ typedef struct polylines {
 enum { CHAIN_POINTS_MAX = 5000 };
 
 /* Appends the pieces of one class as polylines, so that no two of them end at one place. Ends within PIECE_TOUCH of
- * each other are one place. Where more than two pieces meet, the line goes on as straight as it can. False: no memory.
+ * each other are one place. Where more than two pieces meet, the line continues as straight as possible. False: no
+ * memory.
  */
 bool chain_pieces(const pieces *p, roberts_line line, polylines *out);
 
-/* The same in the order of the pieces. A polyline goes on with the next piece if that starts or ends where it ends. */
+/* The same in the order of the pieces. A polyline continues with the next piece if that starts or ends where it
+ * ends. */
 bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
 
 /* Makes a polyline of each piece by itself, with its number. */

@@ -1,9 +1,9 @@
 /* collinear.c - pieces are sorted to the lines that they lie on, by a hash of direction and distance from the origin.
  *
- * The cells of the hash are wider than the distance at which pieces coincide. So a piece looks into its own cell, and
- * into a neighbour only if it lies near the border. In drawings of millions of pieces a cell holds many lines. The
- * distance and direction kept with each line rule out nearly all that do not coincide, without a look at its longest
- * piece.
+ * The cells of the hash are wider than the distance at which pieces coincide. So a piece is compared within its own
+ * cell, and with a neighbour only if it lies near the border. In drawings of millions of pieces a cell holds many
+ * lines. The distance and direction stored with each line exclude nearly all that do not coincide, without reading its
+ * longest piece.
  *
  * A direction is measured on the upper half of the diamond |x| + |y| = 1, from 0 to 2. It grows at least half as fast
  * as the angle. Directions are turned first, so that the wrap from 2 to 0, where a line's sign changes, is at an angle
@@ -25,8 +25,8 @@ enum { DIRECTIONS = 25000 }; /* cells from 0 to 2, each 2.7 times as wide as sam
 
 static const double direction_cell = 2.0 / DIRECTIONS;
 
-/* In large drawings nearly every step waits for memory. So pieces are taken in groups, and each step on a group asks
- * for the memory that the next step needs. Groups of 16 are as fast as groups of 64. */
+/* In large drawings nearly every step waits for memory. So pieces are taken in groups, and each step on a group
+ * prefetches the memory that the next step needs. Groups of 16 are as fast as groups of 64. */
 enum { AT_A_TIME = 16 };
 
 enum { BITS_MOST = 31 }; /* of the hash */
@@ -44,7 +44,7 @@ typedef struct sorter {
     page_lines *lines;
     roberts_vec2 origin;  /* the middle of all pieces */
     double half;          /* half of the diagonal round them */
-    double reach;         /* most that distances of coincident lines differ by */
+    double reach;         /* greatest difference of the distances of coincident lines */
     uint32_t *head, bits; /* of the hash, 2^bits cells: the first line of each, or NO_LINE */
     uint32_t *line_of;    /* [pieces] */
 } sorter;
@@ -116,7 +116,7 @@ static bool may_coincide(const sorter *s, const page_line *c, bearing at)
 {
     const double rounding = 1e-3 + 1e-6 * s->half; /* units: floats of up to `half`, and of up to 2, times twice that */
     double angle =
-        2.0 * fabs(at.direction - (double)c->direction); /* far too large where directions wrap, which does no harm */
+        2.0 * fabs(at.direction - (double)c->direction); /* far too large where directions wrap, which is harmless */
     return fabs((double)c->near - at.distance) <= PIECE_TOUCH + rounding + angle * s->half;
 }
 
@@ -144,7 +144,7 @@ static double distance_cell(const sorter *s)
     return 2.0 * s->reach; /* narrow, so that a cell holds few of a million lines */
 }
 
-/* Where in the hash to look for the line of a piece. */
+/* The cells of the hash that may hold the line of a piece. */
 typedef struct search {
     uint32_t hash[4]; /* of cells; the first is its own */
     int cells;
@@ -208,7 +208,7 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     s->line_of[i] = line;
 }
 
-/* Sorts the pieces first .. first + count - 1, whose cells have been asked for. */
+/* Sorts the pieces first .. first + count - 1, whose cells have been prefetched. */
 static void sort_some(sorter *s, const search *f, size_t first, size_t count)
 {
     for (size_t i = 0; i < count; i++)

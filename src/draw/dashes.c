@@ -18,18 +18,18 @@
 
 #include "base/error.h"
 
-static const double least_dash_widths = 1.5; /* widths of the pen: a shorter dash looks like a dot */
-static const double dot_units = 2.0;         /* shortest way of the lowered pen: its ends differ once rounded */
+static const double least_dash_widths = 1.5;          /* widths of the pen: a shorter dash looks like a dot */
+static const double dot_units = 2.0;                  /* shortest stroke of the pen: its ends differ once rounded */
 static const double curve_cosine = 0.939692620785908; /* turns of up to 20 degrees: a polygon of 18 sides or more */
 static const double straight_units = 2.0; /* a point so near to the line of its neighbours was moved by rounding */
 
 /* ---- from corner to corner ---- */
 
-/* Where a walk along a polyline is. */
+/* The position of a walk along a polyline. */
 typedef struct walker {
     const page_point *p;
     uint32_t count; /* points */
-    uint32_t side;  /* the walk is on this side, from p[side] to the next; it grows on, lap after lap */
+    uint32_t side;  /* the walk is on this side, from p[side] to the next; counted on, lap after lap */
     uint32_t end;   /* the run ends before this side */
     bool closed;
     double at, length; /* position on that side, and its length */
@@ -90,7 +90,7 @@ static bool add(polylines *out, page_point at)
     return same || polylines_append(out, at);
 }
 
-/* Goes on by `way`, or to the end of the run. Adds the way to the last polyline of `out`, unless that is NULL. False:
+/* Advances by `way`, or to the end of the run. Adds the way to the last polyline of `out`, unless that is NULL. False:
  * no memory. */
 static bool go(walker *w, double way, polylines *out)
 {
@@ -109,7 +109,7 @@ static bool go(walker *w, double way, polylines *out)
 
 /* ---- the pattern on a run ---- */
 
-/* How a run is cut: lengths are ways of the pen. */
+/* How a run is cut: lengths along the path of the pen. */
 typedef struct fit {
     size_t gaps; /* 0: drawn whole */
     double down, up;

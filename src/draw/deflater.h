@@ -19,7 +19,7 @@ bool deflater_start(deflater *d, int level, roberts_write_fn *write, void *conte
 /* A roberts_write_fn: compresses bytes for the deflater `context`. False: a write has failed. */
 bool deflater_write(void *context, const void *bytes, size_t size);
 
-/* Writes what is left. False: a write has failed. */
+/* Writes the rest. False: a write has failed. */
 bool deflater_finish(deflater *d);
 
 void deflater_end(deflater *d);

@@ -187,10 +187,10 @@ bool dimensions_add(strokes *s)
 
 /* ---- distances between two vertices ------------------------------------------------------------------------------ */
 
-/* A distance is seen in true length where both vertices are equally deep. It is drawn once, in one such view: if there
- * are several, in the first one that shows both vertices. The dimension line may stand on either side, nearer or
- * farther, with its text in the middle or beyond an end. Each of these places has a cost: what lies there already, and
- * how far it is. The cheapest place on which the text is free is taken. */
+/* A distance is seen in true length if both vertices are equally deep. It is drawn once, in one such view: if there are
+ * several, in the first one that shows both vertices. The dimension line may stand on either side, nearer or farther,
+ * with its text in the middle or beyond an end. Each place has a cost: the lines that lie there already, and its
+ * distance. The cheapest place with room for the text is taken. */
 
 enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
 
@@ -198,9 +198,9 @@ enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on p
 static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure */
 static const double beyond_mm = 8.0;                  /* text beyond an end, from that end */
 static const double margin_mm = 0.6;                  /* kept free round text and lines */
-static const double step_mm = 2.0;                    /* parts in which a line is looked at */
+static const double step_mm = 2.0;                    /* parts in which a line is examined */
 
-/* Depth of a distance seen in true length, as a part of it: what rounding to five digits leaves. */
+/* Greatest depth of a distance seen in true length, as a fraction of it: the effect of rounding to five digits. */
 static const double level_part = 1e-5;
 
 /* Costs, in mm of lines that a dimension line lies on. */
@@ -225,7 +225,7 @@ static bool shows(const strokes *s, const page_view *view, uint32_t number)
     return false;
 }
 
-/* Finds the view that shows a distance best. `best->view` is NULL where none shows it in true length. */
+/* Finds the view that shows a distance best. `best->view` is NULL if none shows it in true length. */
 static roberts_status find_view(const strokes *s, const roberts_distance *of, const roberts_vec3 end[2],
                                 seen_distance *best, roberts_error *error)
 {
@@ -254,7 +254,7 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
 
 /* ---- where it goes ---- */
 
-/* What lies in a box with `margin_mm` round it; infinite on other text, or beyond the frame. */
+/* The cost of a box with `margin_mm` round it; infinite on other text, or beyond the frame. */
 static double box_cost(const strokes *s, const page_room *r, room_box box)
 {
     box = (room_box){{box.min.x - margin_mm, box.min.y - margin_mm}, {box.max.x + margin_mm, box.max.y + margin_mm}};
@@ -277,7 +277,7 @@ static double line_cost(const strokes *s, const page_room *r, roberts_vec2 a, ro
     return cost;
 }
 
-/* The cost of what is drawn; infinite where the text is not free. */
+/* The cost of the lines already there; infinite if there is no room for the text. */
 static double drawn_cost(const strokes *s, const page_room *r, const dimension *d)
 {
     dimension_lines l;
@@ -297,7 +297,8 @@ static double drawn_cost(const strokes *s, const page_room *r, const dimension *
     return cost;
 }
 
-/* Place number `i` of a distance; false: the text has no room between its ends. `*cost` receives how far it is. */
+/* Place number `i` of a distance; false: the text has no room between its ends. `*cost` receives the cost of its
+ * distance. */
 static bool nth_place(const strokes *s, const seen_distance *seen, size_t i, dimension *d, double *cost)
 {
     const roberts_vec2 a = seen->at[0], b = seen->at[1];
@@ -338,7 +339,7 @@ static bool find_place(const strokes *s, const page_room *r, const seen_distance
     return least < INFINITY;
 }
 
-/* Draws a dimension, and keeps its place free. */
+/* Draws a dimension, and reserves its place. */
 static bool add_to_page(strokes *s, page_room *r, const dimension *d)
 {
     const size_t lines = s->notes.lines.count, boxes = s->taken_count;

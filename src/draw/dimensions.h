@@ -5,11 +5,11 @@
 #include "draw/room.h"
 #include "draw/strokes.h"
 
-/* What dimensions need beside a view, mm. */
+/* The space that dimensions need beside a view, mm. */
 #define DIMENSION_ROOM 18.0
 
-/* Adds width, height and depth to s->notes, and what labels keep away from to s->taken. The sheet has been laid. False:
- * no memory. */
+/* Adds width, height and depth to s->notes, and the space that labels must avoid to s->taken. The sheet has been laid
+ * out. False: no memory. */
 bool dimensions_add(strokes *s);
 
 /* Whether s->options ask for distances on a sheet. */
@@ -20,7 +20,7 @@ bool distances_wanted(const strokes *s);
  * _NO_MEMORY or _BAD_ARGUMENT (a vertex is not there, or both are at one place). */
 roberts_status distances_add(strokes *s, page_room *r, roberts_error *error);
 
-/* A dimension on its way to the page; mm. */
+/* A dimension while it is laid out; mm. */
 typedef struct dimension {
     roberts_vec2 corner[2]; /* what is measured; an extension line runs from each to its end of the dimension line */
     roberts_vec2 end[2];    /* of the dimension line */

@@ -1,4 +1,4 @@
-/* dxf.c - the page as DXF of AutoCAD release 12, in text: the oldest that all readers know.
+/* dxf.c - the page as DXF of AutoCAD release 12, as text: the oldest that all readers know.
  *
  * A class is a layer with its colour and line type. Drawing units are mm, the origin is the lower left corner of the
  * page, and y is up. A stroke of two points is a LINE, any other a POLYLINE. Release 12 knows no widths of lines, and
@@ -11,7 +11,7 @@
 #include "draw/formats.h"
 #include "draw/plot.h"
 
-enum { BLACK_OR_WHITE = 7 /* the colour that stands out from the screen */, COLORS = 256 };
+enum { BLACK_OR_WHITE = 7 /* the colour that contrasts with the screen */, COLORS = 256 };
 
 typedef struct dxf {
     const strokes *s;
@@ -36,7 +36,7 @@ static void write_text(output *out, uint32_t code, const char *text)
     output_bytes(out, "\n", 1);
 }
 
-/* Names have capital letters alone, as release 12 wants them. */
+/* Names have only capital letters, as release 12 requires. */
 static void write_name(output *out, uint32_t code, const char *before, const char *name)
 {
     write_code(out, code);
@@ -105,7 +105,7 @@ static double color_distance(const roberts_pen *pen, int number)
     return hypot(hypot(rgb[0] - pen->red, rgb[1] - pen->green), rgb[2] - pen->blue);
 }
 
-/* The colour nearest to the pen's, the first of several. For black it is the one that stands out from the screen. */
+/* The colour nearest to the pen's, the first of several. Black becomes the colour that contrasts with the screen. */
 static uint32_t nearest_color(const roberts_pen *pen)
 {
     int nearest = BLACK_OR_WHITE;
@@ -193,7 +193,7 @@ static bool has_layer(const strokes *s, int i)
     return s->start[i] < s->start[i + 1] || has_text(s, line_order[i]);
 }
 
-/* Layer 0 has to be there; nothing is on it. */
+/* Layer 0 is required; nothing is on it. */
 static void write_layers(const dxf *p)
 {
     uint32_t layers = 1;
@@ -282,7 +282,8 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
 /* ---- text ---- */
 
 /* What is not ASCII is written as \U+00E9, beyond 16 bits as two of these. A byte that is not UTF-8, or a control
- * character, becomes a question mark. Two percent signs would begin a special character; three are one of them. */
+ * character, becomes a question mark. Two percent signs would begin a special character; three mean one percent
+ * sign. */
 static void write_string(output *out, uint32_t code, const char *text)
 {
     size_t length;

@@ -1,9 +1,8 @@
 /* fills.c - see fills.h.
  *
  * The sides of all regions are sorted by their ends. Where two regions of one colour share a side, it is dropped; where
- * the colours differ, it gets a seam. The sides of a colour that are left are joined to rings. Two regions have the
- * same corners along a border, and those are rounded to the same points of the page, so nothing is compared but whole
- * numbers. */
+ * the colours differ, it gets a seam. The remaining sides of a colour are joined to rings. Two regions have the same
+ * corners along a border, which are rounded to the same points of the page, so only whole numbers are compared. */
 #include "draw/fills.h"
 
 #include <math.h>
@@ -13,14 +12,14 @@
 #include "draw/page_regions.h"
 #include "draw/shade.h"
 
-/* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers what smoothing leaves open. Where
- * lines bound the picture, it is no wider than these, so that it does not stick out of what is thin. */
+/* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers the gaps that smoothing leaves.
+ * Where lines bound the picture, it is no wider than these, so that it does not stick out of thin parts. */
 static const double widest_seam = 0.4, narrowest_seam = 0.15;
 
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
-/* For colours side by side below black lines, told apart by the colour-blind, too: the scheme "light" of P. Tol,
- * "Colour schemes", SRON technical note 09-002, 2021. */
+/* Colours for neighbouring areas below black lines, which the colour-blind can distinguish too: the scheme "light" of
+ * P. Tol, "Colour schemes", SRON technical note 09-002, 2021. */
 static const fill_color palette[] = {{119, 170, 221, 255}, {238, 136, 102, 255}, {238, 221, 136, 255},
                                      {255, 170, 187, 255}, {153, 221, 255, 255}, {68, 187, 153, 255},
                                      {187, 204, 51, 255},  {170, 170, 0, 255},   {221, 221, 221, 255}};
@@ -86,7 +85,7 @@ fill_color fills_on_paper(const roberts_draw_options *options, fill_color color)
 
 /* ---- sides ----------------------------------------------------------------------------------------------------- */
 
-/* A side of what has one colour, or one direction of a seam. */
+/* A side of an area of one colour, or one direction of a seam. */
 typedef struct fill_side {
     page_point a, b;
     uint32_t key; /* its colour */
@@ -181,7 +180,7 @@ static bool add_seam(fill_work *w, size_t from, size_t to)
            (add_side(&w->seam, first->a, first->b, first->key) && add_side(&w->seam, first->b, first->a, first->key));
 }
 
-/* Notes the ends of sides that have nothing filled on their other side. False: no memory. */
+/* Records the ends of sides with nothing filled on their other side. False: no memory. */
 static bool add_rim(fill_work *w, size_t from, size_t to)
 {
     const fill_side *first = &w->side.item[from];
@@ -257,7 +256,7 @@ static size_t first_from(const side_list *sides, const fill_side *key)
     return low;
 }
 
-/* Whether d comes before e on the way from where a line has come from, clockwise on the paper. */
+/* Whether d comes before e, turning clockwise on the paper from the direction back along the line. */
 static bool turns_sooner(page_point from, page_point at, page_point d, page_point e)
 {
     const double back = atan2((double)from.y - at.y, (double)from.x - at.x), turn = 2.0 * 3.14159265358979323846;
@@ -268,7 +267,7 @@ static bool turns_sooner(page_point from, page_point at, page_point d, page_poin
     return to_d < to_e;
 }
 
-/* The side that goes on from where another one ends; of several, that which turns round what is filled. SIZE_MAX: there
+/* The side that continues where another one ends; of several, the one that goes round the filled area. SIZE_MAX: there
  * is none. */
 static size_t next_side(const side_list *sides, const fill_side *from)
 {
@@ -346,7 +345,7 @@ static page_point moved(page_point p, page_point q, double units)
     return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
 }
 
-/* Draws the seam that begins with side `first`, as far as it goes. Seams have round ends. Where the filled area ends, a
+/* Draws the seam that begins with side `first`, up to its end. Seams have round ends. Where the filled area ends, a
  * seam is cut short by its width, so that its end does not stick out unless the angle there is less than 30 degrees.
  * False: no memory. */
 static bool draw_seam(fill_work *w, size_t first, fills *out)

@@ -21,7 +21,7 @@ typedef struct fill_paint {
 } fill_paint;
 
 typedef struct fills {
-    polylines lines;   /* rings are closed; they wind about what they bound (the rule is nonzero) */
+    polylines lines;   /* rings are closed and are filled by the nonzero rule */
     fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by colour */
     size_t count, room;
     double seam_mm;

@@ -7,8 +7,8 @@
  * as it passes from side to side, and sides along the line do not count.
  *
  * Lines are counted from one point, which is the corner of the page, or the foot of the face's plane. A border between
- * two regions is cut at the same points from both sides. So strokes go on over borders within one tone, and are joined
- * there as all pieces are. */
+ * two regions is cut at the same points from both sides. So strokes continue across borders within one tone, and are
+ * joined there like all pieces. */
 #include "draw/hatch.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@
 /* Depth of strokes: lines that lie on them are drawn. Far from overflow, so that differences are finite. */
 static const double behind_all = -1e300;
 
-/* mm: from farther feet, lines could not be counted. Only faces that are seen nearly from their edge have such feet. */
+/* mm: from farther feet, lines could not be counted. Only faces that are nearly edge-on have such feet. */
 static const double farthest_foot = 1e6;
 
 /* Where a line crosses a ring. */
@@ -42,7 +42,7 @@ typedef struct hatch_lines {
 typedef struct hatch_work {
     const strokes *s;
     pieces *p;
-    size_t *room, first; /* first: pieces that are no hatching */
+    size_t *room, first; /* first: pieces that are not hatching */
     hatch_crossing *crossing;
     size_t crossing_count, crossing_room;
     const page_view *view; /* of the region before */
@@ -52,7 +52,7 @@ typedef struct hatch_work {
 
 /* ---- tone ---- */
 
-/* The light that comes from all round (SHADE_AMBIENT) leaves the paper white. */
+/* The ambient light (SHADE_AMBIENT) leaves the paper white. */
 double hatch_darkness(const roberts_draw_options *options, const roberts_region *region)
 {
     const double levels = options->hatching.levels;
@@ -77,7 +77,7 @@ static roberts_vec2 direction(const roberts_hatching *h, const roberts_region *r
     return (roberts_vec2){turn.x * right.x + turn.y * up.x, -(turn.x * right.y + turn.y * up.y)}; /* y down */
 }
 
-/* Lines for a tone. Those of a face that is seen nearly from its edge are level. */
+/* Lines for a tone. Those of a face that is nearly edge-on are level. */
 static hatch_lines lines_for(const strokes *s, const page_region *on, double degrees, double tone)
 {
     const roberts_hatching *h = &s->options->hatching;
@@ -110,10 +110,10 @@ static hatch_corner corner_at(const hatch_lines *lines, roberts_vec2 p)
                           lines->along.x * q.x + lines->along.y * q.y};
 }
 
-/* Whether a line is drawn if only a part of them is. The lines of a part are drawn in each larger one, too, and are
- * spread as evenly as that allows: the order is that of the radical inverse (J. G. van der Corput,
- * "Verteilungsfunktionen", Proceedings of the Royal Academy of Amsterdam 38, 1935), which turns the bits of a number
- * round. So a half has every second line, a quarter every fourth. */
+/* Whether a line is drawn if only a fraction of the lines is. The lines of a fraction are also drawn for each larger
+ * one, and are spread as evenly as that allows: the order is that of the radical inverse (J. G. van der Corput,
+ * "Verteilungsfunktionen", Proceedings of the Royal Academy of Amsterdam 38, 1935), which reverses the bits of a
+ * number. So a half has every second line, a quarter every fourth. */
 static bool is_drawn(double line, double part)
 {
     const unsigned n = (unsigned)((uint64_t)(int64_t)line & 0xffff);
@@ -205,7 +205,7 @@ static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *
     return add_strokes(w, lines);
 }
 
-/* Hatches one region: what is darker than options->cross gets its further strokes across the others. */
+/* Hatches one region: if it is darker than options->cross, its further strokes run across the others. */
 static bool hatch_region(void *context, const page_region *on)
 {
     hatch_work *w = context;

@@ -1,10 +1,10 @@
 /* hpgl.c - the page as HP-GL/2 (Hewlett-Packard, "HP-GL/2 and HP RTL Reference Guide", 1997), for pen plotters and
  * cutters.
  *
- * A class has a pen (SP). Width and colour of the pen are told, too (PW, PC): plotters with real pens ignore them. 40
- * units are a mm. The origin is the lower left corner of the page, or its middle, and the page may be turned, as the
- * plotter needs it. Coordinates are whole numbers, because many plotters and cutters read no others. So they are true
- * to half a unit, 0.0125 mm. */
+ * A class has a pen (SP). The file also gives the width and colour of the pen (PW, PC): plotters with real pens ignore
+ * them. 40 units are a mm. The origin is the lower left corner of the page, or its middle, and the page may be turned,
+ * as the plotter needs it. Coordinates are whole numbers, because many plotters and cutters read no others. So they are
+ * accurate to half a unit, 0.0125 mm. */
 #include "draw/formats.h"
 #include "draw/plot.h"
 
@@ -87,7 +87,7 @@ static void write_point(output *out, page_point at)
     output_signed(out, at.y);
 }
 
-/* Points that become one by rounding are written once. What is left of a tiny stroke is a dot. */
+/* Points that coincide after rounding are written once. So a tiny stroke becomes a dot. */
 static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
 {
     const hpgl *p = context;

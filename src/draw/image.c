@@ -5,7 +5,7 @@
  * the picture does not depend on the bands. (To leave out strokes that do not touch a band saves little time: Cairo
  * does not fill what is outside.)
  *
- * Each row is filtered by the one above it (PNG's filter "up"): what goes on downward becomes zeros. */
+ * Each row is filtered by the one above it (PNG's filter "up"): equal pixels become zeros. */
 #include <math.h>
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -34,7 +34,7 @@ typedef struct image {
     double pixels_per_mm;
     int width, height, band_height, surface_height, margin; /* in pixels */
     cairo_surface_t *surface;
-    unsigned char *line[2]; /* rows for the file: the one before, and this one behind the byte of its filter */
+    unsigned char *line[2]; /* rows for the file: the previous one, and this one after the byte of its filter */
     deflater deflater;
 } image;
 

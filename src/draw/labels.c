@@ -1,10 +1,10 @@
 /* labels.c - where labels go.
  *
- * A label has a number of places that it may take: round a vertex, on both sides of an edge, about the middle of the
- * largest visible region of a face or body. Each place has a cost: what lies there already, as a length, and how far it
- * is from the best place. Labels choose one by one, those with the fewest places first; then each may choose again a
- * few times, knowing the others. Unless the size of letters is given, smaller ones are tried where the labels find no
- * room. So the work is bounded, and the same page comes out every time. */
+ * A label may take one of several places: round a vertex, on both sides of an edge, about the middle of the largest
+ * visible region of a face or body. Each place has a cost: the length of the lines that lie there already, and its
+ * distance from the best place. Labels choose one by one, those with the fewest places first; then each may choose
+ * again a few times, knowing the others. Unless the size of letters is given, smaller ones are tried where the labels
+ * find no room. So the work is bounded, and the result is always the same. */
 #include "draw/labels.h"
 
 #include <math.h>
@@ -27,17 +27,17 @@ enum {
 };
 
 /* Costs, in mm of lines that a label lies on. */
-static const double beside_best = 0.2; /* a place that is not the best one, at its worst */
+static const double beside_best = 0.2; /* the most that a place costs for not being the best one */
 static const double farther = 0.3;     /* each ring */
-static const double touching = 2.0;    /* anything lies there, however little: worse than any free place */
-static const double on_label = 20.0;   /* another label: then one of them is left out */
+static const double touching = 2.0;    /* for a place with anything on it, however little: worse than any free place */
+static const double on_label = 20.0;   /* for a place on another label: then one of the two is left out */
 
 /* Heights of letters (ISO 3098) that are tried if the usual height leaves too little room. */
 static const double smaller_mm[] = {2.5, 1.8};
-/* The largest part of the labels that may lie on lines before smaller letters are tried. */
+/* The largest fraction of the labels that may lie on lines before smaller letters are tried. */
 static const double most_on_lines = 0.05;
 
-/* What a label names. Vertices that hang together in the picture are one. */
+/* What a label names. Vertices at one place of the picture are one. */
 typedef struct target {
     roberts_label_kind kind;
     uint32_t view, number, other; /* as in roberts_name */
@@ -129,7 +129,7 @@ static bool add_region(const strokes *s, uint32_t v, const roberts_region *regio
     return !(kinds & ROBERTS_LABEL_BODIES) || add_target(t, &one);
 }
 
-/* By view, kind and number; of one thing, what is seen comes first, and the largest part of it. */
+/* By view, kind and number; for one thing, visible parts come first, the largest one first. */
 static int by_thing(const void *a, const void *b)
 {
     const target *p = a, *q = b;
@@ -221,7 +221,8 @@ static const char *find_name(const roberts_lettering *lettering, const target *o
     return NULL;
 }
 
-/* What tells numbers of vertices, faces and bodies apart where several of them are shown. Edges have two numbers. */
+/* The prefix that distinguishes numbers of vertices, faces and bodies if several kinds are shown. Edges have two
+ * numbers. */
 static const char *number_prefix(unsigned kinds, roberts_label_kind kind)
 {
     const unsigned alike = kinds & ~(unsigned)ROBERTS_LABEL_EDGES;
@@ -258,7 +259,7 @@ static size_t count_places(const target *of)
                                               : 1 + 8 * FACE_RINGS;
 }
 
-/* All that labels need to find their places. */
+/* The data for placing labels. */
 typedef struct placing {
     page_room *room;
     double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
@@ -343,7 +344,7 @@ static void choose_place(const placing *p, label *l)
     }
 }
 
-/* What is seen first, and those with the fewest places. */
+/* Visible things first, then those with the fewest places. */
 static int by_freedom(const void *a, const void *b)
 {
     const target *p = ((const label *)a)->of, *q = ((const label *)b)->of;
@@ -371,7 +372,7 @@ static bool place_all(const placing *p, label *l, size_t count)
     return true;
 }
 
-/* Leaves out labels that lie on others, or on no place of the page, those that were placed last first. */
+/* Leaves out labels that lie on others or off the page, starting with those placed last. */
 static void drop_some(label *l, size_t count, page_room *r)
 {
     for (size_t i = count; i-- > 0;) {
@@ -462,7 +463,7 @@ static bool add_strokes(const strokes *s, page_room *r, size_t first, size_t end
     return true;
 }
 
-/* Hatching would leave no room anywhere, so labels may lie on it. It is the undermost class. */
+/* Hatching would leave no room anywhere, so labels may lie on it. It is the lowest class. */
 static bool add_all_strokes(const strokes *s, page_room *r)
 {
     if (!strokes_are_grouped(s->options))
@@ -521,7 +522,7 @@ static bool try_height(placing *p, double height, const strokes *s, const target
     return true;
 }
 
-/* Takes the labels off the page again. */
+/* Removes the labels from the page again. */
 static void take_off(const label *l, size_t count, page_room *r)
 {
     for (size_t i = 0; i < count; i++)

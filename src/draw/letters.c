@@ -20,7 +20,7 @@ static const double capital = 21.0;                                         /* h
 static const double base_line = 9.0, capital_top = -12.0, small_top = -5.0; /* y */
 static const double small_digit = 0.6;                                      /* of subscripts and superscripts */
 
-/* What stands for a character that the fonts lack. */
+/* Replaces a character that the fonts lack. */
 static const char missing_box[] = "JZLFXFX[L[LF";
 
 /* ---- accents ---- */
@@ -39,10 +39,10 @@ typedef enum accent {
     MACRON,
     DOT,
     DOUBLE_ACUTE,
-    CEDILLA, /* from here on below the letter */
+    CEDILLA, /* from here on, marks below the letter */
     OGONEK,
     COMMA,
-    SLASH, /* from here on across the letter, from its middle */
+    SLASH, /* from here on, marks across the letter, from its middle */
     BAR,
     ACCENTS
 } accent;
@@ -90,7 +90,7 @@ static const struct {
     {0x335, BAR, "ĐDđdÐDĦHħh"},
 };
 
-/* Characters that letters without accents stand for, with the bytes of each. */
+/* Characters that unaccented letters replace, with the bytes of each. */
 static const struct {
     const char *character, *plain;
 } plain_letters[] = {
@@ -100,7 +100,7 @@ static const struct {
     {"′", "'"},      {"″", "\""}, {"«", "<<"}, {"»", ">>"}, {"‹", "<"},   {"›", ">"},  {"ð", "d"},
 };
 
-/* Signs that the fonts lack or have for other characters. */
+/* Signs that the fonts lack, or have at other characters. */
 static const struct {
     uint32_t code;
     const char *strokes;
@@ -287,7 +287,7 @@ double text_degrees(const text_line *line)
     return atan2(-line->along.y, line->along.x) * (180.0 / 3.14159265358979323846);
 }
 
-/* A line of text on its way to the page. */
+/* A line of text while it is drawn. */
 typedef struct writer {
     const text_line *line;
     double units_per_mm;
@@ -312,7 +312,7 @@ static void add_point(writer *w, double x, double y)
         w->failed = w->failed || !polylines_append(w->out, p);
 }
 
-/* Takes back a stroke that rounding has left with one point. */
+/* Removes a stroke if rounding has left only one point of it. */
 static void end_stroke(const writer *w)
 {
     polylines *out = w->out;
@@ -360,7 +360,7 @@ static void add_accent(writer *w, char letter, double middle, const composed *c)
     add_strokes(w, accent_strokes[c->accent], (roberts_vec2){middle, y - base_line}, c, true);
 }
 
-/* One character as of a font, with an accent over or below it; 0: none. */
+/* Draws one character in the form of a font, with an accent over or below it; 0: none. */
 static void add_character(writer *w, const char *strokes, char letter, const composed *c)
 {
     const double left = (strokes[0] - ZERO) * c->size, right = (strokes[1] - ZERO) * c->size;

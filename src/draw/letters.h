@@ -17,13 +17,13 @@ typedef struct text_line {
 #define TEXT_LEVEL ((roberts_vec2){1.0, 0.0})
 #define TEXT_UPRIGHT ((roberts_vec2){0.0, -1.0}) /* turned by 90 degrees, to be read from the right */
 
-/* Where the letters of the line stand on their base line: the direction from it to their tops. */
+/* The direction from the base line to the tops of the letters. */
 static inline roberts_vec2 text_upward(roberts_vec2 along)
 {
     return (roberts_vec2){along.y, -along.x};
 }
 
-/* How far letters reach above their base line and below it, as parts of the height of capitals. Accents of capitals
+/* How far letters reach above and below their base line, as fractions of the height of capitals. Accents of capitals
  * reach higher. */
 #define LETTERS_DEPTH (7.0 / 21.0)
 

@@ -1,4 +1,4 @@
-/* notes.c - what stands on a page beside the drawing. */
+/* notes.c - text on a page beside the drawing. */
 #include "draw/notes.h"
 
 #include <stdlib.h>

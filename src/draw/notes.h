@@ -1,5 +1,5 @@
-/* notes.h - what stands on a page beside the drawing: lines of text, and lines that go with them (of a title block, of
- * dimensions). Together they are the class "text", and "hidden-text" where a label names something hidden. */
+/* notes.h - text on a page beside the drawing: lines of text, and the lines of title blocks and dimensions. Together
+ * they are the class "text", or "hidden-text" if a label names something hidden. */
 #ifndef ROBERTS_DRAW_NOTES_H
 #define ROBERTS_DRAW_NOTES_H
 

@@ -91,7 +91,7 @@ static void write_eight(char *out, uint32_t n)
 }
 
 /* Writes digits as %g does: without `e` for exponents from -4 to 16, and without trailing zeros. Copies of a fixed size
- * are a few instructions; what is copied too much lies behind the end. */
+ * are a few instructions; excess bytes lie beyond the end. */
 static size_t write_digits(char *out, uint64_t digits, int exponent)
 {
     char text[2 * DIGITS]; /* the digits, and zeros */
@@ -293,7 +293,7 @@ roberts_status output_error(roberts_error *error, const char *what, int reason)
 
 /* ---- descriptors ---- */
 
-/* Waits until a descriptor that somebody has made non-blocking takes bytes again. */
+/* Waits until a non-blocking descriptor accepts bytes again. */
 static bool wait_writable(int descriptor)
 {
     struct pollfd one = {.fd = descriptor, .events = POLLOUT};

@@ -7,7 +7,8 @@
 
 #include "roberts.h"
 
-/* After a failure everything more is dropped, and the first reason is kept: only output_finish() need be checked. */
+/* After a failure all further output is dropped, and the first reason is kept: only output_finish() needs to be
+ * checked. */
 typedef struct output {
     roberts_write_fn *write;
     void *context;
@@ -25,7 +26,7 @@ void output_number(output *out, double x); /* as decimal_format() */
 void output_integer(output *out, uint32_t n);
 void output_signed(output *out, int32_t n);
 
-/* Writes n with zeros before it, `digits` in all. */
+/* Writes n with leading zeros, `digits` digits in all. */
 void output_digits(output *out, uint64_t n, int digits);
 
 /* Writes n / 1000 with at most three decimals: 0.35, 12, -1189.5. */

@@ -18,13 +18,13 @@
 #include "draw/collinear.h"
 #include "draw/strokes.h"
 
-enum { AHEAD = 16 }; /* memory is asked for this many pieces ahead */
+enum { AHEAD = 16 }; /* memory is prefetched this many pieces ahead */
 
 /* A stretch of a line. */
 typedef struct span {
     double t0, t1;
     uint32_t piece; /* the one seen there */
-    uint32_t first; /* of the pieces joined into the stretch, the one of least number */
+    uint32_t first; /* of the pieces joined into the stretch, the smallest number */
 } span;
 
 /* ---- the nearest on a line ---- */
@@ -52,8 +52,8 @@ static const uint8_t rank[] = {
     [ROBERTS_OUTLINE] = 0, [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2, [ROBERTS_INTERSECTION] = 3,
     [ROBERTS_WIRE] = 4,    [ROBERTS_BACK] = 5,   [LINE_HATCH] = 6};
 
-/* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always goes before a hidden one,
- * which may be nearer: it may lie just below the surface of the solid whose edge is seen. */
+/* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always wins over a hidden one.
+ * That one may be nearer: it may lie just below the surface of the solid whose edge is seen. */
 static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
 {
     if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
@@ -229,7 +229,7 @@ static bool draw_lines(const pieces *p, const page_lines *lines, double tie, res
     return done;
 }
 
-/* Drops the pieces that are gone and merges in those that replace them, by number. */
+/* Drops the removed pieces and merges in those that replace them, by number. */
 static bool replace(pieces *p, const result *by)
 {
     size_t kept = 0, room = p->count, left = by->count;

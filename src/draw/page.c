@@ -89,7 +89,7 @@ double page_wanted_scale(const roberts_placement *placement, double fitting)
     return placement->scale * unit_mm;
 }
 
-/* Names a scale of three digits, the next below `scale` or the same: "1:42", "2.5:1". */
+/* Writes the largest scale of three digits that is at most `scale`: "1:42", "2.5:1". */
 static void scale_name(double scale, char *text, size_t size)
 {
     double ratio = scale < 1.0 ? 1.0 / scale : scale, digit = pow(10.0, floor(log10(ratio)) - 2.0);
@@ -101,7 +101,7 @@ static void scale_name(double scale, char *text, size_t size)
             *c = '.'; /* the point of some locales is a comma */
 }
 
-/* Names a length in whole mm, rounded up. A very long one has one digit, so that it needs no decimal point. */
+/* Writes a length in whole mm, rounded up. A very long one has one digit, so that it needs no decimal point. */
 static void length_name(double mm, char *text, size_t size)
 {
     snprintf(text, size, mm < 1e9 ? "%.0f" : "%.0e", ceil(mm));

@@ -4,9 +4,9 @@
 
 #include "roberts.h"
 
-/* The map from the picture (model units, y up) to paper (mm from the upper left corner, y down). Lengths are taken as
- * parts of `half`, half of the side of the drawing's box that decides the scale, so that neither a box of 1e300 nor one
- * of 1e-300 overflows on the way. */
+/* The map from the picture (model units, y up) to paper (mm from the upper left corner, y down). Lengths are fractions
+ * of `half`, half of the side of the drawing's box that determines the scale, so neither a box of 1e300 nor one of
+ * 1e-300 causes an overflow. */
 typedef struct page_map {
     roberts_vec2 centre;  /* of the drawing's box, model units */
     double half;          /* model units, > 0 */
@@ -20,8 +20,8 @@ bool page_is_valid(const roberts_page *page, roberts_error *error);
 /* Whether scale, unit and alignment are valid; fills `error` if not. */
 bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
 
-/* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, leaves the page; it names the scale that would
- * fit, `fitting` mm per model unit. */
+/* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, does not fit on the page. The message names
+ * the scale that would fit, `fitting` mm per model unit. */
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
                  roberts_error *error);
 

@@ -32,7 +32,7 @@ static bool add_point(point_list *to, roberts_vec2 p)
 /* One side of the frame. */
 typedef struct frame_side {
     bool upright; /* it bounds x, and not y */
-    bool upper;   /* what is less is within, and not what is greater */
+    bool upper;   /* smaller coordinates are inside, greater ones outside */
     double at;
 } frame_side;
 

@@ -164,7 +164,7 @@ static void write_runs(output *to, const char *text, double size)
     output_text(to, open ? ") Tj " : "");
 }
 
-/* y is down on the page, so letters stand on their heads there. */
+/* y is down on the page, so letters must be turned over. */
 static void write_line(const strokes *s, const text_line *line, output *to)
 {
     const double size = line->height_mm / capital * s->units_per_mm;
@@ -208,7 +208,7 @@ static void write_text(const strokes *s, output *to)
     write_class(s, LINE_TEXT, to);
 }
 
-/* The fonts, as a part of the page's resources; empty if the page has no text but strokes. */
+/* The fonts, as a part of the page's resources; empty if all text of the page is strokes. */
 static const char *text_fonts(const strokes *s)
 {
     if (!strokes_text_is_native(s->options) || s->notes.count == 0)
@@ -219,14 +219,14 @@ static const char *text_fonts(const strokes *s)
 
 enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
 
-/* A file that is longer cannot say where its objects are. */
+/* In a longer file, the positions of objects cannot be written. */
 static const uint64_t longest_file = 9999999999;
 
 enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, OBJECTS };
 
 static const double points_per_mm = 72.0 / 25.4;
 
-/* The text of the stream on its way. */
+/* The stream while it is written. */
 typedef struct pdf_plot {
     const strokes *s;
     output text; /* goes through the deflater */
@@ -362,7 +362,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
     write_fills(p);
     roberts_status status = plot_strokes(s, &to, out, error);
     write_text(s, &p->text);
-    output_finish(&p->text, NULL); /* `out` knows of failures, and pdf_write() looks at the length */
+    output_finish(&p->text, NULL); /* `out` records failures, and pdf_write() checks the length */
     deflater_finish(&p->deflater);
     deflater_end(&p->deflater);
     free(p);
@@ -417,7 +417,7 @@ static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
                   "] >>\nendobj\n");
 }
 
-/* The table of where the objects are. Each of its lines has 20 bytes. */
+/* The table of the objects' positions. Each of its lines has 20 bytes. */
 static void write_tail(output *out, const uint64_t object[OBJECTS])
 {
     const uint64_t table = output_position(out);

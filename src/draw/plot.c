@@ -1,6 +1,6 @@
-/* plot.c - hands strokes to the formats that are text.
+/* plot.c - passes strokes to the text formats.
  *
- * Cairo draws paths in the same way: what goes on straight is one line (tests/paper reads all formats back). */
+ * Like Cairo, it joins straight runs into one line (tests/paper reads all formats back). */
 #include "draw/plot.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@ typedef struct drawn {
     size_t count, room;
 } drawn;
 
-/* Appends a point, in place of the last one where that lies on the straight way to it. */
+/* Appends a point. It replaces the last one if that lies on the straight line to it. */
 static void add_point(drawn *d, page_point at)
 {
     if (d->count > 1 && page_is_between(d->point[d->count - 2], d->point[d->count - 1], at))
@@ -22,8 +22,8 @@ static void add_point(drawn *d, page_point at)
     d->point[d->count++] = at;
 }
 
-/* Takes the points of a polyline. The way back of a closed one may go straight on, too; its first point stays. False:
- * no memory. */
+/* Takes the points of a polyline. The last side of a closed one may continue straight, too; its first point stays.
+ * False: no memory. */
 static bool take_line(drawn *d, const polylines *lines, const polyline *line)
 {
     const page_point *p = lines->point + line->first;

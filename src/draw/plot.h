@@ -1,11 +1,11 @@
-/* plot.h - strokes for the formats that are text: they get each class of lines, and each stroke of it, in turn. */
+/* plot.h - strokes for the text formats, which get each class of lines, and each stroke of it, in turn. */
 #ifndef ROBERTS_DRAW_PLOT_H
 #define ROBERTS_DRAW_PLOT_H
 
 #include "draw/output.h"
 #include "draw/strokes.h"
 
-/* What a format does with strokes, as a plotter does. Any of these may be NULL. */
+/* The operations of a format, as of a plotter. Any of these may be NULL. */
 typedef struct plotter {
     /* A class of lines begins. Classes without strokes are left out. */
     void (*begin)(void *context, roberts_line line);
@@ -17,7 +17,7 @@ typedef struct plotter {
     void *context;
 } plotter;
 
-/* Hands all strokes to `to`, class by class, without points in the middle of straight runs. Stops early after a failed
+/* Passes all strokes to `to`, class by class, without points in the middle of straight runs. Stops early after a failed
  * write to `out`. Returns ROBERTS_OK or _NO_MEMORY. */
 roberts_status plot_strokes(const strokes *s, const plotter *to, const output *out, roberts_error *error);
 

@@ -1,7 +1,8 @@
 /* room.c - where there is room on the page.
  *
- * The page is divided into square cells. Each lists the lines that may cross it and the boxes that touch it. A line
- * that crosses several cells of a question counts in the part of the box within each of them, so it counts once. */
+ * The page is divided into square cells. Each lists the lines that may cross it and the boxes that touch it. A line may
+ * cross several cells of the queried box. In each cell only its part within that cell counts, so nothing counts
+ * twice. */
 #include "draw/room.h"
 
 #include <math.h>
@@ -159,7 +160,7 @@ bool room_add_box(page_room *r, const room_box *box, uint32_t *number)
     return enter_box(r, *number);
 }
 
-/* Entries that are taken out stay in memory, unused. */
+/* Removed entries stay in memory, unused. */
 void room_drop_box(page_room *r, uint32_t number)
 {
     const cells from = cells_of(r, &r->box[number]);
@@ -180,7 +181,7 @@ bool room_move_box(page_room *r, uint32_t number, const room_box *box)
     return enter_box(r, number);
 }
 
-/* What two boxes share; false: nothing. */
+/* The overlap of two boxes; false: there is none. */
 static bool share(const room_box *a, const room_box *b, room_box *both)
 {
     *both = (room_box){{fmax(a->min.x, b->min.x), fmax(a->min.y, b->min.y)},
@@ -188,7 +189,7 @@ static bool share(const room_box *a, const room_box *b, room_box *both)
     return both->min.x < both->max.x && both->min.y < both->max.y;
 }
 
-/* Whether cell x, y is the first one in which the question meets box `b`. */
+/* Whether cell x, y is the first one in which the queried box meets box `b`. */
 static bool is_first(const page_room *r, const cells *asked, const room_box *b, uint32_t x, uint32_t y)
 {
     const cells of = cells_of(r, b);
@@ -212,7 +213,7 @@ static double lines_taken(const page_room *r, const room_box *box, uint32_t x, u
     return taken;
 }
 
-/* The shorter sides of what the box shares with other boxes, each counted in the first cell that they share. */
+/* The shorter sides of the overlaps with other boxes, each counted in the first cell that both boxes share. */
 static double boxes_taken(const page_room *r, const room_box *box, uint32_t own)
 {
     const cells in = cells_of(r, box);

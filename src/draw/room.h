@@ -24,11 +24,11 @@ bool room_add_box(page_room *r, const room_box *box, uint32_t *number);
 bool room_move_box(page_room *r, uint32_t number, const room_box *box);
 void room_drop_box(page_room *r, uint32_t number);
 
-/* What lies in `box`, in mm: lengths of lines, and the shorter sides of what it shares with other boxes. 0: it is free.
- * The box of number `own` does not count. Infinite where the box leaves the page. */
+/* How much lies in `box`, in mm: lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free.
+ * The box of number `own` does not count. Infinite if the box leaves the page. */
 double room_taken(const page_room *r, const room_box *box, uint32_t own);
 
-/* Whether it shares more than a line with another box. */
+/* Whether it overlaps another box by more than a line. */
 bool room_is_on_box(const page_room *r, const room_box *box, uint32_t own);
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */

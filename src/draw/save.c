@@ -35,7 +35,7 @@
 
 /* ---- formats, and any of them to a function ---- */
 
-/* What is written: one of these; the others are NULL. */
+/* The thing to write: one of these; the others are NULL. */
 typedef struct subject {
     const roberts_drawing *drawing;
     const roberts_sheet *sheet;
@@ -335,7 +335,7 @@ typedef struct target {
     char *path;      /* links followed */
     char *temporary; /* the file that will be renamed to `path`; NULL: written in place */
     int descriptor;  /* -1: none */
-    struct stat old; /* of `path` where `replaces` */
+    struct stat old; /* of `path` if `replaces` */
     bool replaces;
 } target;
 
@@ -435,7 +435,7 @@ static void announce(const roberts_draw_options *options, const char *path)
 }
 
 /* Creates the unfinished file and locks it. It is announced before it is created, because an interrupted program
- * removes what was announced; so a name that is taken is not announced. */
+ * removes the announced file; so a name that is already taken is not announced. */
 static int open_beside(target *t, const roberts_draw_options *options)
 {
     mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
@@ -505,9 +505,10 @@ static roberts_status close_target(target *t, const roberts_draw_options *option
     int reason = 0;
     if (status == ROBERTS_OK && t->replaces)
         reason = take_mode(t);
-    int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* holds until the file has its name */
+    int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* the lock holds until the file has its
+                                                                                name */
     if (close(t->descriptor) != 0 && !reason && errno != EINTR)
-        reason = errno; /* a network's disk may report only now that it is full */
+        reason = errno; /* a network disk may report only now that it is full */
     if (t->temporary) {
         if (status == ROBERTS_OK && !reason && rename(t->temporary, t->path) != 0)
             reason = errno;

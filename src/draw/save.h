@@ -1,10 +1,10 @@
-/* save.h - files that appear whole or not at all, for what is no drawing. */
+/* save.h - files that appear whole or not at all, for anything that is not a drawing. */
 #ifndef ROBERTS_DRAW_SAVE_H
 #define ROBERTS_DRAW_SAVE_H
 
 #include "draw/output.h"
 
-/* What writes the file. Failures of `out` need not be checked. */
+/* Writes the file. Failures of `out` need not be checked. */
 typedef struct save_source {
     roberts_status (*write)(void *context, output *out, roberts_error *error);
     void *context;

@@ -1,4 +1,4 @@
-/* shade.h - how bright a face is: J. H. Lambert's law of the cosine ("Photometria", 1760), and light from all round. */
+/* shade.h - how bright a face is: J. H. Lambert's law of the cosine ("Photometria", 1760), and ambient light. */
 #ifndef ROBERTS_DRAW_SHADE_H
 #define ROBERTS_DRAW_SHADE_H
 
@@ -6,7 +6,7 @@
 
 #include "base/vec.h"
 
-/* The part of the brightest that a face without light has. */
+/* The brightness of a face without light, as a fraction of the greatest. */
 #define SHADE_AMBIENT 0.45
 
 /* From SHADE_AMBIENT (the light comes from behind the face) to 1. normal: unit; light: toward the light, any length but

@@ -2,10 +2,10 @@
  *
  * Two columns and two rows: the front view stands in the first column, the top view above or below it, the side view
  * beside it, and the isometric view in the middle of the remaining cell. All views have the centre of the scene at 0,
- * 0, so that front and top view have one x, front and side view one y. If there is a symbol, a strip below all views
- * is kept for it.
+ * 0, so that front and top view have one x, front and side view one y. A strip below all views is reserved for the
+ * symbol, if there is one.
  *
- * Lengths of the model are divided by the largest one, so that nothing overflows. */
+ * Lengths of the model are divided by the largest one, so nothing overflows. */
 #include "draw/sheet.h"
 
 #include <math.h>
@@ -98,8 +98,8 @@ static void divide(const roberts_sheet *sheet, const roberts_draw_options *optio
 }
 
 /* The size of the symbol if margins and frame leave this width and height. It is no wider and no higher than one of
- * four equal cells for the views, with gaps between them. It goes with lettering of 1.8 mm at least, the smallest of
- * ISO 3098; otherwise 0. */
+ * four equal cells for the views, with gaps between them. It suits lettering of at least 1.8 mm, the smallest of ISO
+ * 3098; otherwise the size is 0. */
 static double fit_symbol(const layout *l, double width_mm, double height_mm)
 {
     const double least = 1.8 / 3.5;
@@ -123,7 +123,7 @@ static const char *page_that_would_do(const roberts_page *page, double width_mm,
     return "a larger page";
 }
 
-/* Takes the strip of the title block from the room. Each view shall have at least 20 mm. */
+/* Subtracts the strip of the title block from the room. Each view must have at least 20 mm. */
 static bool fit_block(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
     const double views_least = 20.0;

@@ -20,11 +20,11 @@
 #include "draw/title_block.h"
 #include "draw/travel.h"
 
-/* Cairo keeps coordinates in 32 bits, 8 of them behind the point, and larger ones wrap silently. A page has less than
- * half of 2^23 units, so that wide pens on its border are safe too. */
+/* Cairo keeps coordinates in 32 bits, 8 of them after the binary point, and larger ones wrap silently. A page has less
+ * than half of 2^23 units, so wide pens on its border are safe too. */
 static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coarse_units_per_mm = 100.0;
 
-static const double from_frame_mm = 5.0; /* kept free within a frame, so that no outline lies on it */
+static const double from_frame_mm = 5.0; /* clearance inside a frame, so that no outline lies on it */
 
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
 {
@@ -242,7 +242,7 @@ static bool add_text(const strokes *s, roberts_line line, polylines *out)
            notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
 }
 
-/* Says once how many characters the fonts lack. Fonts of the reader are not known here, but for those of PDF. */
+/* Warns once about the characters that the fonts lack. Fonts of viewers are unknown here, except those of PDF. */
 static void tell_missing(const strokes *s)
 {
     const roberts_warnings *to = &s->options->lettering.warnings;
@@ -273,7 +273,7 @@ roberts_status strokes_label(strokes *s, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     if (distances_wanted(s) || labels_wanted(s)) {
-        page_room *room = labels_room(s); /* one for both, so that neither lies on the other */
+        page_room *room = labels_room(s); /* one room for both, so that neither lies on the other */
         status = room ? ROBERTS_OK : error_no_memory(error);
         if (status == ROBERTS_OK && distances_wanted(s))
             status = distances_add(s, room, error);
@@ -404,8 +404,8 @@ static bool has_line(const roberts_drawing *drawing, roberts_line line)
     return false;
 }
 
-/* The width of the widest pen that the views may need. Of borders, wires and intersections that is known only
- * from the segments. */
+/* The width of the widest pen that the views may need. Only the segments show whether there are borders, wires and
+ * intersections. */
 static double widest_pen(const roberts_drawing *const *view, int views, const roberts_draw_options *options)
 {
     double widest = 0.0;
@@ -424,9 +424,9 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
     return is_class_drawn(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
 }
 
-/* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a
- * fitted drawing keeps half of the `widest` pen from the page's edge, on small pages a tenth of their shorter side. A
- * drawing at a given scale may fill the page, and one within a frame is far from its edge. */
+/* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a fitted
+ * drawing keeps half of the `widest` pen from the page's edge, but on small pages at most a tenth of their shorter
+ * side. A drawing at a given scale may fill the page, and one within a frame is far from its edge. */
 static roberts_page page_within_edge(roberts_page page, double widest, const roberts_draw_options *options)
 {
     if (options->frame.off && options->placement.scale == 0.0)
@@ -434,7 +434,7 @@ static roberts_page page_within_edge(roberts_page page, double widest, const rob
     return page;
 }
 
-/* Says that the drawing at a given scale is next to nothing: the model is hardly in the unit that was meant. */
+/* Warns that the drawing is tiny at the given scale: the model probably has another unit than was meant. */
 static void warn_tiny(const strokes *s)
 {
     const double least_mm = 10.0;

@@ -8,15 +8,15 @@
 #include "draw/page.h"
 #include "draw/room.h"
 
-/* Further classes beside those of roberts_line: the border of the picture or of the area within the margins, the symbol
- * of a sheet, hatching, text and its lines, and labels of what is hidden. */
+/* Additional classes besides those of roberts_line: the border of the picture or of the area within the margins, the
+ * symbol of a sheet, hatching, text and its lines, and labels of what is hidden. */
 #define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
 #define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
 #define LINE_HATCH ((roberts_line)(ROBERTS_BACK_OUTLINE + 3)) /* strokes on faces */
 #define LINE_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 4))
 #define LINE_HIDDEN_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 5))
 
-/* From the undermost class to the uppermost. */
+/* From the lowest class to the highest. */
 enum { LINE_CLASSES = 11 };
 static const roberts_line line_order[LINE_CLASSES] = {
     LINE_HATCH, ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
@@ -25,7 +25,7 @@ static const roberts_line line_order[LINE_CLASSES] = {
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
     size_t first, end; /* polylines */
-    uint32_t body;     /* ROBERTS_NONE: frame, symbol and text, which are in no view */
+    uint32_t body;     /* ROBERTS_NONE: frame, symbol and text, which belong to no view */
     uint32_t view;     /* of the strokes' views; views: none */
     roberts_line line;
 } stroke_group;
@@ -54,7 +54,7 @@ typedef struct strokes {
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     notes notes;
-    room_box *taken; /* [taken_count] what labels keep away from */
+    room_box *taken; /* [taken_count] boxes that labels must avoid */
     size_t taken_count, taken_room;
     fills fills; /* below all lines */
     polylines lines;
@@ -109,7 +109,7 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* "outline", "hidden", ...: what a class is called in files. */
 const char *strokes_class_name(roberts_line line);
 
-/* The number of a class where layers and pens are numbered, the same in every drawing: from 1, the undermost first, but
+/* The number of a class if layers and pens are numbered, the same in every drawing: from 1, the lowest first, but
  * hatching has 9. */
 uint32_t strokes_class_number(roberts_line line);
 

@@ -24,7 +24,7 @@ void svg_color(output *out, unsigned char red, unsigned char green, unsigned cha
 
 /* ---- text ---- */
 
-/* The entity of a character, or NULL. White space and quotes are changed in attributes alone. */
+/* The entity of a character, or NULL. White space and quotes are replaced only in attributes. */
 static const char *entity_of(char c, bool in_attribute)
 {
     switch (c) {
@@ -192,7 +192,7 @@ static void write_text_line(output *out, const text_line *line)
     output_text(out, "</text>\n");
 }
 
-/* Writes the text of a class as text, if it is no strokes: a layer of its own above that of its lines. */
+/* Writes the text of a class as text, unless it is strokes: a layer of its own above that of its lines. */
 static void write_text_layer(const strokes *s, roberts_line class, output *out)
 {
     const roberts_pen *pen = strokes_pen(s->options, class);
@@ -218,7 +218,7 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
 
 /* Fills are a layer below all lines. Translucent areas have no seams, which would shine through. Instead viewers are
  * asked not to smooth their borders. Where layers are numbered, the name of this one begins with a percent sign: the
- * software of AxiDraw leaves such layers out, for a pen cannot fill. */
+ * software of AxiDraw leaves such layers out, since a pen cannot fill. */
 
 static void write_fill_point(output *out, const char *command, page_point at, int32_t thousandths)
 {
@@ -228,7 +228,7 @@ static void write_fill_point(output *out, const char *command, page_point at, in
     output_thousandths(out, at.y * thousandths);
 }
 
-/* Writes a colour, and what it needs if it is translucent, up to the quote of the last value. */
+/* Writes a colour, and its opacity if it is translucent, up to the quote of the last value. */
 static void write_color(output *out, const fill_color *color)
 {
     svg_color(out, color->red, color->green, color->blue);
@@ -260,11 +260,12 @@ static void write_path(const strokes *s, const fill_paint *paint, output *out)
 typedef struct region_writer {
     const strokes *s;
     output *out;
-    const page_view *view; /* of the region before; NULL: there is none */
+    const page_view *view; /* of the previous region; NULL: there is none */
     uint32_t body;         /* of the region before */
 } region_writer;
 
-/* Closes and opens the groups of views and bodies from the region before to this one. NULL: there are no more. */
+/* Closes and opens groups of views and bodies between the previous region and this one. NULL: there are no more
+ * regions. */
 static void change_groups(region_writer *w, const page_region *on)
 {
     const bool same_view = on && w->view == on->view;

@@ -1,4 +1,4 @@
-/* svg.h - what the parts of an SVG share: colours, text, pens. */
+/* svg.h - shared by the parts of an SVG: colours, text, pens. */
 #ifndef ROBERTS_DRAW_SVG_H
 #define ROBERTS_DRAW_SVG_H
 

@@ -1,7 +1,7 @@
 /* svg_groups.c - the strokes of an SVG in groups, with names for scripts and style sheets.
  *
- * Groups are nested: on sheets first the view, then body and class, or class and body. Each run of strokes says where
- * it belongs; from one to the next the groups that end are closed, and those that begin are opened. */
+ * Groups are nested: on sheets first the view, then body and class, or class and body. Each run of strokes knows its
+ * groups; between two runs, the groups that end are closed, and those that begin are opened. */
 #include "draw/svg_groups.h"
 
 #include <stdio.h>
@@ -63,11 +63,11 @@ uint32_t *groups_parts(const strokes *s, size_t count)
                 part[s->view[v].first + i] = next + most;
             }
         }
-        next += most + 1; /* views do not overlap; so it does no harm if this is more than 2^32 */
+        next += most + 1; /* views do not overlap, so it is harmless if this exceeds 2^32 */
     }
     for (size_t i = s->view[0].first_region; part && i < count; i++) {
         const piece_source source = groups_source(s, (uint32_t)i);
-        part[i] = by_body ? source.body : (uint32_t)i; /* strokes of hatching are joined with none but such strokes */
+        part[i] = by_body ? source.body : (uint32_t)i; /* strokes of hatching are joined only with one another */
     }
     return part;
 }
@@ -119,8 +119,8 @@ static group_key *sort_pieces(const strokes *s, pieces *p)
     return key;
 }
 
-/* Whether piece i is in the group of the piece before it. With an element for each piece, so is the hatching of each
- * region by itself. */
+/* Whether piece i is in the group of the piece before it. With an element for each piece, the hatching of each region
+ * is a group too. */
 static bool is_same_group(const strokes *s, const group_key *key, const pieces *p, size_t i)
 {
     return key[i].key == key[i - 1].key &&
@@ -321,7 +321,7 @@ static void write_coordinate(const svg_groups *w, const char *before, int32_t un
     output_thousandths(w->out, units * w->thousandths);
 }
 
-/* How lines are written: an element is short, so most of its lines are, and the way to their ends has fewer digits. */
+/* Lines are relative in elements: these are short, so relative ends have fewer digits. */
 static const char absolute[] = "HVL", relative[] = "hvl";
 
 /* Level and upright lines have shorter commands, H and V. */
@@ -352,7 +352,7 @@ static void write_stroke(const svg_groups *w, const char *command, const polylin
         output_bytes(w->out, "Z", 1);
 }
 
-/* The names of the edge that a piece is part of, or of the face with a stroke of hatching. */
+/* The names of a piece's edge, or of the face of a stroke of hatching. */
 static void write_names(const svg_groups *w, const stroke_group *g, uint32_t number)
 {
     const piece_source source = groups_source(w->s, number);

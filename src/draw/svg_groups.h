@@ -4,7 +4,8 @@
 
 #include "draw/strokes.h"
 
-/* Tells for each of `count` numbers of pieces which part it belongs to: a body in one view, or an edge or a region.
+/* Returns, for each of `count` numbers of pieces, the part that it belongs to: a body in one view, or an edge or a
+ * region.
  * The views of `s` are set. The caller frees the result; NULL: no memory. */
 uint32_t *groups_parts(const strokes *s, size_t count);
 

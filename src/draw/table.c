@@ -1,7 +1,7 @@
 /* table.c - segments as tables: CSV and JSON, one row per maximal interval of a line.
  *
- * Numbers have 17 significant digits, so that a table holds all that was computed. `by` is empty (null) where nothing
- * hides the row, v0 and v1 where the line is no edge, and f0 and f1 where the edge has no such face. */
+ * Numbers have 17 significant digits, so that a table holds all that was computed. `by` is empty (null) if nothing
+ * hides the row, v0 and v1 if the line is no edge, and f0 and f1 if the edge has no such face. */
 #include "draw/table.h"
 
 #include <string.h>
@@ -205,7 +205,7 @@ static const struct {
     [ROBERTS_COLUMN_BY] = {BY_NAME, BY_NAME + 1},
 };
 
-/* A table: its columns, from left to right, behind that of the view. */
+/* A table: its columns, from left to right, after that of the view. */
 typedef struct table {
     const roberts_drawing *drawing;
     const char *view;           /* or NULL */
@@ -230,7 +230,7 @@ static table table_of(const table_view *view, const roberts_draw_options *option
 
 /* ---- rows ---- */
 
-/* A row: a segment, and what the scene knows of it. */
+/* A row: a segment, and its data from the scene. */
 typedef struct row {
     const table *of;
     const roberts_segment *s;

@@ -21,7 +21,7 @@
 /* Characters that TeX reads as commands get names, Greek letters are in mathematics. All others stay as they are, in
  * UTF-8, which LaTeX reads since 2018. */
 
-/* What TeX reads as a character of its own, or lacks in old fonts. */
+/* Characters that are special in TeX, or missing from old fonts. */
 static const char *tex_name(uint32_t code)
 {
     static const struct {
@@ -180,8 +180,8 @@ static void write_style(const strokes *s, roberts_line line, output *out)
     output_text(out, "}}}\n");
 }
 
-/* The page's rectangle as a path. It counts for the size of the picture only where it has a background: otherwise the
- * picture is as large as the drawing, and the document may say that it is as large as the page. */
+/* The page's rectangle as a path. It determines the size of the picture only if there is a background. Otherwise the
+ * picture is as large as the drawing, and the document can make it as large as the page. */
 static void write_page(const tikz *p)
 {
     const roberts_draw_options *options = p->s->options;
@@ -333,7 +333,7 @@ static void write_fills(const tikz *p)
 
 /* ---- text of the document ---- */
 
-/* Writes the text of a class as nodes, if it is no strokes: in the font and the size of the document. */
+/* Writes the text of a class as nodes, unless it is strokes: in the font and the size of the document. */
 static void write_nodes(const tikz *p, roberts_line class)
 {
     const strokes *s = p->s;
@@ -368,7 +368,7 @@ static void write_nodes(const tikz *p, roberts_line class)
     }
 }
 
-/* Within a picture of the document, the file is a part of it. */
+/* Inside a picture of the document, the file becomes part of it. */
 static const char begin_picture[] =
     "\\ifpgfpicture\\def\\robertspicture{scope}\\else\\def\\robertspicture{tikzpicture}\\fi\n"
     "\\begin{\\robertspicture}[x=1mm,y=1mm]\n";

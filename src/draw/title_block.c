@@ -58,7 +58,7 @@ static void scale_text(const strokes *s, char *text, size_t size)
     snprintf(text, size, ratio < 1.0 ? "1:%s" : "%s:1", number);
 }
 
-/* Writes a text into a cell, smaller where it is too wide. */
+/* Writes a text into a cell, smaller if it is too wide. */
 static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, const char *text)
 {
     const double width = cell->right - cell->left - 2.0 * inset_mm, left = corner.x + cell->left + inset_mm;
@@ -112,7 +112,7 @@ bool title_block_add(strokes *s)
 /* mm */
 static const double field_mm = 50.0, strip_mm = 5.0, mark_mm = 5.0, letter_mm = 2.5;
 
-/* Where field `i` of a side of this length ends, from its start; the outer fields take what is left. */
+/* Where field `i` of a side of this length ends, from its start; the outer fields take the rest. */
 static double field_end(double length, int fields, int i)
 {
     return i + 1 == fields ? length : length / 2.0 + (i + 1 - fields / 2) * field_mm;

@@ -1,4 +1,4 @@
-/* title_block.h - what is written on a sheet: its title block, and the zones of its frame. */
+/* title_block.h - text on a sheet: its title block, and the zones of its frame. */
 #ifndef ROBERTS_DRAW_TITLE_BLOCK_H
 #define ROBERTS_DRAW_TITLE_BLOCK_H
 
@@ -11,8 +11,8 @@
 /* Whether the sheet has a title block: there is a title or a field. */
 bool title_block_is_wanted(const roberts_draw_options *options);
 
-/* Each adds lines and text to s->notes, and what labels keep away from to s->taken. The sheet has been laid. False: no
- * memory. */
+/* Each adds lines and text to s->notes, and the boxes that labels must avoid to s->taken. The sheet has been laid out.
+ * False: no memory. */
 bool title_block_add(strokes *s);
 bool zones_add(strokes *s); /* also of a single drawing */
 

@@ -1,13 +1,13 @@
 /* travel.c - the order in which polylines are drawn.
  *
- * First, the pen goes to the nearest end that is left, over and over. Ends lie in a grid. Coarser grids over it count
- * the ends that are left, so that a search through empty parts takes no longer: if the nine cells around the pen are
- * empty, the nine of the next coarser grid are asked, and so on; then the search goes down again, each time to the cell
- * nearest to the pen. It finds a near end, though not always the nearest.
+ * First, the pen always goes to the nearest remaining end. Ends lie in a grid. Coarser grids over it count the
+ * remaining ends, so that searching empty parts takes no longer: if the nine cells around the pen are empty, the nine
+ * of the next coarser grid are searched, and so on. Then the search goes down again, each time to the cell nearest to
+ * the pen. It finds a near end, though not always the nearest.
  *
- * Then 2-opt (G. A. Croes, "A method for solving traveling-salesman problems", Operations Research 6(6), 1958): if
- * drawing all polylines between two ways of the lifted pen backward shortens these ways, they are drawn backward. All
- * searches are bounded by counts, so that the result is the same on any machine. */
+ * Then 2-opt (G. A. Croes, "A method for solving traveling-salesman problems", Operations Research 6(6), 1958): all
+ * polylines between two moves of the lifted pen are drawn backward if that shortens these moves. All searches are
+ * bounded by counts, so that the result is the same on any machine. */
 #include "draw/travel.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@
 enum {
     ENDS_PER_CELL = 2,
     LEVELS_MAX = 34,     /* a grid has fewer than 2^33 columns */
-    LOOK_IN_CELL = 64,   /* most ends of a cell that are looked at; where there are more, they lie in a heap */
+    LOOK_IN_CELL = 64,   /* most ends of a cell that are examined; if there are more, they are all close together */
     PASSES_MAX = 20,     /* of 2-opt */
     BACKWARD_MAX = 1000, /* most polylines turned at once, in a tour of more than SMALL */
     SMALL = 20000
@@ -38,7 +38,7 @@ typedef struct tour {
     /* the grid */
     double cell, x0, y0;
     uint32_t nx[LEVELS_MAX], ny[LEVELS_MAX], levels;
-    uint32_t *left[LEVELS_MAX]; /* how many ends are left in each cell; each level has half the columns and rows */
+    uint32_t *left[LEVELS_MAX]; /* how many ends remain in each cell; each level has half the columns and rows */
     uint32_t *start;            /* [cells of level 0 + 1] into `end` */
     uint32_t *end;              /* [2 count] ends by cell, in each cell those left first */
     uint32_t *slot;             /* [2 count] where in `end` an end is */
@@ -124,7 +124,7 @@ static bool fill_grid(tour *t)
     return true;
 }
 
-/* Moves an end behind those that are left in its cell. */
+/* Moves an end behind the remaining ones of its cell. */
 static void take_out(tour *t, uint32_t e)
 {
     uint32_t x = column_of(t, t->at[e]), y = row_of(t, t->at[e]);
@@ -147,7 +147,7 @@ typedef struct found {
     double square; /* of its distance */
 } found;
 
-/* Looks through the ends left in cell (x, y). Of ends at one distance the one of least number is kept. */
+/* Examines the ends left in cell (x, y). Of ends at equal distances the one with the smallest number is kept. */
 static void look_in(const tour *t, page_point p, uint32_t x, uint32_t y, found *best)
 {
     size_t cell = (size_t)y * t->nx[0] + x;
@@ -251,10 +251,10 @@ static void turn(tour *t, uint32_t i, uint32_t j)
     }
 }
 
-/* In units; more than rounding, so that 2-opt comes to an end. */
+/* In units; more than rounding, so that 2-opt terminates. */
 static const double least_gain = 1e-3;
 
-/* Draws polylines i + 1 .. j backward if that shortens the pen's ways. */
+/* Draws polylines i + 1 .. j backward if that shortens the pen's moves. */
 static bool try_turn(tour *t, uint32_t i, uint32_t j)
 {
     if (i >= j || (t->count > SMALL && j - i > BACKWARD_MAX))
@@ -270,15 +270,15 @@ static bool try_turn(tour *t, uint32_t i, uint32_t j)
     return true;
 }
 
-/* How many ends of a cell are looked at. */
+/* How many ends of a cell are examined. */
 static uint32_t look_count(const tour *t, size_t cell)
 {
     uint32_t count = t->start[cell + 1] - t->start[cell];
     return count < LOOK_IN_CELL ? count : LOOK_IN_CELL;
 }
 
-/* Tries the ends in a cell that could follow polyline k (from its exit) or precede k + 1 (from its entry). They have to
- * be nearer to p than the pen's way after polyline k is long; `way_square` is its square. */
+/* Tries the ends in a cell that could follow polyline k (from its exit) or precede k + 1 (from its entry). Only ends
+ * nearer to p than the length of the pen's move after polyline k can help; `way_square` is its square. */
 static bool try_cell(tour *t, uint32_t k, bool from_exit, page_point p, double way_square, size_t cell)
 {
     uint32_t first = t->start[cell], end = first + look_count(t, cell);
@@ -306,7 +306,7 @@ static double gap(double at, double start, double cell, uint32_t i)
     return greater(0.0, greater(low - at, at - low - cell) - rounding);
 }
 
-/* Tries to shorten the pen's way after polyline k. Cells that are too far count as if they were looked into. */
+/* Tries to shorten the pen's way after polyline k. Cells that are too far away count as searched. */
 static bool improve(tour *t, uint32_t k, bool from_exit)
 {
     page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
@@ -364,8 +364,8 @@ static void turn_points(page_point *p, uint32_t count)
     }
 }
 
-/* Puts the polylines in the tour's order. The points of a polyline stay in their place; if it is turned round, they are
- * reversed. */
+/* Puts the polylines in the tour's order. The points of a polyline stay in their place; if it is reversed, so are
+ * they. */
 static bool apply(const tour *t, polylines *p, size_t first)
 {
     polyline *sorted = alloc_array(t->count, sizeof *sorted);

@@ -14,7 +14,7 @@
 #define ENTRIES_FREE 4096.0
 /* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
-/* The more boxes lie over one another, the more is gained by smaller cells. So they shrink from this depth on. */
+/* The more boxes lie over one another, the more smaller cells gain. So cells shrink from this depth on. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
 #define COVER_SMALLEST 0.3
@@ -36,7 +36,7 @@
 #define PIECES 64
 #define MEASURED_BY_ONE 50000
 
-/* Sums over all boxes, each cut to the window, as parts of it; and the size of the window. */
+/* Sums over all boxes, each cut to the window, as fractions of it; and the size of the window. */
 typedef struct sizes {
     double w, h, area, width, height;
 } sizes;
@@ -46,7 +46,7 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     sizes s = {0};
     for (uint32_t i = 0; i < count; i++) {
         if (box[i].x1 < box[i].x0)
-            continue; /* a solid of which the near plane has left nothing */
+            continue; /* a solid that the near plane has removed */
         double w = per_width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) * per_width) : 1.0;
         double h = per_height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) * per_height) : 1.0;
         s.w += w;

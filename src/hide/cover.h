@@ -19,7 +19,7 @@ typedef struct cover {
     uint32_t *by; /* [nx * ny] what covers the cell: cover_front.by */
 } cover;
 
-/* Begins with the cells of a frame, none of which is covered. In a frame without columns no covers are kept. False: no
+/* Makes the cells of a frame, none of which is covered. In a frame without columns no covers are kept. False: no
  * memory. */
 bool cover_init(cover *c, scan_frame frame, int threads);
 /* The same for bodies in a part of the picture, low..high. No other cells are used. */

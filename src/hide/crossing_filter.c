@@ -8,11 +8,11 @@
 
 /* ---- stars ------------------------------------------------------------------------------------------------------- */
 
-/* The star of a vertex is all faces at it. Let each of its edges there have one face on its left in the picture and one
- * on its right, let the faces go round the vertex once, and let no side of a face run through it. Then no two of them
- * lie over one another, and two of them have nothing in common in the picture but the vertex or a side. */
+/* The star of a vertex is the set of all faces at it. Suppose that each edge there has one face on its left in the
+ * picture and one on its right, that the faces go round the vertex once, and that no side of a face runs through it.
+ * Then no two of them overlap in the picture: they share only the vertex or a side. */
 
-/* What is known of a star: whether faces go round it once, or more often, or it is no sheet. */
+/* What is known about a star: whether faces go round it once, or more often, or whether it is no sheet. */
 enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
 
 typedef struct stars {
@@ -93,8 +93,8 @@ static void mark_front(const stars *s, const hide_front *front)
             mark(s, scene->corner[c], NO_SHEET);
 }
 
-/* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 where it is one, else 0; NULL: none is known.
- * False: no memory. Where the near plane has cut the scene, a border that it has made is no edge. */
+/* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 for such a vertex, else 0; NULL: none is known.
+ * False: no memory. A border made by the near plane is no edge. */
 static bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
 {
     const roberts_scene *scene = fronts->scene;
@@ -157,7 +157,7 @@ static void box_solid(const crossing_filter *p, uint32_t front)
     p->model[front] = (model_box){own, FLAT_UNKNOWN};
 }
 
-/* A point touches a face at the touching distance and the face's departure from its plane, or nearer. */
+/* A point touches a face if its distance is at most the touching distance plus the face's departure from its plane. */
 static double touching_distance(const hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;
@@ -167,7 +167,7 @@ static double touching_distance(const hide_fronts *fronts)
     return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
-/* If points have low parts, boxes of their high parts say nothing. */
+/* If points have low parts, boxes of their high parts prove nothing. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     uint32_t count = fronts->front_count;

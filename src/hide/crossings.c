@@ -22,23 +22,23 @@
 /* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
  * outside. */
 #define LOOSE 4.0
-/* A corner this many touching distances off a plane does not touch it; roundings that a height may be off by. */
+/* A corner this many touching distances off a plane does not touch it; the error of a height, in roundings. */
 #define TOUCHING 4.0
 #define HEIGHT_ROUNDINGS 64.0
 
-/* The corners of a triangle about which all faces are one sheet (see crossing_filter.c). Each other corner has a number
- * that no vertex has, and that no other entry has. */
+/* The corners of a triangle about which all faces are one sheet (see crossing_filter.c). Any other corner gets a number
+ * that no vertex and no other entry has. */
 typedef struct star_corners {
     uint32_t v[4]; /* v[3] is none */
     float z1;      /* nearest depth of the face */
 } star_corners;
 
-/* What each thread has for itself. */
+/* The data of one thread. */
 typedef struct finder {
     const hide_fronts *fronts;
     const objet *grid;
     const crossing_filter *filter;
-    const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not asked */
+    const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not needed */
     crossing_rules rules;
     crossing_list found;
     uint64_t *pair; /* [pair_count] first pieces of two faces, one of them in several; they are tested at the end */
@@ -47,7 +47,7 @@ typedef struct finder {
     bool kept[KEPT_FACES];
     star_corners *star; /* [KEPT_FACES] of the entries of this cell; NULL: there are no surfaces */
     face_list list[2];
-    crossing_face last; /* the first face of the pair met last, if hidden lines are kept */
+    crossing_face last; /* the first face of the last pair, if hidden lines are kept */
     char apart[THREADS_APART];
 } finder;
 
@@ -70,7 +70,7 @@ static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, c
 
 /* Does a side of f separate the two faces in the picture? A corner within rounding of the side may be on either side of
  * it. The picture of a face that is nearly edge-on may be turned, or cross itself, as far as its corners are not in one
- * plane. So f itself is asked as well. */
+ * plane. So f itself is tested as well. */
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
@@ -109,8 +109,8 @@ static bool is_beside_plane(const hide_fronts *fronts, const hide_face *f, const
     return true;
 }
 
-/* Are two faces plainly apart in space? Asked only where all faces are triangles, with planes of their own, and where
- * the view does not bend. */
+/* Are two faces plainly apart in space? Used only if all faces are triangles, with planes of their own, and the view is
+ * parallel. */
 static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     return !fronts->scene->face_plane && !fronts->seen->view.perspective &&
@@ -408,7 +408,7 @@ static bool meet_all(finder *finders, const objet *grid, int threads)
 
 /* ---- faces of several pieces ----------------------------------------------------------------------------------- */
 
-/* Brings the pairs that the threads have listed together, each once. */
+/* Merges the pairs that the threads have listed, each once. */
 static bool unite_pairs(finder *finders, int threads)
 {
     finder *all = &finders[0];
@@ -576,8 +576,8 @@ typedef struct crossed_lines {
     const seen *seen;
 } crossed_lines;
 
-/* A line in which faces of closed bodies cross. Faces of a scene that the near plane has cut have other numbers than
- * those as given. */
+/* A line in which faces of closed bodies cross. If the near plane has cut the scene, its faces have other numbers than
+ * those given. */
 static bool union_line_of(const void *context, uint32_t index, union_line *line, uint32_t own[2])
 {
     const crossed_lines *lines = context;

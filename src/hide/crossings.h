@@ -26,7 +26,7 @@ typedef struct crossings {
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads);
 void crossings_free(crossings *c);
 
-/* Line k as `hide` takes it up. */
+/* Line k, as a line to be hidden. */
 seen_line crossings_line(const crossings *c, const seen *s, size_t k);
 
 /* Is one of the two faces that of a convex body that hides all of the line? */

@@ -16,15 +16,15 @@
 /* Edges of a solid with more columns or rows than this go one by one. */
 #define GROUP_CELLS 3
 /* Part of a cell: where cells have trees, a group must be smaller than this. The lines of a larger one go one by one,
- * since a tree tells more of a line than of a box. */
+ * since a tree excludes more for a line than for a box. */
 #define SMALL_GROUP 0.125
 /* For lists of at most this many fronts, choosing which fronts to meet first gains nothing. */
 #define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
-/* How many hidden parts of a line are asked whether they hold what a node of a tree may hide. */
+/* How many hidden parts of a line are compared with the part that a node of a tree may hide. */
 #define KNOWN_PARTS 8
-/* Single faces that a worker keeps, a power of two. The next lines mostly meet the same ones. */
+/* Single faces that a worker caches, a power of two. The next lines mostly meet the same ones. */
 #define KEPT_SINGLES 512u
 
 bool hide_worker_reserve(hide_worker *w, size_t lines)
@@ -49,8 +49,8 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
     w->single = alloc_array(w->single_mask + 1, sizeof *w->single);
     for (uint32_t i = 0; w->single && i <= w->single_mask; i++)
         w->single[i].front = ROBERTS_NONE;
-    /* Extra room keeps the array away from what other threads write. One line is reserved so that there is an array to
-     * point into. */
+    /* Padding keeps the array apart from data that other threads write. At least one line is allocated, so the array
+     * always exists. */
     return w->seen && w->single && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) &&
            hide_worker_reserve(w, 1);
 }
@@ -347,8 +347,8 @@ static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint
     return !w->live || meet_forward(w, p, k, start[1], sides, far);
 }
 
-/* Takes away from a part of a line, with everything it touches, what is known to be hidden at its ends. False: nothing
- * is left. Only some of the hidden parts are asked. */
+/* Trims a part of a line, with everything it touches, by the parts known to be hidden at its ends. False: nothing is
+ * left. Only some of the hidden parts are examined. */
 static bool is_new(const hide_line *line, double *t0, double *t1)
 {
     size_t count = line->intervals.count < KNOWN_PARTS ? line->intervals.count : KNOWN_PARTS;

@@ -88,7 +88,7 @@ static void ends_of(const roberts_scene *scene, uint32_t body, uint32_t edge, ui
     v[1] = scene->solid[body].vertex + e->v[1];
 }
 
-/* Notes that the segments from `from` on lie on these edges. */
+/* Records that the segments from `from` on lie on these edges. */
 static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second)
 {
     for (size_t k = from; k < list->count; k++) {
@@ -168,7 +168,7 @@ static size_t first_touch(const edge_finder *e, uint32_t f, uint32_t g)
     return low;
 }
 
-/* Lists an edge that is left out with all faces that one of its faces, given by its first piece, touches. */
+/* Pairs an edge that is left out with all faces touched by one of its faces, which is given by its first piece. */
 static bool list_touches(edge_finder *e, uint32_t body, uint32_t edge, uint32_t first)
 {
     const roberts_scene *scene = e->fronts->scene;

@@ -17,7 +17,7 @@ typedef struct unit {
     uint32_t body, piece; /* piece: ROBERTS_NONE of a solid */
 } unit;
 
-/* What each thread has for itself. */
+/* The data of one thread. */
 typedef struct pair_worker {
     const struct pair_search *of;
     int self;
@@ -178,7 +178,7 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);
 }
 
-/* All units behind this one whose boxes meet its box. */
+/* Compares a unit with all later units whose boxes meet its box. */
 static bool meet_others(pair_worker *w, uint32_t a)
 {
     const pair_search *s = w->of;

@@ -1,7 +1,7 @@
 /* face_pairs.h - pairs of faces that may cross, whichever way they look: for drawings with hidden lines.
  *
- * Faces are looked for in space, through a tree of boxes (model/box_tree.h), and not by the cells of the picture: most
- * of them are no fronts. Faces that are edge-on are left out. A convex solid is asked as a whole first. */
+ * Faces are found in space, through a tree of boxes (model/box_tree.h), and not by the cells of the picture: most of
+ * them are no fronts. Faces that are edge-on are left out. A convex solid is first tested as a whole. */
 #ifndef ROBERTS_HIDE_FACE_PAIRS_H
 #define ROBERTS_HIDE_FACE_PAIRS_H
 
@@ -23,7 +23,7 @@ typedef struct face_pair {
     uint32_t body[2], piece[2];
 } face_pair;
 
-/* Takes a pair of faces whose boxes meet; `thread` is that of the caller, from 0 on. False: no memory. */
+/* Receives a pair of faces whose boxes meet; `thread` is the caller's number, from 0 on. False: no memory. */
 typedef bool face_pairs_fn(void *context, int thread, const face_pair *pair);
 
 typedef struct face_taker {

@@ -200,9 +200,9 @@ static double box_size(const hide_box *box)
  * `limit` everywhere. At the face, the error of the plane is about its rounding and the face's own departure from it.
  * At a distance r it is r / w times that, for a face of width w.
  *
- * The reach does not count the departure of a face that is not narrow. Far from the face, the plane is only asked
- * whether what lies behind the solid lies behind the plane. Since a sight line only gets deeper behind both, the plane
- * must be right only where the solid is. There its error is about the departure. */
+ * The reach does not count the departure of a face that is not narrow. Far from the face, the plane is used only to
+ * decide whether points behind the solid lie behind the plane. A sight line only gets deeper behind both, so the plane
+ * must be accurate only near the solid. There its error is about the departure. */
 static double set_trust(const hide_fronts *fronts, uint32_t solid, const scene_shape *shape, double stretch,
                         hide_face *f)
 {

@@ -76,7 +76,8 @@ typedef struct bundle_search {
     bool forward; /* find what hides more beyond the hull's end; otherwise before its beginning */
 } bundle_search;
 
-/* Can a node's faces hide more than is known? `*reach` is larger the farther they may hide in the current direction. */
+/* Can a node's faces hide more than is known? The farther they may hide in the current direction, the larger is
+ * `*reach`. */
 static bool may_hide_more(const bundle_search *c, const bundle_node *n, double *reach)
 {
     double t0, t1;

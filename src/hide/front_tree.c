@@ -9,8 +9,8 @@
 
 /* The second strip is along the longest side that makes an angle with the first whose sine is greater than this. */
 #define ASLANT 0.25
-/* A line may meet a child if it is at most this many margins in front of the child's plane. They are many because a
- * steep plane decides what is within a margin of an outline. */
+/* A line may meet a child if it is at most this many margins in front of the child's plane. They are many because steep
+ * planes matter within a margin of an outline. */
 #define PLANE_MARGINS 1024.0
 
 /* A direction of the picture, and the length of the side that has it. */
@@ -18,7 +18,7 @@ typedef struct direction {
     double x, y, length;
 } direction;
 
-/* What is known of a front while a tree is built. */
+/* Data of a front while a tree is built. */
 typedef struct item {
     uint32_t front;
     direction side[2]; /* of its longest side, and of the longest one aslant to it */

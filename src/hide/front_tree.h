@@ -2,10 +2,10 @@
  *
  * Each node has up to four children: nodes, or fronts. A child is bounded by half-spaces: the box of its fronts; two
  * strips of the picture, along the longest sides of their outlines; and a plane in front of them, parallel to the
- * largest of their faces. So long thin solids aslant, and piles of sheets seen nearly along, are parted as well as
- * cubes are. A line is clipped to the half-spaces. The fronts hide and touch nothing of the rest of the line.
+ * largest of their faces. So the tree separates oblique thin solids, and piles of sheets seen nearly edge-on, as well
+ * as cubes. A line is clipped to the half-spaces. The fronts neither hide nor touch the rest of the line.
  *
- * The fronts are parted at the median of their middles, along the axis where these are spread farthest. */
+ * Fronts are divided at the median of their middles, along the axis of their greatest spread. */
 #ifndef ROBERTS_HIDE_FRONT_TREE_H
 #define ROBERTS_HIDE_FRONT_TREE_H
 
@@ -15,7 +15,7 @@
 /* Fronts with more corners or faces than this are bounded by their boxes alone. */
 #define FRONT_TREE_CORNERS 24
 
-/* Most children that wait while a line goes through a tree. */
+/* The most pending children while a line goes through a tree. */
 #define FRONT_TREE_WAITING 64
 
 /* Of a child: this bit says that it is a single front; without it, the child is a node. */
@@ -43,7 +43,7 @@ typedef struct front_tree {
 bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count);
 void front_tree_free(front_tree *tree);
 
-/* A line as the tree sees it: AB, and margins that make up for the rounding of floats. */
+/* A line for the tree: AB, and margins that cover the rounding of floats. */
 typedef struct front_line {
     four Ax, Ay, Az, dx, dy, dz; /* d: B - A */
     four per_dx, per_dy;         /* 1 / dx, 1 / dy */
@@ -60,15 +60,15 @@ typedef struct front_visit {
 } front_visit;
 
 /* Finds the children of a node that may hide or touch anything of the part t0 .. t1 of the line, and which part.
- * Returns their number. The longest part comes last; of equal ones, that of the child which is farther from the viewer:
- * this is mostly the next in front of the line. */
+ * Returns their number. The longest part comes last; of equal ones, that of the child farther from the viewer, which is
+ * mostly the nearest one in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
 
 /* Finds the children of a node that may hide anything of the lines in a box: their numbers, the farthest child from the
  * viewer last. Returns how many they are. */
 uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4]);
 
-/* A front as the tree sees it. */
+/* A front for the tree. */
 typedef struct front_shape {
     const hide_box *box;
     uint32_t count; /* of the corners of its faces, or of its box */

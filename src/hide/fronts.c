@@ -174,7 +174,7 @@ static void cull_late(hide_fronts *fronts, front_tile *tile, uint32_t s)
     }
 }
 
-/* Asks all solids of a tile again whether they are hidden, now that all covers are known. */
+/* Tests again whether the solids of a tile are hidden, now that all covers are known. */
 static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
 {
     for (uint32_t k = tile->first_whole; k < tile->whole; k++) {
@@ -346,7 +346,7 @@ static void free_scratch(build *b)
 
 /* ---- copies: fronts of solids at the very same place ---- */
 
-/* Remembers which bits have been met once, and which more often. */
+/* Records which bits occur once, and which more often. */
 typedef struct sieve {
     uint64_t *met, *again;
     unsigned shift; /* key >> shift is the key's bit: the upper bits of a product are mixed best */
@@ -479,7 +479,7 @@ static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
             *other_faces += scene->solid[s + 1].face - scene->solid[s].face;
 }
 
-/* Only a part of most arrays is ever written. The rest costs no memory, because nobody touches it. */
+/* Only a part of most arrays is ever written. The rest costs no memory, because it is never touched. */
 static bool alloc_fronts(hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;

@@ -1,7 +1,7 @@
 /* fronts.h - the scene in view space: the boxes of all bodies, and the fronts of those that may be seen.
  *
  * A front is what can hide lines. A convex solid is one front: its front faces, within their common outline (the cycle
- * of its edges with one front face). Tests 2 to 4 ask this outline once for all faces. If there are many front faces,
+ * of its edges with one front face). Tests 2 to 4 use this outline once for all faces. If there are many front faces,
  * each of them is a front, or all of them are a bundle (see bundle.h). In other bodies each face is a front.
  *
  * Bodies are taken nearest first. A body whose box lies behind the covers of earlier ones is culled: it is not mapped,
@@ -30,7 +30,7 @@ typedef struct hide_front {
     bool listed;    /* false: a copy of another front */
 } hide_front;
 
-/* What a whole front has besides. */
+/* Additional data of a whole front. */
 typedef struct hide_whole_front {
     double reach;        /* distance from the solid up to which the planes of its faces can be trusted */
     uint32_t face;       /* first of its faces in hide_fronts.face */
@@ -41,7 +41,7 @@ typedef struct hide_whole_front {
     uint32_t face_count; /* of its faces */
 } hide_whole_front;
 
-/* A single face, which is computed whenever it is asked for: most faces of a mesh never are. */
+/* A single face, computed whenever it is needed: most faces of a mesh never are. */
 typedef struct hide_single {
     uint32_t front; /* whose face it is; ROBERTS_NONE: nothing is computed yet */
     hide_face face;
@@ -84,7 +84,7 @@ void hide_fronts_free(hide_fronts *fronts);
 /* Frees the boxes of bodies, unless there are single faces: only these need them from now on. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);
 
-/* Prefetches what will soon be read or written of a solid, which may lie anywhere in memory. (Inlined: see
+/* Prefetches the data of a solid that will soon be read or written; they may lie anywhere in memory. (Inlined: see
  * base/bits.h.) */
 BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 {

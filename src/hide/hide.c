@@ -3,12 +3,12 @@
  *   1. Fronts. `view` says what is seen (view/seen.h): each solid is mapped to view space, and its front faces become
  *      fronts (fronts.c, front.c). Solids that covers hide are left out (cover.c).
  *   2. Objet[i][j]. The cells of the picture list the fronts that touch them (cells.c, objet.c).
- *   3. Intersections. Fronts that share a cell may cross; where they do, there is a line more (crossings.c).
+ *   3. Intersections. Fronts that share a cell may cross, which gives a further line (crossings.c).
  *   4. Lines. The lines of each body are taken (segments.c) through the cells that they cross (edge.c). Tests 1 to 4
- *      say what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
- *      (intervals.c). What is left of a line becomes segments.
+ *      find what each front there hides of them (front_test.c, tests.c), and the hidden intervals are united
+ *      (intervals.c). The rest of a line becomes segments.
  *
- * Threads take solids in chunks. Each chunk keeps its segments until those of the chunks before it are laid down
+ * Threads take solids in chunks. Each chunk keeps its segments until those of the earlier chunks are written
  * (schedule.c). The threads share nothing else, so the result does not depend on them. */
 #include <math.h>
 #include <stdlib.h>
@@ -22,7 +22,7 @@
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
-#define SOLIDS_AHEAD 2 /* between asking for one and needing it */
+#define SOLIDS_AHEAD 2 /* between the prefetch of one and its use */
 #define CHUNK_SOLIDS 64
 #define CHUNK_SEGMENTS 1024 /* room at first: nine visible edges for each block, and some more */
 #define CHUNK_CROSSINGS 256
@@ -97,7 +97,7 @@ static roberts_status list_fronts(hide_job *job)
 
 /* ---- 3. where faces cross ---- */
 
-/* Moves what rows say about the lines to the drawing. */
+/* Moves the data of lines that rows need to the drawing. */
 static roberts_status find_crossings(hide_job *job, roberts_drawing *drawing)
 {
     crossings *c = &job->crossings;
@@ -214,7 +214,7 @@ static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads,
     }
 }
 
-/* One thread finds all chunks, in order, and the drawing keeps the segments as they come. */
+/* One thread fills all chunks, in order, and the drawing keeps the segments as they come. */
 static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t count, roberts_drawing *drawing)
 {
     hide_chunk all = {0};

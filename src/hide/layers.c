@@ -12,7 +12,7 @@
 /* Edges that a thread takes at a time. With fewer edges than WORTH_A_THREAD for each, another thread does not pay. */
 #define EDGES_AT_ONCE 4096
 #define WORTH_A_THREAD 8192
-/* Where in a cell its sheets are counted, as parts of its size. Regular meshes have no edges there. */
+/* Where in a cell its sheets are counted, as fractions of its size. Regular meshes have no edges there. */
 #define ACROSS_CELL 0.43709
 #define UP_CELL 0.56173
 
@@ -32,7 +32,7 @@ static float of_rank(uint32_t rank)
     return rank == 0 ? -INFINITY : z;
 }
 
-/* Notes a fold in the cell that is nowhere nearer than z: sheets must be nearer. */
+/* Records a fold in the cell that is nowhere nearer than z: sheets must be nearer. */
 static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 {
     atomic_uint *fold = &l->fold[(size_t)column * l->grid->frame.ny + row];
@@ -41,7 +41,7 @@ static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
     }
 }
 
-/* Notes a fold in all cells of a box. */
+/* Records a fold in all cells of a box. */
 static void fold_box(const layers *l, const hide_box *box, double loose)
 {
     const scan_frame *s = &l->grid->frame;
@@ -65,7 +65,7 @@ static bool fold_edge(const layers *l, objet_walk *walk, roberts_vec3 A, roberts
     return true;
 }
 
-/* Notes the folds among the edges first..end-1, as far as their bodies are not convex. False: no memory. */
+/* Records the folds among the edges first..end-1 of bodies that are not convex. False: no memory. */
 static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32_t end)
 {
     const roberts_scene *scene = l->fronts->scene;
@@ -85,7 +85,7 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* Notes as folds all fronts that are not triangles of a surface. */
+/* Records all fronts that are not triangles of a surface as folds. */
 static void fold_fronts(const layers *l)
 {
     const hide_fronts *fronts = l->fronts;
@@ -116,7 +116,7 @@ static bool fold_all(const layers *l)
     return !lost;
 }
 
-/* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to say, or this is no
+/* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to decide, or this is no
  * triangle. */
 static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 {
@@ -141,8 +141,8 @@ typedef struct part {
     uint32_t sheets;
 } part;
 
-/* Notes the nearest sheet of a cell: everything deeper than `depth` lies behind it, and every line nearer than `below`
- * lies in it. */
+/* Records the nearest sheet of a cell: everything deeper than `depth` lies behind it, and every line nearer than
+ * `below` lies in it. */
 static void set_sheet(objet *grid, size_t cell, double depth, float below)
 {
     grid->sheet.depth[cell] = hide_float_below(depth);

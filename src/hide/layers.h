@@ -19,7 +19,7 @@
 typedef struct layers {
     objet *grid;
     const hide_fronts *fronts;
-    atomic_uint *fold; /* [cells] a rank for the nearest depth of what is no sheet; NULL: no sheets are sought */
+    atomic_uint *fold; /* [cells] rank of the nearest depth of anything that is no sheet; NULL: no sheets are sought */
     objet_walk *walk;  /* [threads] */
     int threads;
 } layers;

@@ -1,11 +1,11 @@
 /* map_search.c - see map_search.h.
  *
  * A bucket grid finds what is near what: each cell lists the lines and nodes in it or near it. A crowded cell is halved
- * across one axis, namely that which leaves fewer items on both sides. This is repeated until few items are left, which
- * are compared with one another. A fan of lines in one node is not cut at all. So the search adapts to pictures that
- * are crowded in places. It takes O(n log n) time unless very many long lines run side by side aslant.
+ * along the axis that leaves fewer items in both halves. This is repeated until few items are left, which are compared
+ * with one another. A fan of lines at one node is not cut at all. So the search adapts to pictures that are crowded in
+ * places. It takes O(n log n) time unless very many long lines run side by side at an angle.
  *
- * After a round of division, only what is new is compared with its neighbours. Two items that the last round left
+ * After a round of division, only new items are compared with their neighbours. Two items that the last round left
  * unchanged are not near one another. */
 #include "hide/map_search.h"
 
@@ -18,7 +18,7 @@
 
 enum {
     FEW = 12,         /* things in a box that are compared with one another */
-    IDLE_HALVINGS = 8 /* cuts in a row that hardly part anything; then all items are compared */
+    IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all items are compared */
 };
 
 /* A line or a node, or the part of a line that a box holds. */
@@ -61,7 +61,7 @@ static void add_stop(map_search *s, uint32_t line, uint32_t node)
     s->stop[s->stop_count++] = (map_stop){.line = line, .node = node};
 }
 
-/* Does P touch what is between A and B? */
+/* Does P touch the line between A and B? */
 static bool is_near(roberts_vec2 A, roberts_vec2 B, roberts_vec2 P, double touching)
 {
     if (P.x < lesser(A.x, B.x) - touching || P.x > greater(A.x, B.x) + touching || P.y < lesser(A.y, B.y) - touching ||
@@ -88,7 +88,7 @@ static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
         join_nodes(s, p, q);
 }
 
-/* Notes where two lines cross, unless an end of one touches the other or the crossing is in another box. */
+/* Records where two lines cross, unless an end of one touches the other or the crossing is in another box. */
 static void compare_lines(map_search *s, uint32_t i, uint32_t j, const map_box *box)
 {
     planar_map *m = s->m;
@@ -289,7 +289,7 @@ static size_t place_in(double at, double low, double size, size_t count)
     return !(place > 0.0) ? 0 : place >= (double)count ? count - 1 : (size_t)(int64_t)place;
 }
 
-/* What is done with the cells that an item is in or near. */
+/* The operation on each cell that an item is in or near. */
 typedef enum list_pass {
     MARK,  /* they become busy */
     COUNT, /* busy ones count the item */

@@ -1,5 +1,5 @@
-/* map_search.h - a round of search in a planar map: the nodes that lines have to pass through, and the nodes that lie
- * so near to one another that they become one. */
+/* map_search.h - one round of search in a planar map: the nodes that lines must pass through, and the nodes so near to
+ * one another that they become one. */
 #ifndef ROBERTS_HIDE_MAP_SEARCH_H
 #define ROBERTS_HIDE_MAP_SEARCH_H
 
@@ -7,7 +7,7 @@
 
 typedef struct map_item map_item;
 
-/* A node that a line has to pass through. */
+/* A node that a line must pass through. */
 typedef struct map_stop {
     uint32_t line, node;
     double t; /* along the line, times its length */
@@ -18,8 +18,8 @@ typedef struct map_search {
     uint32_t (*kept)[2];          /* [kept_count] lines that a round has left as they were, in order */
     uint8_t *old;                 /* [line_count] the line is one of them */
     size_t kept_count, old_nodes; /* nodes from number old_nodes on are new */
-    double touching;              /* what is nearer than this is joined: less in each round */
-    double margin;                /* a box holds what is nearer than this: above rounding, the same in each round */
+    double touching;              /* things nearer than this are joined: less in each round */
+    double margin;                /* a box holds everything nearer than this: above rounding, the same in each round */
     map_item *item;               /* [count] boxes within boxes; the items of the current box come last */
     map_stop *stop;               /* [stop_count] */
     uint32_t *same;               /* [same_room] the node that each node becomes, or one on the way to it */

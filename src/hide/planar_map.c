@@ -12,8 +12,8 @@
 #include "model/face_pieces.h"
 #include "model/sweep_order.h"
 
-/* Rounds of division. From the second one on, nodes must be nearer by half to divide a line, so that an end is
- * reached. */
+/* Rounds of division. From the second one on, the distance at which a node divides a line is halved, so that the
+ * division ends. */
 enum { MOST_ROUNDS = 60 };
 
 /* The numbers of nodes, and those of both ends of all lines, are 32 bits wide. */
@@ -224,11 +224,11 @@ void planar_map_free(planar_map *m)
 
 /* ---- lines that lead nowhere ----------------------------------------------------------------------------------- */
 
-/* Takes away lines with an end that no other line has, one after the other. False: no memory. */
+/* Removes lines with an end that no other line has, one after the other. False: no memory. */
 static bool prune(planar_map *m)
 {
     uint32_t *degree = alloc_zeroed(m->node_count, sizeof *degree);
-    /* [node_count] the exclusive or of the numbers of the lines at a node: where one line is left, its number */
+    /* [node_count] the exclusive or of the numbers of the lines at a node: if one line is left, its number */
     uint32_t *sum = alloc_zeroed(m->node_count, sizeof *sum);
     uint8_t *gone = alloc_zeroed(m->line_count, 1);
     size_t to = 0;
@@ -474,7 +474,7 @@ static uint32_t line_below(const cell_sweep *s, uint32_t node)
     return below;
 }
 
-/* The cell above a line, or outside of all. */
+/* The cell above a line, or the outside. */
 static uint32_t cell_above(const cell_sweep *s, uint32_t line)
 {
     return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s, line));
@@ -493,7 +493,7 @@ static uint32_t next_ended(const cell_sweep *s, uint32_t node, uint32_t *left)
     return ROBERTS_NONE;
 }
 
-/* Takes the lines that end at a node out of the order and puts those in that begin there. Each takes the place of one
+/* Removes the lines that end at a node from the order, and inserts those that begin there. Each takes the place of one
  * that ends, as long as there are any. */
 static void pass_node(cell_sweep *s, uint32_t node)
 {

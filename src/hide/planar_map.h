@@ -3,9 +3,9 @@
  *
  * Ends within the touching distance of one another become one node: that of the smallest number, which keeps its
  * coordinates. A node within that distance of a line divides the line. Where lines cross, both are divided at a new
- * node. Lines between the same two nodes are one. Divided lines bend a little, which may make new crossings; so all
- * this is repeated until nothing is left to do. Exact signs decide whether lines cross. So the result is planar,
- * however coordinates are rounded. */
+ * node. Lines between the same two nodes are one. Divided lines bend a little, which may cause new crossings; so all
+ * this is repeated until nothing changes. Exact signs decide whether lines cross. So the result is planar, however
+ * coordinates are rounded. */
 #ifndef ROBERTS_HIDE_PLANAR_MAP_H
 #define ROBERTS_HIDE_PLANAR_MAP_H
 
@@ -47,8 +47,7 @@ typedef struct map_cells {
     size_t cycle_count, cell_count;
 } map_cells;
 
-/* Finds the cells. Lines that lead nowhere are taken from the map first. False: no memory; map_cells_free() is due in
- * any case. */
+/* Finds the cells. Dead ends are removed from the map first. False: no memory; call map_cells_free() in any case. */
 bool map_cells_find(map_cells *c, planar_map *m);
 void map_cells_free(map_cells *c);
 
@@ -62,7 +61,7 @@ static inline uint32_t map_cell_of(const map_cells *c, uint32_t half)
     return c->cell[c->cycle[half]];
 }
 
-/* The half-edge that follows on the same cycle. gone: [lines] 1: the line is taken away; NULL: none is. */
+/* The half-edge that follows on the same cycle. gone: [lines] 1: the line is removed; NULL: none is. */
 static inline uint32_t map_next(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone)
 {
     const map_stars *s = &c->stars;

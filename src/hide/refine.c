@@ -74,7 +74,7 @@ double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point
 
 /* ---- the same in doubles ---- */
 
-/* A vector in doubles, and the sizes of its components, of which their errors are parts. */
+/* A vector in doubles, and the sizes of its components. Errors are fractions of these sizes. */
 typedef struct near3 {
     roberts_vec3 is, size;
 } near3;

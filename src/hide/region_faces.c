@@ -97,11 +97,11 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g)
 /* ---- directions -------------------------------------------------------------------------------------------------- */
 
 /* The steepest line and the level line go through the foot: the point of the face's plane that is nearest to the middle
- * of the scene. So they depend on the plane alone, and what is drawn along them goes on from face to face. */
+ * of the scene. So they depend on the plane alone, and strokes along them continue from face to face. */
 
 /* Sine of the least angle from the horizontal at which a plane is steep anywhere. */
 static const double least_slope = 1e-6;
-/* In perspective, a foot behind the eye is not used, nor one that is nearer to the eye than this part of the look-at
+/* In perspective, a foot is not used if it is behind the eye, or nearer to the eye than this fraction of the look-at
  * point's distance. */
 static const double nearest_foot = 0.01;
 
@@ -111,7 +111,8 @@ static roberts_vec3 to_viewer(const view *v, roberts_vec3 u)
     return (roberts_vec3){vec3_dot(u, v->right), vec3_dot(u, v->up), vec3_dot(u, v->dir)};
 }
 
-/* How far the eye is before P, as a part of its distance from the look-at point; 1 in the orthographic view. */
+/* How far the eye is in front of P, as a fraction of its distance from the look-at point; 1 in the orthographic
+ * view. */
 static double weight(const view *v, roberts_vec3 P)
 {
     return 1.0 - vec3_dot(v->dir, vec3_sub(P, v->origin)) * v->per_unit * v->inverse_distance;

@@ -13,8 +13,8 @@
  * one. */
 roberts_color region_color(const hide_job *job, uint32_t piece);
 
-/* Can the regions of two neighbours become one? The faces must lie in one plane, as far as both are planar, have one
- * colour, and belong to one body or to bodies that are taken as one. */
+/* Can the regions of two neighbours become one? The faces must lie in one plane, as far as both are planar, have the
+ * same colour, and belong to one body or to bodies drawn as one. */
 bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
 
 /* ---- directions ---- */
@@ -29,8 +29,8 @@ void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_regi
 
 /* ---- where the near plane cuts ---- */
 
-/* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but what is
- * seen of a face ends there. */
+/* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but the
+ * visible part of a face ends there. */
 
 /* Sets the further lines of what is seen; call cut_lines_free() in any case. False: no memory. */
 bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);

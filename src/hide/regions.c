@@ -1,13 +1,13 @@
 /* regions.c - what is seen of each face, as polygons with holes.
  *
- *   1. All edges are hidden, flat ones too, and what is visible of them becomes a planar map (planar_map.c). Visible
- *      lines meet in their ends, one ends on another where it passes behind it, or they lie on one another. Only where
- *      faces touch do they cross.
- *   2. The lines part the picture into cells (planar_map.c). Nothing that bounds what is seen of a face lies within a
- *      cell, so one point of it tells which face is seen in all of it.
- *   3. Lines with the same face on both sides are taken away. The cycles that are left bound the regions.
+ *   1. Hidden lines are removed from all edges, including flat ones, and the visible parts become a planar map
+ *      (planar_map.c). Visible lines meet at their ends, or one ends where it passes behind another, or they coincide.
+ *      They cross only where faces touch.
+ *   2. The lines divide the picture into cells (planar_map.c). No border of a visible region lies inside a cell, so one
+ *      point decides which face is seen in the whole cell.
+ *   3. Lines with the same face on both sides are removed. The remaining cycles bound the regions.
  *
- * Regions tile the picture because cells do, whatever the rounding was. */
+ * Regions tile the picture because cells do, whatever the rounding. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -19,7 +19,7 @@
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
-/* Where in a stretch a point is taken, as a part of it. */
+/* Where in a stretch a point is taken, as a fraction of it. */
 #define ASIDE 0.4557
 
 enum { CELLS_PER_THREAD = 2000 };
@@ -47,7 +47,7 @@ typedef struct region_work {
     uint32_t *start, *half; /* the half-edges of each cell: [cells + 1], [2 lines] */
     cell_sight *sight;      /* [cells] */
     uint8_t *gone;          /* [lines] the same face is seen on both sides */
-    uint32_t *root;         /* [cells] the cells that are joined, by a cell of theirs */
+    uint32_t *root;         /* [cells] joined cells, represented by one of them */
     region_ring *ring;      /* [ring_count] */
     size_t ring_count, ring_room;
 } region_work;
@@ -127,8 +127,8 @@ static bool widest_at(const region_work *w, uint32_t cell, double y, region_scra
     return true;
 }
 
-/* A point well inside a cell, but not in its middle. In the middle there may be a line at which a face touches what is
- * seen from behind. False: no memory. */
+/* A point well inside a cell, but not in its middle. In the middle there may be a line along which another face touches
+ * the visible one from behind. False: no memory. */
 static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
 {
     static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height; at any of them */
@@ -257,7 +257,7 @@ static bool merge_faces(region_work *w)
     return true;
 }
 
-/* Takes away lines with the same face on both sides. */
+/* Removes lines with the same face on both sides. */
 static bool join_cells(region_work *w)
 {
     w->gone = alloc_array(w->map.line_count, 1);
@@ -278,7 +278,7 @@ static bool join_cells(region_work *w)
     return true;
 }
 
-/* The ring that a half-edge is part of, which becomes done. */
+/* Traces the ring of a half-edge, and marks it as done. */
 static region_ring ring_of(region_work *w, uint32_t half, uint8_t *done)
 {
     uint32_t cell = map_cell_of(&w->cells, half);

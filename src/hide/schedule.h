@@ -95,7 +95,7 @@ typedef struct picture_order {
 bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth);
 void picture_order_free(picture_order *o);
 
-/* Keeps the worker's lines, those of the solid at `place`, as hide_worker_run() has left them. The solids of a chunk
+/* Stores the worker's lines, those of the solid at `place`, as hide_worker_run() has left them. The solids of a chunk
  * come one after the other. A solid that is culled has no lines. False: no memory. */
 bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w);
 
@@ -151,7 +151,7 @@ void chunks_free(chunks *c);
  * the work. When all threads have got NULL, or have failed, all segments are where they belong. */
 hide_chunk *chunks_take(chunks *c, int self);
 
-/* Says that the thread has filled the chunk. */
+/* Reports that the thread has filled the chunk. */
 void chunks_done(chunks *c, int self, hide_chunk *chunk);
 
 /* Ends the work, unless it has ended already. */

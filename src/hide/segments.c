@@ -6,7 +6,7 @@
 
 /* ---- lines to segments ----------------------------------------------------------------------------------------- */
 
-/* A body's lines on their way into a chunk. */
+/* A body's lines, while they are written to a chunk. */
 typedef struct line_writer {
     const seen *seen;
     hide_chunk *out;
@@ -74,11 +74,12 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
                                                          .z1 = R1.z * unit,
                                                          .state = by == ROBERTS_NONE ? ROBERTS_VISIBLE : ROBERTS_HIDDEN,
                                                          .line = (uint8_t)row->class,
-                                                         .level = 0, /* no member is left out: clearing all costs */
+                                                         .level = 0, /* every member is set, which is cheaper than
+                                                                        clearing first */
                                                          .edge = row->edge};
 }
 
-/* Writes a part of an edge that the near plane has taken. at: where the plane cuts the edge. The chunk has room. */
+/* Writes a part of an edge that the near plane has removed. at: where the plane cuts the edge. The chunk has room. */
 static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
     line_row row = row_of(w, taken);
@@ -97,8 +98,8 @@ static void put_taken_part(const line_writer *w, const seen_line *taken, roberts
                                                              .edge = row.edge};
 }
 
-/* Writes what the near plane has taken of a line's edge: the part before the line (which: SEEN_TAKEN_BEFORE), the part
- * after it (SEEN_TAKEN_AFTER), or all of it (SEEN_TAKEN). The chunk has room. */
+/* Writes what the near plane has removed from a line's edge: the part before the line (which: SEEN_TAKEN_BEFORE), the
+ * part after it (SEEN_TAKEN_AFTER), or all of it (SEEN_TAKEN). The chunk has room. */
 static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, unsigned which)
 {
     seen_line taken = line->is;
@@ -264,7 +265,7 @@ static bool has_segments(const hide_job *job, uint32_t body)
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Does AB lie completely behind covers or sheets? Neither is asked if hidden lines are wanted. */
+/* Does AB lie completely behind covers or sheets? Neither is tested if hidden lines are wanted. */
 BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
 {
     const cover *c = &job->fronts.cover, *sheet = &job->grid.sheet;

@@ -1,14 +1,14 @@
-/* segments.h - the lines of one body, or lines in which faces cross, and the segments that are left of them. */
+/* segments.h - the lines of one body, or lines in which faces cross, and their segments. */
 #ifndef ROBERTS_HIDE_SEGMENTS_H
 #define ROBERTS_HIDE_SEGMENTS_H
 
 #include "hide/crossings.h"
 #include "hide/schedule.h"
 
-/* One scene seen by one camera, all that its segments follow from. */
+/* One scene seen by one camera: everything that determines its segments. */
 typedef struct hide_job {
     const roberts_hide_options *options;
-    roberts_segment_fn *each; /* takes the segments; NULL: the drawing keeps them */
+    roberts_segment_fn *each; /* receives the segments; NULL: the drawing keeps them */
     void *context;
     struct roberts_region_list *regions; /* NULL: not wanted */
     bool merge_bodies;                   /* regions of several bodies may be merged */
@@ -24,8 +24,8 @@ typedef struct hide_job {
  * with few edges. */
 bool segments_at_once(const hide_job *job, uint32_t body);
 
-/* Takes up the lines of such a body that are not covered, and finds what is hidden of them, and which bodies are seen
- * there if hidden segments are kept. A body without segments has no such lines. False: no memory. */
+/* Adds the lines of such a body that are not covered, and finds their hidden parts; if hidden segments are kept, also
+ * the bodies seen there. A body without segments has no such lines. False: no memory. */
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body);
 
 /* Adds the segments of the bodies first .. end - 1, using what was found before their turn. False: no memory. */

@@ -157,8 +157,8 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
                          fast_sides *H);
 
 /* Tests 2 to 4. `span` bounds the distance of any two points of outline and edge, |dx| + |dy|. `hidden` is a part of
- * the edge that is known to be hidden, where nothing new need be found; NULL: none. Fills `part` if the verdict is
- * FAST_INSIDE or FAST_CUT. */
+ * the edge that is known to be hidden, in which nothing new needs to be found; NULL: none. Fills `part` if the verdict
+ * is FAST_INSIDE or FAST_CUT. */
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
 {

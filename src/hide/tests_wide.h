@@ -1,4 +1,4 @@
-/* tests_wide.h - tests 2 to 4 against a polygon of very many corners. They find what tests.c finds, without testing
+/* tests_wide.h - tests 2 to 4 against a polygon of very many corners. They give the results of tests.c, without testing
  * every side.
  *
  * The sides are grouped into runs, and into runs of runs (list_tree.h). A run is described in a frame of its own: the

@@ -130,13 +130,14 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 
 /* ---- visible regions ---- */
 
-/* Epsilons, and roundings of a picture coordinate: ends of lines that ought to meet are nearer to one another. */
+/* Epsilons, and roundings of a picture coordinate: ends of lines that should meet are nearer to one another than
+ * this. */
 #define REGION_TOUCHING 8.0
 
-/* Epsilons, and roundings of a depth: what the near plane has cut is nearer to it than this. */
+/* Epsilons, and roundings of a depth: corners made by the near plane are nearer to it than this. */
 #define CUT_TOUCHING 16.0
 
-/* Part of the scene's diameter: a face whose box begins deeper than this behind what is seen at a point does not touch
+/* Fraction of the scene's diameter: a face whose box begins deeper than this behind the visible point does not touch
  * it. A steep face may reach so far, but its picture is then narrower than a few epsilon there. */
 #define LOOK_DEPTH 1e-5
 

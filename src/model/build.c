@@ -299,7 +299,7 @@ static roberts_status build_plain(construction *c, const polygons *faces, const 
     return status == ROBERTS_NO_MEMORY || !atomic_load(&c->any_open) ? status : ROBERTS_OK;
 }
 
-/* What is learned while building a scene of solids. */
+/* Facts found while building a scene of solids. */
 typedef struct solid_notes {
     bool known;      /* some component is known not to be a convex solid */
     size_t repeated; /* corners left out because they repeat another of their face */

@@ -127,7 +127,7 @@ static double walk(const spot *polygon, uint32_t count, const corner_hull *h, do
             *deepest = c.at;
         }
         if (depth > allowed)
-            continue; /* in there, the walk may turn back */
+            continue; /* within this depth, the walk may turn back */
         if (along < reached - allowed)
             return INFINITY;
         reached = fmax(reached, along);

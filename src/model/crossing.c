@@ -12,7 +12,7 @@
 
 /* ---- planes and signs -------------------------------------------------------------------------------------------- */
 
-/* The largest error of a decision, as a part of the touching distance. */
+/* The largest error of a decision, as a fraction of the touching distance. */
 #define TRUSTED 0.125
 
 static double greatest_coordinate(roberts_vec3 d)
@@ -325,7 +325,7 @@ static cut chosen(const pair *w, cut *a, cut *b, bool later, int *of)
     return first ? *a : *b;
 }
 
-/* How a piece lies about the other plane. */
+/* On which sides of the other plane a piece lies. */
 typedef struct contact {
     span on;
     uint32_t corners; /* on the plane */
@@ -380,7 +380,7 @@ static crossing_point point_of(const pair *w, cut *c, int of)
 }
 
 /* Does P come after Q in the order of x, y, z? Coordinates within the touching distance count as equal, so that
- * rounding of the model does not turn a line round. */
+ * rounding of the model does not reverse a line. */
 static bool is_behind(const crossing_rules *rules, const crossing_point *P, const crossing_point *Q)
 {
     roberts_vec3 d = vec3_add(vec3_sub(P->point, Q->point), vec3_sub(P->low, Q->low));
@@ -592,7 +592,7 @@ static bool add_touch(const crossing_face *f, const crossing_face *g, crossing_l
     return true;
 }
 
-/* Does face f lie on one side of g's plane or straddle it? `a` says how. */
+/* Does face f lie on one side of g's plane, or straddle it? `a` has its position. */
 static bool find_touches(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_lie a,
                          crossing_list *out)
 {

@@ -79,14 +79,14 @@ static inline bool crossing_in_pieces(const crossing_face *f)
     return f->end - f->first > 1;
 }
 
-/* How one face lies about the plane of another. */
+/* The position of one face relative to the plane of another. */
 typedef struct crossing_lie {
-    bool over, under; /* it has corners there; a face in the plane has none on either side */
+    bool over, under; /* it has corners on that side; a face in the plane has none on either side */
     bool side;        /* a side of a piece lies in the plane, and is not a side of the other face */
 } crossing_lie;
 
-/* How f lies about the plane of g. A face of one piece with corners on both sides has no side in the plane, so none is
- * looked for. */
+/* Finds the position of f relative to the plane of g. A face of one piece with corners on both sides has no side in the
+ * plane, so none is looked for. */
 crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g);
 
 /* May the face end on the other one along a side? */
@@ -95,7 +95,7 @@ static inline bool crossing_ends_on(crossing_lie lie)
     return lie.side && (lie.over || lie.under);
 }
 
-/* Appends the segments in which two different faces cross, in the order of their first ends. Also tells whether one
+/* Appends the segments in which two different faces cross, in the order of their first ends. Also finds whether one
  * face may end on the other. False: no memory. */
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out);
 

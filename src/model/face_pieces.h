@@ -76,7 +76,7 @@ typedef struct border_line {
     uint32_t side; /* the first side of the face of which it is a part */
 } border_line;
 
-/* A node that a line has to pass through. */
+/* A node that a line must pass through. */
 typedef struct border_stop {
     uint32_t line, node;
     double t; /* along the line */

@@ -126,7 +126,7 @@ roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, robert
 
 /* What happened to a solid. */
 typedef enum hull_fate {
-    FATE_KEPT,  /* already convex, or points without faces, which are meant to become a hull */
+    FATE_KEPT,  /* already convex, or points without faces, which only a hull can use */
     FATE_FLAT,  /* flat: left out */
     FATE_OPEN,  /* replaced by its hull because it is not closed */
     FATE_BENT,  /* replaced because a face is not planar */

@@ -19,7 +19,7 @@
 
 enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 
-/* A factor beyond what rounding can add to a bound. */
+/* A factor that exceeds what rounding can add to a bound. */
 #define GLANCE_MARGIN 1.01
 
 /* Planes are stored unless bodies have this many faces, on average. */
@@ -28,7 +28,7 @@ enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
 /* Data is prefetched this many edges ahead. */
 #define EDGES_AHEAD 8
 
-/* A solid beyond these sizes needs a frame of its own, and is not decided at a glance. */
+/* A solid beyond these sizes needs a frame of its own, and a quick test cannot decide it. */
 #define GLANCE_LARGE 0x1p200
 #define GLANCE_SMALL 0x1p-200
 
@@ -494,7 +494,7 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
             continue;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
             if (scene->turned[f])
-                scene_turn_face(scene, f); /* back to what the file has */
+                scene_turn_face(scene, f); /* restore the corners of the file */
         if (scene->solid[s].stored >= scene->shared)
             answer = take_edges(&w, s);
     }

@@ -135,7 +135,7 @@ static bool merge_borders(plain_edges *p, scene_edge *edge, size_t count)
     return true;
 }
 
-/* Notes on which side of its edge each face lies. A single face on the right becomes f[0]. */
+/* Records on which side of its edge each face lies. A single face on the right becomes f[0]. */
 static void note_sides(scene_edge *edge, uint8_t *is, size_t count, bool any_border)
 {
     memset(is, EDGE_TURNED_1, count);
@@ -232,7 +232,7 @@ static bool same_corners(const roberts_scene *scene, uint32_t f, uint32_t g)
 
 enum { MANY_MOST = 16 }; /* faces at an edge; comparing all pairs of more would take long */
 
-/* Notes the faces of an edge of more than two, none of which repeats another. */
+/* Records the faces of an edge of more than two, none of which repeats another. */
 static plain_answer add_many(plain_edges *p, uint32_t s, const uint64_t *half, uint32_t count)
 {
     uint32_t first = p->scene->solid[s].face;

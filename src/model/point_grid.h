@@ -4,7 +4,7 @@
 
 #include "base/vec.h"
 
-/* A point where the grid looks for it: most points of a cell are dismissed by that alone. */
+/* A point as stored in the grid: this alone excludes most points of a cell. */
 typedef struct grid_point {
     float at[3]; /* rounded, in cells from the grid's lowest corner */
     uint32_t number;

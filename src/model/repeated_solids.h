@@ -26,7 +26,7 @@ typedef struct repeated_solids {
     uint32_t *of;         /* [solids joined] the pattern of each */
     size_t room, of_room;
     uint32_t count, recent_count;
-    uint32_t recent[REPEATED_RECENT]; /* [recent_count] the patterns met last, most recent first */
+    uint32_t recent[REPEATED_RECENT]; /* [recent_count] the last patterns found, most recent first */
 } repeated_solids;
 
 /* Finds the pattern of each solid of a scene that is laid out. False: no memory. */

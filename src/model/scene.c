@@ -1,5 +1,5 @@
-/* scene.c - the scene's arrays: allocated, filled solid by solid, freed; what callers may ask of a scene; which file a
- * solid comes from. */
+/* scene.c - the scene's arrays: allocated, filled solid by solid, freed; queries by callers; which file a solid comes
+ * from. */
 #include "model/scene.h"
 
 #include <math.h>

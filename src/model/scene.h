@@ -34,9 +34,9 @@ typedef struct scene_edge {
     uint32_t f[2]; /* faces; v[0] -> v[1] runs counter-clockwise round f[0] */
 } scene_edge;
 
-/* What a body that is not convex has besides its arrays in the scene. Its scene faces are convex pieces of the faces of
- * the input, which scene_face_number() gives. The corners of each piece run counter-clockwise, seen from where its
- * plane has F < 0; its winding means nothing else. */
+/* Additional data of bodies that are not convex. Its scene faces are convex pieces of the faces of the input, which
+ * scene_face_number() gives. The corners of each piece run counter-clockwise, seen from where its plane has F < 0; its
+ * winding means nothing else. */
 enum {
     EDGE_TURNED_0 = 1, /* face f[0] of the edge is on the right of v[0] -> v[1], not on the left */
     EDGE_TURNED_1 = 2, /* face f[1] is on the right */
@@ -79,8 +79,8 @@ typedef struct scene_reach {
     double rounding; /* greatest error of an x or y */
 } scene_reach;
 
-/* What a part of a scene has to know of the whole. With it, the part's bodies are built and seen as they are in the
- * whole, to the last bit. */
+/* What a part of a scene needs to know about the whole. With it, the part's bodies are built and seen as they are in
+ * the whole, to the last bit. */
 typedef struct scene_whole {
     roberts_vec3 box_min, box_max; /* of all vertices that faces use */
     double float32_step;           /* see mesh_float32_step() */
@@ -106,8 +106,8 @@ struct roberts_scene {
     uint32_t *number;     /* [vertex_count] see scene_vertex_number(); NULL: numbers as in the input */
     uint32_t *face_start; /* [face_count + 1] into corner; a face has fewer than 2^32 corners in all */
     uint32_t *corner;     /* [corner_count] compact vertex numbers */
-    /* NULL, all three: every face is a triangle of a body that is not convex, and is measured whenever it is asked for.
-     * Otherwise the planes of a large mesh would need more memory than anything else. See scene_plane(). */
+    /* NULL, all three: every face is a triangle of a body that is not convex, and its plane is computed whenever it is
+     * needed. Stored, the planes of a large mesh would need more memory than anything else. See scene_plane(). */
     plane *face_plane;                        /* [face_count] for points relative to `centre` */
     float *face_deviation;                    /* [face_count] see scene_deviation() */
     float *face_width;                        /* [face_count] see scene_width() */
@@ -232,7 +232,7 @@ static inline double scene_width(const roberts_scene *scene, uint32_t face)
 }
 
 /* The bend at an edge, the squared distance of two unit normals, as a byte that ascends with it: its binary exponent
- * and two digits more. Most bends differ from a crease angle by so much that the byte tells which is greater. */
+ * and two digits more. Most bends differ so much from a crease angle that the byte decides which is greater. */
 static inline uint8_t scene_bend_code(double bend)
 {
     float rounded = (float)bend;

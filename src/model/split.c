@@ -23,8 +23,8 @@
 /* ---- by angles: the walk along the walls ----------------------------------------------------------------------- */
 
 /* The solids are found like rooms, by walking along the walls. The walk starts from one side of a face, which is taken
- * as the inner side. At each edge it goes on to the next face met when turning through the inside. Solids are convex,
- * so this is at most a half turn. A walk that closes is a solid.
+ * as the inner side. At each edge it continues with the next face met when turning through the inside. Solids are
+ * convex, so this is at most a half turn. A walk that closes is a solid.
  *
  * Faces with the same vertices are one wall with two sides, and each side belongs to another solid. The first walk
  * starts from the outermost face, of which only one side can close. The next walks start from the other sides of the
@@ -268,8 +268,8 @@ static bool walk_closes(walker *w, uint32_t count)
     return closes;
 }
 
-/* Makes a new group of one face from each wall of the walk. Notes the other sides of walls that have more faces. False:
- * no memory. */
+/* Makes a new group of one face from each wall of the walk. Records the other sides of walls that have more faces.
+ * False: no memory. */
 static bool take_walk(walker *w, uint32_t count)
 {
     uint32_t group = splitter_group(w->s, true);

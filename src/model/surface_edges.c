@@ -312,7 +312,7 @@ typedef struct division {
     uint32_t piece, from;
     double t;    /* of `from` */
     bool turned; /* the side itself runs the other way */
-    bool part;   /* what is made is a part of the edge of the file */
+    bool part;   /* the result is a part of an edge of the file */
 } division;
 
 /* Makes the part between the last stop and this one, unless it has no length along the edge of the file. */

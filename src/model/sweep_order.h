@@ -28,7 +28,7 @@ void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below);
 /* Returns the line directly above another, or the lowest if `below` is ROBERTS_NONE. */
 uint32_t sweep_order_above(const sweep_order *order, uint32_t below);
 
-/* Puts a line into the place of another, which leaves the order. It takes less time than to remove and to insert. */
+/* Replaces a line by another one. This is faster than removing and inserting. */
 void sweep_order_replace(sweep_order *order, uint32_t old, uint32_t line);
 
 void sweep_order_remove(sweep_order *order, uint32_t line);

@@ -1,5 +1,5 @@
 /* join.c - joins the parts of a drawing. Each part has its lines in the order of the whole, and each body is in one
- * part. So the parts are merged: the next line is the least among those that come next in each part. */
+ * part. So the parts are merged: the next line is the least of the next lines of all parts. */
 #include "part/rows.h"
 
 #include <errno.h>
@@ -38,7 +38,7 @@ static roberts_status broken(const source *s, roberts_error *error)
 
 /* ---- opening ---------------------------------------------------------------------------------------------------- */
 
-/* Reads the beginning and the end. The length of the file has to be what they say. */
+/* Reads the beginning and the end. The length of the file must agree with them. */
 static bool read_frame(source *s, uint64_t size, bool *is_part)
 {
     *is_part = size >= sizeof s->head && fread(&s->head, sizeof s->head, 1, s->file) == 1 &&
@@ -234,7 +234,7 @@ static bool alloc_drawing(joiner *j)
     return j->lines < ROBERTS_NONE && d->segment && d->known_edge && d->crossing;
 }
 
-/* Takes over what the parts say of the whole. */
+/* Takes over the data about the whole from the parts. */
 static void describe(joiner *j)
 {
     const plan_facts *facts = &j->part[0].head.facts;

@@ -2,10 +2,10 @@
  *
  * 1. Which bodies. The part's own bodies are known from their starts (plan.h). Their boxes mark cells of the picture.
  *    Every body whose box meets a marked cell is kept: nothing else can hide or cross the part's lines. If bodies are
- *    culled, their boxes mark cells, too, and what meets these is kept as well: it may cull them.
- * 2. The kept bodies become a mesh, in their order, and the mesh a scene that knows what the whole is (scene_whole).
- *    Then all tolerances are those of the whole. No result depends on bodies that are not met, so the rows are those of
- *    one run.
+ *    culled, the boxes of kept bodies mark cells, too, and bodies that meet these are kept as well: they may cull them.
+ * 2. The kept bodies become a mesh, in their order, and the mesh becomes a scene with the data of the whole
+ *    (scene_whole). Then all tolerances are those of the whole. No result depends on bodies that are not met, so the
+ *    rows are those of one run.
  * 3. Its hidden lines are removed. Segments of own bodies are written with their numbers in the whole. */
 #include "part/rows.h"
 
@@ -23,7 +23,7 @@ enum { CELLS = 512 };
 /* Cells of covers: how far beside its box a body may read covers; and a little more, for margins. */
 #define COVERS_BESIDE 5.0
 
-/* More parts than that are taken for a slip. */
+/* More parts than this are probably a mistake. */
 #define SHARES_MOST 1000000u
 
 typedef struct kept_body {
@@ -52,7 +52,7 @@ typedef struct part {
     roberts_scene *scene;
     roberts_drawing drawing; /* without segments */
     output *out;
-    rows_line line; /* the line whose segments come */
+    rows_line line; /* the line whose segments are being received */
     rows_segment *segment;
     size_t segment_room;
     uint32_t edge; /* its number in the scene */
@@ -88,7 +88,8 @@ static bool is_own(const part *q, uint32_t start)
     return (uint64_t)start * q->share.of / q->p->facts.weight == q->share.number - 1;
 }
 
-/* Marks cells by how many rectangles begin and end there; the sums then say how many lie over each. */
+/* Marks cells by how many rectangles begin and end there; the sums are then the numbers of rectangles over each
+ * cell. */
 static void mark(picture_cells *c, const plan_place *place)
 {
     int first[2], last[2];
@@ -137,8 +138,8 @@ static bool keep(part *q, uint32_t number, uint64_t at, const plan_place *place,
     return true;
 }
 
-/* What is done with the places of bodies: own ones mark cells; those that are met mark cells of another picture; those
- * that are met are kept. */
+/* The passes over the places of bodies: own bodies mark cells; bodies that meet these mark cells of another picture;
+ * bodies that meet those are kept. */
 typedef enum look { LOOK_OWN, LOOK_MET, LOOK_KEEP } look;
 
 static roberts_status broken(roberts_error *error)
@@ -146,7 +147,7 @@ static roberts_status broken(roberts_error *error)
     return error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is broken, or cannot be read");
 }
 
-/* Does the record have room for what its place says of it? */
+/* Is the record large enough for the counts in its place? */
 static bool has_room(const plan_place *place)
 {
     const uint64_t numbers = (uint64_t)place->faces + place->corners;
@@ -154,8 +155,8 @@ static bool has_room(const plan_place *place)
            (uint64_t)place->size * PLAN_UNIT;
 }
 
-/* Looks at the places of all bodies, one after the other. What they say of sizes has to fit the file, so a damaged plan
- * cannot ask for more memory than a sound one of its length. */
+/* Examines the places of all bodies, one after the other. The sizes must fit the file, so a damaged plan cannot require
+ * more memory than a sound one of its length. */
 static roberts_status look_through(part *q, look what, roberts_error *error)
 {
     const plan_facts *facts = &q->p->facts;
@@ -236,7 +237,7 @@ static bool alloc_mesh(part *q)
     return true;
 }
 
-/* Reads numbers that are listed, or counts from the first one. */
+/* Reads the listed numbers, or counts from the first one. */
 static bool read_numbers(plan_reader *in, bool listed, uint32_t first, uint32_t count, uint32_t *to)
 {
     for (uint32_t i = 0; i < count && !listed; i++)
@@ -377,7 +378,7 @@ static void put(part *q, const void *bytes, size_t size)
     output_bytes(q->out, bytes, size);
 }
 
-/* Writes the line whose segments have come. */
+/* Writes the line whose segments have been received. */
 static void end_line(part *q)
 {
     if (q->line.segments == 0)
@@ -436,7 +437,7 @@ static roberts_status hide(part *q, roberts_error *error)
     roberts_status status = roberts_hide_each(q->scene, &q->task->camera, &options, &each, &q->drawing, error);
     end_line(q);
     if (status == ROBERTS_STOPPED)
-        status = q->no_memory ? error_no_memory(error) : ROBERTS_IO; /* the output knows the reason */
+        status = q->no_memory ? error_no_memory(error) : ROBERTS_IO; /* the output stores the reason */
     return status;
 }
 

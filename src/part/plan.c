@@ -1,7 +1,7 @@
 /* plan.c - makes and opens a plan. See plan.h.
  *
- * Two passes. The first reads the inputs and writes the bodies; it finds the box of the scene, from which the view
- * follows. The second reads the bodies again, from the plan, and finds where each is in the picture. */
+ * There are two passes. The first reads the inputs and writes the bodies; it finds the box of the scene, which
+ * determines the view. The second reads the bodies from the plan again and finds where each lies in the picture. */
 #include "part/plan.h"
 
 #include <assert.h>
@@ -50,7 +50,7 @@ uint64_t part_hash(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
-/* A file that is being written from its beginning on. Failures are noticed at the end. */
+/* A file that is written sequentially. Failures are checked at the end. */
 typedef struct plan_writer {
     int file, reason; /* reason: errno of the first failure */
     uint64_t at, hash;
@@ -81,7 +81,7 @@ static void put(plan_writer *w, const void *bytes, size_t size)
     }
 }
 
-/* Puts zero bytes up to the next unit. */
+/* Writes zero bytes up to the next unit. */
 static void put_padding(plan_writer *w)
 {
     static const char zeros[PLAN_UNIT];
@@ -113,7 +113,7 @@ bool plan_read(plan_reader *r, void *to, size_t size)
 {
     char *next = to;
     size_t held = r->filled - r->used;
-    if (!to && size > held) { /* what is skipped is not read */
+    if (!to && size > held) { /* skipped bytes are not read */
         if (size - held > r->end - r->at)
             return false;
         r->at += size - held;
@@ -179,8 +179,8 @@ typedef struct planner {
     roberts_vec3 *seen;
 } planner;
 
-/* Does each edge of the body have an even number of faces? A body where that is not so is open. (By a hash, so that one
- * pass is enough; whatever it misses is noticed when the part is drawn.) */
+/* Does each edge of the body have an even number of faces? Otherwise the body is open. (A hash needs only one pass;
+ * drawing the part finds what the hash misses.) */
 static bool is_even(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *body = scene->solid + s;
@@ -274,7 +274,7 @@ static roberts_status put_bodies(planner *pl, const roberts_scene *scene, robert
     return ROBERTS_OK;
 }
 
-/* What cannot be told from one body alone. */
+/* Checks that need more than one body. */
 static roberts_status check_mesh(const roberts_mesh *mesh, roberts_error *error)
 {
     for (size_t f = 0; f < mesh->face_count; f++)
@@ -284,7 +284,7 @@ static roberts_status check_mesh(const roberts_mesh *mesh, roberts_error *error)
     return ROBERTS_OK;
 }
 
-/* Lays out and writes the bodies of one input. The mesh is changed. */
+/* Lays out and writes the bodies of one input. Changes the mesh. */
 static roberts_status put_mesh(planner *pl, roberts_mesh *mesh, roberts_error *error)
 {
     polygons faces;
@@ -351,7 +351,7 @@ static void place_body(planner *pl, const view *v, plan_place *place, box3 *box)
     view_points(v, pl->point, place->vertices, pl->seen);
     view_add_reach(v, pl->point, place->vertices, &facts->whole.reach);
     box_add_all(&box->lo, &box->hi, pl->seen, place->vertices);
-    box->lo.z = box->hi.z = 0.0; /* bodies are put in order by their place in the picture alone */
+    box->lo.z = box->hi.z = 0.0; /* bodies are ordered only by their place in the picture */
     facts->whole.low = (roberts_vec2){lesser(facts->whole.low.x, box->lo.x), lesser(facts->whole.low.y, box->lo.y)};
     facts->whole.high =
         (roberts_vec2){greater(facts->whole.high.x, box->hi.x), greater(facts->whole.high.y, box->hi.y)};
@@ -418,7 +418,7 @@ static bool count_cells(planner *pl, double margin)
     return done;
 }
 
-/* Sets what drawings say about the view. `scene` stands for the whole. */
+/* Sets the data about the view that drawings have. `scene` stands for the whole. */
 static roberts_status describe_view(planner *pl, const roberts_scene *scene, roberts_error *error)
 {
     plan_facts *facts = &pl->p->facts;
@@ -585,8 +585,7 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
     return status;
 }
 
-/* Are the sections one behind the other, and as large as they have to be? And is the picture's grid one that so many
- * bodies can have? */
+/* Do the sections follow one another, with the right sizes? And is the picture's grid possible for so many bodies? */
 static bool is_sound(const plan_facts *facts, uint64_t end)
 {
     return facts->bodies < ROBERTS_NONE && facts->weight < ROBERTS_NONE && facts->places <= facts->starts &&

@@ -1,4 +1,4 @@
-/* plan.h - a scene laid out for being drawn in parts: what all parts have to know, and each body where it can be found.
+/* plan.h - a scene laid out to be drawn in parts: the data that all parts need, and each body at a known place.
  *
  * A plan is a file:
  *
@@ -20,7 +20,7 @@
 
 enum { PLAN_UNIT = 8 }; /* bytes; records, and names together, take a multiple of it */
 
-/* What decides which rows there are. Padding is zero, so that stamps are compared as bytes. */
+/* Everything that determines the rows. Padding is zero, so that stamps can be compared as bytes. */
 typedef struct part_stamp {
     double dir[3], eye[3], look_at[3], up[3], oblique[2], near_distance, fov, roll; /* of the camera */
     double crease, epsilon, tolerance;
@@ -64,7 +64,7 @@ typedef struct plan {
     char *name; /* names of the inputs, as in the file */
 } plan;
 
-/* A stretch of a file that is read from its beginning on, through a buffer. */
+/* A section of a file that is read sequentially, through a buffer. */
 typedef struct plan_reader {
     int file;
     uint64_t at, end;
@@ -78,7 +78,7 @@ bool plan_read_from(plan_reader *r, int file, uint64_t at, uint64_t end);
 bool plan_read(plan_reader *r, void *to, size_t size);
 void plan_reader_free(plan_reader *r);
 
-/* Adds bytes, a multiple of 8, to a hash that tells files apart. It does not withstand intent. */
+/* Adds bytes, a multiple of 8, to a hash that tells files apart. It does not withstand deliberate collisions. */
 uint64_t part_hash(uint64_t hash, const void *bytes, size_t size);
 
 part_stamp part_stamp_of(const roberts_task *task);

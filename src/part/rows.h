@@ -1,4 +1,4 @@
-/* rows.h - what a part's file holds: the lines of its bodies that have segments, and these segments.
+/* rows.h - the file of a part: the lines of its bodies that have segments, and these segments.
  *
  *   rows_head   what belongs to the whole, and which part this is
  *   names       of the inputs, each with its NUL, and zero bytes up to a multiple of 8

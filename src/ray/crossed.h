@@ -1,4 +1,5 @@
-/* crossed.h - the faces that, by a drawing, cross in a line: which faces of the scene they are, and whether they cross.
+/* crossed.h - the faces that cross in a line, according to a drawing: which faces of the scene they are, and whether
+ * they cross.
  *
  * This check has its own geometry. The line must lie in the planes of both faces. Beside it, on both sides, a ray along
  * the normal of each face must meet that face. A face that is met on one side only must end along an edge that it

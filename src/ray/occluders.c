@@ -343,7 +343,7 @@ bool occluders_take_part(const occluders *o, const occluders_asker *of, uint32_t
 
 /* ---- casting --------------------------------------------------------------------------------------------------- */
 
-/* Queries on their way through the tree. */
+/* Queries that go through the tree. */
 typedef struct casting {
     const occluders *o;
     sight_question *question;

@@ -17,7 +17,7 @@ typedef struct picker {
     size_t room;
 } picker;
 
-/* Returns the depth of a point in s.unit: how far it lies before the picture plane, toward the viewer. */
+/* Returns the depth of a point in s.unit: how far it lies in front of the picture plane, toward the viewer. */
 static double depth_of(const picker *p, roberts_vec3 X)
 {
     return vec3_dot(vec3_sub(X, p->Q), p->seen.view.dir);

@@ -61,17 +61,17 @@ BITS_INLINE const char *next_token(const char *end)
     return *end == ' ' && (unsigned char)end[1] > ' ' ? end + 1 : pass_blanks(end);
 }
 
-/* Models along the axes repeat their coordinates. To compare a text with an earlier one costs a sixth of reading it. */
+/* Models along the axes repeat their coordinates. Comparing a text with an earlier one costs a sixth of reading it. */
 enum { SPELLINGS = 2, SHORT_SPELLING = 8, LONG_SPELLING = 23, FRUITLESS_VERTICES = 16 };
 
-/* A coordinate as it is written. */
+/* A coordinate as text. */
 typedef struct spelling {
     uint64_t begin, middle, end; /* its first eight characters; eight more; its last seven, and what follows */
     size_t middle_at, length;
     double value;
 } spelling;
 
-/* What is known of the coordinates of one column. */
+/* The last coordinates of one column. */
 typedef struct column {
     number_guess guess;
     spelling last[SPELLINGS];
@@ -121,8 +121,7 @@ BITS_INLINE const char *coordinate(const char *c, column *k, bool spelled, size_
     return next_token(end);
 }
 
-/* Reads vertices as plain_vertices() does. spelled: compares texts, and ends after some vertices where none was
- * found. */
+/* Reads vertices as plain_vertices() does. spelled: compares texts, and stops after some vertices if none was found. */
 BITS_INLINE const char *vertices_in_columns(const char *at, column k[3], bool spelled, roberts_vec3 *vertex,
                                             size_t room, size_t *count)
 {

@@ -1,5 +1,5 @@
-/* camera.h - where single points of a scene are in the picture, for rooms that know no views. The functions on cameras
- * are in roberts.h. */
+/* camera.h - where single points of a scene lie in the picture, for rooms that do not use views. The functions on
+ * cameras are in roberts.h. */
 #ifndef ROBERTS_VIEW_CAMERA_H
 #define ROBERTS_VIEW_CAMERA_H
 

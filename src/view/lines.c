@@ -143,7 +143,7 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     return true;
 }
 
-/* Would an edge of a convex body that the near plane has taken completely be a line? Sets its class. */
+/* Would an edge of a convex body that the near plane has completely removed be a line? Sets its class. */
 static bool taken_of_solid(const seen_walk *w, seen_line *line)
 {
     const roberts_scene *source = w->of->source;
@@ -263,8 +263,8 @@ static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
                          scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
 }
 
-/* The line of an edge where bodies are one. If an edge of a convex body has no front face, its own body hides it,
- * whatever the other bodies fill. */
+/* The line of an edge with a union. If an edge of a convex body has no front face, its own body hides it, whatever the
+ * other bodies fill. */
 static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
 {
     bool convex = scene_is_convex(w->of->source, w->body), all = w->all;

@@ -65,7 +65,7 @@ bool seen_begin_points(seen *s);
 /* Sets which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
 
-/* Takes all bodies together as one, with at most `threads` threads. The facings of mapped bodies must be known. culled:
+/* Treats all bodies as one, with at most `threads` threads. The facings of mapped bodies must be known. culled:
  * [solid_count] 1: no walk will visit this body. False: no memory. */
 bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads);
 
@@ -98,8 +98,8 @@ BITS_INLINE int seen_front_face(seen *s, uint32_t face, seen_face *out)
     return facing;
 }
 
-/* Faces of up to this many corners that are seen from behind are turned over whenever they are asked for. In a mesh,
- * most are never asked for. */
+/* Faces of up to this many corners that are seen from behind are turned over whenever they are needed. In a mesh, most
+ * are never needed. */
 enum { SEEN_TURNED = 3 };
 
 /* Returns the corners of a face whose facing is known, counter-clockwise in the picture. They are in `turned` if the

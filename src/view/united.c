@@ -24,7 +24,7 @@ typedef struct search {
     uint32_t *first; /* [count] counts from the pieces of the chunk */
 } search;
 
-/* Keeps the answer for one line, unless the union does not change the line. first: where the line's pieces begin. */
+/* Stores the pieces of one line, unless the union does not change the line. first: where the line's pieces begin. */
 static bool keep(chunk *to, const union_work *work, uint32_t *first)
 {
     if (work->piece_count == 1 && work->piece[0].state == UNION_ALONE)

@@ -53,8 +53,8 @@ roberts_status view_prepare(view *v, const roberts_scene *scene, const roberts_c
 roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
                           roberts_error *error);
 
-/* Extends `reach` to points of the model, for a view that has begun. It starts with nearest = INFINITY and zeros. In an
- * orthographic view nothing is measured: there the box is enough. */
+/* Extends `reach` to points of the model, for a view that has been prepared. It starts with nearest = INFINITY and
+ * zeros. In an orthographic view nothing is measured: there the box is enough. */
 void view_add_reach(const view *v, const roberts_vec3 *P, size_t count, scene_reach *reach);
 
 /* Maps a point of the model to view space, in view units. */
