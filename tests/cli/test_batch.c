@@ -203,7 +203,7 @@ static void drawings_keep_their_folders(void **state)
         assert_int_equal(run(wrong_root_cases[i].line), 2);
         assert_said(wrong_root_cases[i].said);
     }
-    /* a folder that cannot be made harms one file */
+    /* a folder that cannot be made affects only one file */
     put("in/file", "");
     assert_int_equal(mkdir("file", 0777), 0);
     put_cube("file/p.off");
@@ -409,7 +409,7 @@ static const char late_line[] = "--batch in --manifest rows --limit-seconds 0.4 
 static void late_files_are_given_up(void **state)
 {
     (void)state;
-    assert_int_equal(mkfifo("pipe", 0600), 0); /* nobody writes: it is read forever */
+    assert_int_equal(mkfifo("pipe", 0600), 0); /* nobody writes to it: reading never ends */
     for (int threads = 1; threads <= 3; threads++) {
         char line[200];
         snprintf(line, sizeof line, "%s --threads %d", late_line, threads);
@@ -476,7 +476,7 @@ static void limits_are_fair(void **state)
     assert_true(drawn && refused);
 }
 
-/* The one worker of a process that is under way; 0: there is none (yet). */
+/* The one worker of a running process; 0: there is none (yet). */
 static pid_t worker_of(pid_t parent)
 {
     char name[64];
@@ -540,7 +540,7 @@ static void dead_workers_harm_one_file(void **state)
 
 /* ---- runs that are killed ---- */
 
-/* A worker that is in the middle of a file, which never ends. It has the end of a pipe as its standard error. */
+/* A worker in the middle of a file that never ends. Its standard error is the end of a pipe. */
 static void workers_end_with_their_run(void **state)
 {
     int ends[2];
@@ -560,14 +560,14 @@ static void workers_end_with_their_run(void **state)
     struct pollfd end = {.fd = ends[0], .events = POLLIN};
     const bool ended = poll(&end, 1, 10000) == 1;
     close(ends[0]);
-    close(open("pipe", O_RDWR)); /* a reader that is left would end with that */
+    close(open("pipe", O_RDWR)); /* a remaining reader would end with that */
     assert_true(ended);
 }
 
 static const char killed_line[] = "--batch in -f png --dpi 200 --manifest rows --update --threads 2 models/table.off "
                                   "models/city.off models/tower.off models/chair.off";
 
-/* Kills the run while there is an unfinished file; false where it was faster. */
+/* Kills the run while there is an unfinished file; false if the run was faster. */
 static bool is_killed(int number)
 {
     int ends[2];

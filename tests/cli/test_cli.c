@@ -237,7 +237,7 @@ static void output_goes_where_it_should(void **state)
     assert_int_equal(run("models/platonic/cube.off -o in/a.csv"), 0);
     read_text("in/a.csv", text);
     assert_int_equal(strncmp(text, "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n0,", 52), 0);
-    assert_int_equal(run("models/platonic/cube.off -f csv -o in/a.svg"), 0); /* -f goes before the ending */
+    assert_int_equal(run("models/platonic/cube.off -f csv -o in/a.svg"), 0); /* -f overrides the ending */
     read_text("in/a.svg", last.out);
     assert_string_equal(last.out, text);
     assert_int_equal(run("models/platonic/cube.off -f null -o in/c.svg"), 0);
@@ -278,7 +278,7 @@ static void options_reach_the_library(void **state)
     assert_int_equal(run("-f csv --epsilon 1e300 models/platonic/cube.off"), 2);
 }
 
-/* The same view said in two ways gives the same rows. */
+/* The same view given in two ways gives the same rows. */
 static void angles_are_views(void **state)
 {
     static const char *const same[][2] = {
@@ -308,9 +308,9 @@ static void angles_are_views(void **state)
     }
 }
 
-/* The page, its lines and their pens: options of each on a cube, and what of them is in the SVG. */
+/* The page, its lines and their pens: options of each on a cube, and their effect in the SVG. */
 static const struct {
-    const char *arguments, *wanted; /* a part of the SVG; not in it where it begins with ! */
+    const char *arguments, *wanted; /* a part of the SVG; if it begins with !, the rest must be missing */
 } page_cases[] = {
     {"", "width=\"210mm\" height=\"297mm\" viewBox=\"0 0 210 297\""},
     {"--page a3", "width=\"297mm\" height=\"420mm\""},
@@ -402,7 +402,7 @@ static const struct {
     {"--sheet first --style symbol:color=red", "stroke=\"#ff0000\" stroke-width=\"0.35\""},
     {"--sheet third --style symbol:off", "!id=\"symbol\""},
     {"", "!id=\"symbol\""},
-    {"--sheet first --hidden dashed", "!id=\"hidden\""}, /* the isometric view is without */
+    {"--sheet first --hidden dashed", "!id=\"hidden\""}, /* the isometric view has none */
     {"--sheet third", "<desc>roberts --sheet=third models/platonic/cube.off</desc>"},
     {"--sheet first --scale 10 --align top-left", "M 30 10 L 10 10 L 10 30 L 30 30 Z"},
     {"--sheet first --scale 10 --align top-left", "M 45 10 L 65 10 L 65 30 L 45 30 Z"},
@@ -486,14 +486,14 @@ static void tables_name_class_and_faces(void **state)
     put("near.off", "OFF\n6 2 0\n-1 0 0\n1 0 0\n1 20 0\n-1 20 0\n0 0 1\n0 20 1\n4 0 1 2 3\n2 4 5\n");
     assert_int_equal(run("--eye 0,-5,4 --near 8 --look-at 0,10,0 -f csv --hidden dashed near.off"), 0);
     assert_non_null(strstr(last.out, ",clipped,"));
-    assert_null(strstr(last.out, ",outline,")); /* what the near plane takes keeps its class */
+    assert_null(strstr(last.out, ",outline,")); /* parts that the near plane removes keep their class */
     assert_null(strstr(last.out, ",crease,"));
     assert_int_equal(run("--view top models/platonic/cube.off -f csv --hidden dashed"), 0);
     assert_null(strstr(last.out, ",,\n")); /* each edge has two faces */
     assert_null(strstr(last.out, ",border,"));
 }
 
-/* How often `what` stands in the output. */
+/* How often `what` occurs in the output. */
 static size_t count(const char *what)
 {
     size_t found = 0;
@@ -509,7 +509,7 @@ static const struct {
     /* an edge between two back faces is a crease, one with a face edge-on an outline */
     {"--view iso models/platonic/cube.off", 6, 6, 0},
     {"--view top models/platonic/cube.off", 12, 0, 0},
-    /* the front is taken, which faces the eye and no other face does, and a part of the four edges to the back */
+    /* the near plane removes the front, the only face toward the eye, and a part of the four edges to the back */
     {"--eye 0,-4,0 --near 3.5 models/platonic/cube.off", 4, 4 + 2 * 4, 4 + 4},
     /* from higher up the top faces the eye too */
     {"--eye 0,-4,2 --look-at 0,4,2 --near 3.5 models/platonic/cube.off", 3 + 2 * 2 + 1, 1 + 2 * 2 + 3, 4 + 4},
@@ -518,7 +518,7 @@ static const struct {
     {"--eye 0,-5,1 --look-at 0,4,1 --near 8 far.off", 1, 1, 4 + 4},
 };
 
-/* Rows have the class of the line where it is hidden or taken by the near plane, too. */
+/* Hidden rows and rows removed by the near plane have the class of the line, too. */
 static void lost_lines_have_a_class(void **state)
 {
     char line[300];
@@ -534,7 +534,7 @@ static void lost_lines_have_a_class(void **state)
     }
 }
 
-/* Levels are counted only if they are wanted; a row that is not hidden has 0. */
+/* Levels are counted only on request; a row that is not hidden has 0. */
 static void levels_are_counted(void **state)
 {
     (void)state;
@@ -585,7 +585,7 @@ static void too_large_for_the_page(void **state)
     assert_int_equal(entries("in", false), 2);
 }
 
-/* Engine and place of output change no byte. */
+/* Options of the engine and the place of the output change no byte. */
 static void description_depends_on_the_drawing_alone(void **state)
 {
     static char text[TEXT];
@@ -597,7 +597,7 @@ static void description_depends_on_the_drawing_alone(void **state)
     read_text("in/a.svg", last.out);
     assert_string_equal(last.out, text);
     assert_int_equal(run("--turntable 2 -o in/a%d.svg models/platonic/cube.off"),
-                     0); /* which needs a name with a place */
+                     0); /* this needs a name with a place */
     read_text("in/a1.svg", text);
     assert_non_null(strstr(text, "<desc>roberts --turntable=2 --output=a%d.svg models/platonic/cube.off</desc>"));
 }
@@ -726,7 +726,7 @@ static void run_slowly(const char *line, int error, long wait_ms)
     finish(child);
 }
 
-/* What arrives on a terminal, until nothing more comes for a while: the system passes it on in pieces, and later. */
+/* Reads from a terminal until nothing more comes for a while: the system delivers text in pieces, with delay. */
 static void read_terminal(int terminal, char *text, size_t size)
 {
     struct pollfd wait = {.fd = terminal, .events = POLLIN};
@@ -787,7 +787,7 @@ static void outputs_that_fail(void **state)
     assert_int_equal(entries("in", false), 0);
 }
 
-/* A reader who has seen enough, as head(1), is no error to talk about, unless the caller ignores the signal. */
+/* A reader that stops early, like head(1), is no error to report, unless the caller ignores the signal. */
 static void closed_pipe_ends_quietly(void **state)
 {
     int ends[2];
@@ -1001,7 +1001,7 @@ static void write_field(const char *path, int side)
     fclose(file);
 }
 
-/* Interrupts while the unfinished file is there; false where the program was faster. */
+/* Interrupts while the unfinished file exists; false if the program was faster. */
 static bool interrupted(int number)
 {
     const struct timespec moment = {0, 200000};
@@ -1096,7 +1096,7 @@ static void checks_by_rays(void **state)
     assert_true(more >= points + 8 * segments);
     assert_int_equal(run("--verify --all-edges --hidden solid -f null models/sphere.off"), 0);
     assert_int_equal(run("--verify --crease 45 --quiet -f null models/sphere.off"), 0);
-    assert_string_equal(last.err, ""); /* nothing wrong, nothing to say */
+    assert_string_equal(last.err, ""); /* nothing wrong, no message */
 }
 
 static void picks(void **state)
@@ -1116,7 +1116,7 @@ static void picks(void **state)
                                   "roberts: pick -2,-2: behind it body 1, face 7, depth -3.5, at 1,1,-5\n");
 }
 
-/* What is seen of each face, beside the drawing. */
+/* The visible regions of faces, beside the drawing. */
 static void regions(void **state)
 {
     (void)state;

@@ -1,5 +1,4 @@
-/* What the program says to people: which file and what in it, options that change nothing, drawings that come out
- * empty. */
+/* Messages of the program: the file and the fault in it, options without effect, empty drawings. */
 /* for a terminal of our own: posix_openpt() */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <setjmp.h>
@@ -57,7 +56,7 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("-v -f null lined.off"), 0);
     assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69),
                      0);
-    assert_int_equal(run("tri.off --hull"), 1); /* and no hint at what was tried */
+    assert_int_equal(run("tri.off --hull"), 1); /* and no hint */
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
     assert_said("roberts: open.off and 1 more: solid 0 is not closed: edge ");
@@ -91,7 +90,8 @@ static void one_model_after_another(void **state)
     assert_string_equal(last.err, "");
 }
 
-/* A solid that its neighbours' windings turn, which no check but the last one sees; and a surface of one side. */
+/* A solid whose faces are turned to match their neighbours, which only the last check finds; and a one-sided
+ * surface. */
 static void every_refusal_names_the_file(void **state)
 {
     (void)state;
@@ -109,7 +109,7 @@ static void every_refusal_names_the_file(void **state)
     assert_said("roberts: models/table.off: the eye is inside solid 0; move it out of all solids\n");
 }
 
-/* A tolerance is named where the model passes with it, and so large as it has to be for all of its solids. */
+/* A tolerance is named if the model passes with it, and it is large enough for all of its solids. */
 static const struct {
     double lifted[2]; /* of two cubes a corner, whose faces are then off their planes by a quarter of it */
     const char *arguments, *hint;
@@ -147,8 +147,8 @@ static void a_tolerance_that_helps_is_named(void **state)
     }
 }
 
-/* Right below the limit a tolerance has another digit than 1, 2 or 5. The limit is 0.025 / sqrt(12) for
- * a dodecahedron. */
+/* Just below the limit a tolerance may have a digit other than 1, 2 or 5. The limit is 0.025 / sqrt(12) for a
+ * dodecahedron. */
 static void a_tolerance_below_the_limit_is_named(void **state)
 {
     static char text[TEXT], moved[TEXT];
@@ -232,7 +232,7 @@ static const struct {
     {"--page b7", "\"b7\" is unknown; it can be a0, a1, a2, a3, a4, a5, a6, b0, b1, b2, b3, b4, b5, b6, letter, legal, "
                   "tabloid, or WxH in mm, as 210x297, or 8.5x11in\n"},
     {"--page leter", "\"leter\" is unknown; did you mean letter? It can be a0, "},
-    {"--unit km", "\"km\" is unknown; it can be mm, cm, m, in, ft\n"}, /* and nothing is meant by two wrong letters */
+    {"--unit km", "\"km\" is unknown; it can be mm, cm, m, in, ft\n"}, /* and two wrong letters give no suggestion */
     {"--hidden dahsed", "did you mean dashed? It can be none, dashed, solid\n"},
     {"--dashed", "--dashed is unknown; did you mean --hidden dashed?"},
     {"--paper a4", "--paper is unknown; did you mean --page?"},
@@ -285,7 +285,7 @@ static const struct {
     {"models/table.off -f pdf -o ..",
      "--output: .. is a folder; name a file in it, or draw each input by itself into "},
     {"models/table.off -o not/yet/", "or draw each input by itself into it with --batch not/yet/\n"},
-    {"-o in", "--output: in is a folder; name a file in it\n"}, /* standard input is none for --batch */
+    {"-o in", "--output: in is a folder; name a file in it\n"}, /* --batch does not read standard input */
     {"models/table.off --turntable 2 -o in", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--style outline=red", "\"outline=red\" is not CLASS:key=value,..., as outline:width=0.7,color=red"},
     {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, off, on, as in outline:width="},
@@ -294,7 +294,7 @@ static const struct {
     {"copy.off -f csv -o copy.off", "--output: copy.off is an input; the drawing would take its place"},
 };
 
-/* The limit is handed down to the program. */
+/* The program inherits the limit. */
 static void images_too_large_for_memory(void **state)
 {
     const rlim_t megabytes_600 = 600 << 20;
@@ -379,7 +379,7 @@ static void converters_are_named(void **state)
     assert_said("found \"w\"\n");
 }
 
-/* A file that is named twice lies in itself. */
+/* A file that is named twice is drawn on itself. */
 static void files_named_twice_are_warned_of(void **state)
 {
     (void)state;
@@ -392,7 +392,7 @@ static void files_named_twice_are_warned_of(void **state)
     assert_string_equal(last.err, "");
 }
 
-/* It is the streams that are meant by -, also where a file is called so. */
+/* A - means the stream, even if a file has that name. */
 static void a_file_called_minus(void **state)
 {
     (void)state;
@@ -405,7 +405,7 @@ static void a_file_called_minus(void **state)
 
 /* ---- options that change nothing ---- */
 
-/* What is warned of, after "roberts: warning: "; empty: nothing. */
+/* The expected warning, after "roberts: warning: "; empty: none. */
 static const struct {
     const char *arguments, *said;
 } idle_cases[] = {
@@ -578,7 +578,7 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_string_equal(last.err, "");
 }
 
-/* A place for a number, and nothing that counts; a place for a view, and no tables. */
+/* A place for a number without a turntable; a place for a view without tables. */
 static void places_that_nothing_fills_are_warned_of(void **state)
 {
     static const char said[] = "warning: the file gets this very name: only --turntable puts a number there\n";
@@ -601,7 +601,7 @@ static void places_that_nothing_fills_are_warned_of(void **state)
                 "there\n");
 }
 
-/* Somebody waits for a drawing, and the program for a model. */
+/* The user waits for a drawing, and the program for a model. */
 static void terminals_are_told_of(void **state)
 {
     (void)state;
@@ -645,7 +645,7 @@ static void closed_streams_stay_taken(void **state)
     (void)state;
     put("err", "");
     start_error = CLOSED;
-    int written = run("models/platonic/cube.off -v -f svg -o /dev/fd/2"); /* would not be there to be opened */
+    int written = run("models/platonic/cube.off -v -f svg -o /dev/fd/2"); /* could not be opened */
     int missing = run("missing.off");
     start_error = -1;
     assert_int_equal(written, 0);
@@ -683,8 +683,8 @@ static const struct {
     {"--eye 20,10,500 --look-at 200,200,490 --fov 10",
      "no line of the scene lies in the field of view; --look-at turns "},
     {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f null", "no line of the scene lies in the field of view; "},
-    {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f csv", ""}, /* tables have what lies outside, too */
-    {"--eye 20,10,500 --fov 1", ""},                               /* looks at the middle by itself */
+    {"--eye 20,10,500 --look-at 200,200,490 --fov 10 -f csv", ""}, /* tables include anything outside, too */
+    {"--eye 20,10,500 --fov 1", ""},                               /* looks at the middle by default */
     {"--eye 20,10,500 --look-at 60,10,0 --up 0,1,0 --fov 3 --page 300x10 --margin 1", ""}, /* the picture is as wide */
     {"--eye 20,10,500 --look-at 60,10,0 --up 0,1,0 --fov 3 --page 10x300 --margin 1", "no line of the scene lies in "},
     {"--eye 20,12,-100 --look-at 20,12,0 --fov .1",
@@ -742,7 +742,7 @@ static const struct {
     {"--eye 0,-1.002,0", ""},
     {"--eye 0,-4,0 --near 3.5",
      "3.5 before the eye, cuts solid 0 in the middle"},  /* no line of it is seen behind the cut */
-    {"--eye 2,-4,3 --near 4", ""},                       /* meant so, and there is something */
+    {"--eye 2,-4,3 --near 4", ""},                       /* intended, and something is drawn */
     {"--eye 0,-3,0 --look-at 3,-3,0.5 --near 0.1", "!"}, /* not by the near plane */
     {"-q --eye 0,-1,0", ""},
 };
@@ -769,7 +769,7 @@ static void cuts_in_the_middle_are_warned_of(void **state)
 
 /* ---- several pictures ---- */
 
-/* Line `number` of what was said, from 0. */
+/* Line `number` of the messages, from 0. */
 static void assert_line(int number, const char *begins)
 {
     const char *line = last.err;
@@ -817,7 +817,7 @@ static void names_in_json(void **state)
     assert_said(",\"file\":\"q\\\"\\\\\\u0009\\u0001\xc3\xa9\\ufffd\\ufffd\\ufffd.off\",\"output\":\"-\",");
 }
 
-/* What --stats counts adds up, and --verify tells which segments it looks at. */
+/* The counts of --stats add up, and --verify reports which segments it checks. */
 static void counts_agree(void **state)
 {
     unsigned points, checked;

@@ -1,6 +1,6 @@
 /* test_cluster.c - tools/cluster/ draws a scene in parts by GNU parallel and by Slurm, on this machine, to the same
- * bytes as one run. One part dies and is run again. Slurm also draws many models by the script of the page on that.
- * What is not installed is skipped. */
+ * bytes as one run. One part dies and is run again. Slurm also draws many models by the script of models/many.md. Tests
+ * of programs that are not installed are skipped. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -81,8 +81,8 @@ static void by_slurm(void **state)
         "cmp \"$f/one.svg\" \"$f/out.svg\"; test -e \"$f/died\"; grep -q 'part: status 137' \"$f/parts/log-part-2\"");
 }
 
-/* The script stands in models/many.md. This machine may have fewer processors and less memory than it asks for. The
- * first array loses a task; the second one draws what is missing, and nothing else. */
+/* The script is in models/many.md. This machine may have fewer processors and less memory than it requests. The first
+ * array loses a task; the second one draws what is missing, and nothing else. */
 static void shards_by_slurm(void **state)
 {
     (void)state;

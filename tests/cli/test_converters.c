@@ -1,5 +1,5 @@
-/* test_converters.c - the commands that refusals of other formats name: each is run as it is printed, and what it makes
- * is drawn. A test is skipped if its converter is not installed. */
+/* test_converters.c - the commands named by refusals of other formats: each is run as printed, and its output is drawn.
+ * A test is skipped if its converter is not installed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -26,7 +26,7 @@ static void shell(const char *command)
 }
 
 /* Gives the program a file that it refuses, runs the command that it names, and draws `made`, the model that this
- * command makes. Of it the program says `what`. */
+ * command makes. The program reports `what` about it. */
 static void convert(const char *file, const char *made, const char *what)
 {
     static const char before[] = "to convert it: ";

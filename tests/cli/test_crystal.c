@@ -16,7 +16,7 @@ static int use_crystal(void)
     return access(program, X_OK);
 }
 
-/* The counts of the crystal that the text describes; all 0 where it is refused. */
+/* The counts of the crystal that the text describes; all 0 if it is refused. */
 static void count(const char *text, unsigned counts[2])
 {
     put("crystal.txt", text);

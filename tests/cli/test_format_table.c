@@ -1,5 +1,5 @@
-/* test_format_table.c - which option works with which format: what the table of the manual page says is what the
- * program does, and every option about pages or tables is tried with every format. */
+/* test_format_table.c - which option works with which format: the program agrees with the table of the manual page, and
+ * every option about pages or tables is tried with every format. */
 #include <ctype.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@ enum { FORMATS = 10, TABLES = 2 /* of the formats; the last ones */, ROWS = 32 }
 
 static const char *const formats[FORMATS] = {"svg", "pdf", "ps", "eps", "png", "tikz", "dxf", "hpgl", "csv", "json"};
 
-/* How each option about pages or tables is given, so that something is to be seen of it. */
+/* Each option about pages or tables, given so that its effect is visible. */
 static const struct {
     const char *name, *given;
 } tried[] = {
@@ -57,7 +57,7 @@ typedef struct row {
     bool works[FORMATS];
 } row;
 
-/* Takes the name behind the two dashes, of which each has a backslash before it. Returns what follows. */
+/* Reads the name after the two dashes, each of which follows a backslash. Returns the rest. */
 static const char *take_name(const char *at, char name[32])
 {
     size_t length = 0;

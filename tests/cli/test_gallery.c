@@ -1,6 +1,6 @@
-/* test_gallery.c - the pictures of the README's gallery are what the program draws by the commands that stand there:
- * none missing, none left over; each is shown, and small. By the Cairo that they were drawn with, they are the same
- * bytes; by another, which may write numbers in another way, the same lines. */
+/* test_gallery.c - the program draws the pictures of the README's gallery by the commands given there: none is missing,
+ * none is left over; each is shown, and small. With the same version of Cairo they are the same bytes; with another
+ * one, which may write numbers differently, the same lines. */
 #include <cairo.h>
 #include <dirent.h>
 #include <math.h>
@@ -61,7 +61,7 @@ static size_t each_picture(const char *folder, void use(const char *name))
 
 static const char blank[] = " ,\n"; /* between numbers */
 
-/* Skips what is between; where a number begins, passes it too. */
+/* Skips separators, and a number if one begins there. */
 static bool take_number(const char **at, double *number)
 {
     char *end;
@@ -91,7 +91,7 @@ static bool same_path(const char **a, const char **b)
     return **a == **b;
 }
 
-/* Everything else has to be the same, byte for byte. */
+/* Everything else must be the same, byte for byte. */
 static bool same_lines(const char *a, const char *b)
 {
     static const char path[] = " d=\"";
@@ -122,7 +122,7 @@ static void compare(const char *name)
         fail_msg("%s is not what the program draws (make gallery)", name);
 }
 
-/* What the comparison takes for the same, and what not. */
+/* Which paths the comparison accepts as the same, and which not. */
 static void lines_are_compared(void **state)
 {
     static const char one[] = "<path w=\"0.5\" d=\"M 1 2 L 3.25 4 Z M 5 6 L 7 8\"/>\n";

@@ -1,5 +1,5 @@
-/* test_install.c - `make install` into a folder, and three clients built against what it put there, as a user would: by
- * pkg-config, with the shared and with the static library. */
+/* test_install.c - `make install` into a folder, and three clients built against the installed files, as a user would:
+ * by pkg-config, with the shared and with the static library. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -49,7 +49,7 @@ static int set_up(void **state)
     return 0;
 }
 
-/* pkg-config puts a backslash before a blank in a path, which the shell has to read once more (eval).
+/* pkg-config puts a backslash before a blank in a path, which the shell must read once more (eval).
  * The compiler's own flags belong to the build that is tested: a sanitizer's library needs its run-time library. */
 static void build_client(const char *compiler, const char *source, const char *flags, const char *link)
 {
@@ -152,7 +152,7 @@ static void tells_the_loader(void **state)
     }
 }
 
-/* A folder with a blank in its name, and one in which nothing can be made: a message says what to do. */
+/* A folder with a blank in its name, and one that is not writable: a message says what to do. */
 static void other_folders(void **state)
 {
     const char *build = setting("ROBERTS_BUILD", "build");

@@ -16,7 +16,7 @@
 
 enum { TEXT = 1 << 17, OPTIONS = 200 };
 
-static char help[TEXT], option[OPTIONS][32]; /* "--output", and "-o" where it has a letter */
+static char help[TEXT], option[OPTIONS][32]; /* "--output", and "-o" if it has a letter */
 static int option_count;
 
 static void read_stream(FILE *stream, char text[TEXT])
@@ -75,7 +75,7 @@ static int set_up(void **state)
     return option_count > 20 ? 0 : -1;
 }
 
-/* `word` with nothing before or behind it that would make another option of it. */
+/* `word`, not as a part of another option's name. */
 static bool has_word(const char *text, const char *word)
 {
     size_t length = strlen(word);
@@ -194,7 +194,7 @@ static void options_of_the_readme(void **state)
     assert_true(checked > 20);
 }
 
-/* The names of colours that the program knows, as it lists them where it is given another. */
+/* The names of colours that the program knows, as it lists them when given another name. */
 static void colors_are_listed(void **state)
 {
     static char said[TEXT], manual[TEXT];
@@ -217,7 +217,7 @@ static void colors_are_listed(void **state)
     assert_true(count > 10);
 }
 
-/* What bash would offer for the words of a line, the last of them unfinished; of a "=" it hands over nothing. */
+/* What bash would offer for the words of a line, the last of them unfinished; bash does not pass on a "=". */
 static const struct {
     const char *words, *offered;
 } bash_cases[] = {

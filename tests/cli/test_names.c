@@ -1,4 +1,4 @@
-/* test_names.c - names for labels: read from a file, in order; what is wrong is told with its line. */
+/* test_names.c - names for labels: read from a file, in order; errors are reported with their lines. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

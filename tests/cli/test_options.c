@@ -1,5 +1,5 @@
-/* One table of options feeds parsing, --help, the manual page and the completions: a row more there is an option more
- * everywhere. */
+/* One table of options feeds parsing, --help, the manual page and the completions: one more row there is one more
+ * option everywhere. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -95,7 +95,7 @@ static void a_row_more_is_an_option_more(void **state)
     }
 }
 
-/* Parses the words of one line; gives the exit status and what was said. */
+/* Parses the words of one line; returns the exit status and the messages. */
 static int parse(const char *line, cli_options *options, char said[TEXT])
 {
     static char words[1024];
@@ -121,7 +121,7 @@ static int parse(const char *line, cli_options *options, char said[TEXT])
 }
 
 static const struct {
-    const char *line, *said; /* said: NULL where the line is right */
+    const char *line, *said; /* said: NULL if the line is valid */
 } parsed[] = {
     {"--taste sour --hull a.off", NULL},
     {"--eye 1,2,3 -T sour a.off", NULL},
@@ -182,7 +182,7 @@ static void scale_of_title_blocks(void **state)
     }
 }
 
-/* What the printers rely on, and what names other rows. */
+/* What the printers rely on, and the names of other rows. */
 static void rows_are_sound(void **state)
 {
     const option *row = option_table_all.row;

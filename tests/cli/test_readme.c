@@ -1,9 +1,9 @@
-/* test_readme.c - what the README shows works as printed, and what it links to or names exists.
+/* test_readme.c - the commands of the README work as printed, and its links and file names exist.
  *
  * In a new folder with links to build, include and models, each line of a ```sh block of the README, of the page on the
  * models and of the recipes is run as printed, with `roberts` the one in build, and the ```c block is compiled, as
- * example.c, by the README's own command, where `cc` is the compiler that built the library (CC). What the pages on the
- * stages say of constants and files holds too. A block with a name behind its language (```python seen.py) is first
+ * example.c, by the README's own command, where `cc` is the compiler that built the library (CC). The constants and
+ * files on the pages of the rooms are checked too. A block with a name after its language (```python seen.py) is first
  * written to a file of that name. Lines that need a program that is not installed are left out with a message, and so
  * are those that call `make`, which runs this test. */
 #include <ctype.h>
@@ -50,7 +50,7 @@ static int set_up(void **state)
            link_in(top, "models", "models");
 }
 
-/* Size of a file in the folder, -1 where there is none. */
+/* Size of a file in the folder; -1: there is none. */
 static long size_of(const char *name)
 {
     char path[512];
@@ -600,7 +600,7 @@ static bool stands_in_room(const char *room, const char *name, const char *value
     return found;
 }
 
-/* What stands between the first two backquotes from `at` on; returns what follows them, NULL where there are none. */
+/* Copies the text between the first two backquotes from `at` on; returns the rest after them; NULL: there are none. */
 static const char *quoted(const char *at, char word[64])
 {
     const char *open = strchr(at, '`'), *close = open ? strchr(open + 1, '`') : NULL;
@@ -643,7 +643,7 @@ static int check_page(const char *path)
     return checked;
 }
 
-/* Every source of the room stands in the page. Returns whether the room has C sources. */
+/* Every source of the room is named in its page. Returns whether the room has C sources. */
 static bool check_files(const char *path)
 {
     static char text[65536];
@@ -681,7 +681,7 @@ static void test_pages(void **state)
     globfree(&rooms);
 }
 
-/* The figures are what the program draws. Another Cairo may write the same path in other words. */
+/* The program draws the figures. Another version of Cairo may write the same path differently. */
 static void test_figures(void **state)
 {
     const char *build = getenv("ROBERTS_BUILD");

@@ -20,7 +20,7 @@
 
 /* ---- two pictures beside each other ---- */
 
-/* Ink is counted in pixels that are wholly black. */
+/* Ink is measured in completely black pixels. */
 typedef struct likeness {
     int width, height;
     double ink;        /* of the first picture */
@@ -30,8 +30,8 @@ typedef struct likeness {
     bool same_size;    /* but for one pixel, for sizes that are no whole number of them */
 } likeness;
 
-/* Part of all ink by which pictures may differ: each renderer rounds coverage and coordinates in its own way. Measured:
- * librsvg, which draws with Cairo as we do, under 0.001; Chromium 0.012 to 0.023. */
+/* Fraction of all ink by which pictures may differ: each renderer rounds coverage and coordinates in its own way.
+ * Measured: librsvg, which draws with Cairo as we do, under 0.001; Chromium 0.012 to 0.023. */
 #define INK_PART 0.03
 
 /* By how much a pixel may differ between renderers that both use Cairo; a stroke missing or moved by half a pixel has
@@ -250,8 +250,8 @@ static cairo_surface_t *cut_picture(cairo_surface_t *all, size_t i, int magnific
 }
 
 /* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there is
- * no browser that does. A start of it takes longer than all pictures. The name of the program differs, and its home has
- * to be one that can be written to. */
+ * no browser that does. A start of it takes longer than all pictures. The name of the program varies, and its home
+ * folder must be writable. */
 static cairo_surface_t *run_chromium(size_t count, int magnification)
 {
     char command[1200];
@@ -300,7 +300,7 @@ static void chromium_sees_the_same(void **state)
 
 /* ---- the comparison itself ---- */
 
-/* Draws once more, with something changed: the comparison has to see it. */
+/* Draws once more, with something changed: the comparison must find it. */
 static void assert_seen(const char *what, const roberts_drawing *drawing, roberts_draw_options options)
 {
     save(drawing, options, ROBERTS_PNG, "changed.png");
@@ -371,7 +371,7 @@ static void a_wrong_pen_is_seen(void **state)
 /* Faces shaded from dark to middle grey, without any line. */
 #define GREY 128
 
-/* Seams end half of their width before the paper, lest they stick out. */
+/* Seams end half of their width before the paper, so that they do not stick out. */
 static const double seam_mm = 0.4, mm_per_inch = 25.4;
 
 /* How many pixels from paper there may be a mixture. */

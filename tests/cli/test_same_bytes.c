@@ -19,8 +19,8 @@ enum { SIDE = 56, RUNS = 12 };
 
 static char program[4096], boxes[TEMPORARY_ROOM + 10];
 
-/* The table shows all that is computed, and svg the strokes that are made of it. Writers know neither threads nor grid,
- * so the other formats are drawn less often. */
+/* The table shows everything computed, and the SVG the strokes made of it. Writers know neither threads nor grid, so
+ * the other formats are drawn less often. */
 static const char *const formats[] = {"csv", "svg", "pdf", "ps", "eps", "png", "tikz", "dxf", "hpgl", "json"};
 enum { CSV = 0, SVG = 1 };
 
@@ -44,7 +44,7 @@ static void write_boxes(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* What the program writes of this model with these options; to be freed. */
+/* The program's output for this model with these options; to be freed. */
 static char *draw(const char *model, const char *format, const char *options, size_t *size)
 {
     char command[8192];

@@ -1,5 +1,5 @@
-/* What --verify says of a wrong drawing. The program never makes one, so its function is called with a
- * spoiled drawing. */
+/* The report of --verify on a wrong drawing. The program never makes one, so its function is called with a spoiled
+ * drawing. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -24,7 +24,7 @@ static roberts_scene *make_scene(void)
     return build_scene(&mesh);
 }
 
-/* Verifies with what is said caught in `text`. */
+/* Verifies, and stores the messages in `text`. */
 static bool report(const cli_options *options, const roberts_drawing *drawing, char *text, size_t size)
 {
     roberts_verification found = {0};
@@ -63,7 +63,7 @@ static void test_report(void **state)
     assert_string_equal(text, "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "
                               "or not; contradictions: 0, undecided: 0\n");
     drawing.count = 5;
-    options.quiet = true; /* what is wrong is still reported */
+    options.quiet = true; /* faults are still reported */
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_string_equal(text, "roberts: verify: body 0, edge 4-5, t = 0.5: drawn visible, but body 1 hides it\n"
                               "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "
@@ -94,7 +94,7 @@ static void test_report(void **state)
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_non_null(strstr(text, "roberts: verify: ... and 19 more\n")); /* 38 rays amid the edge, and one that walks */
     options.camera = (roberts_camera){.projection = ROBERTS_PERSPECTIVE, .eye = {1, 1, 20}, .near_distance = 16.5};
-    options.verify_rays = 1; /* the near plane cuts the plate amid its sides, and all but these off */
+    options.verify_rays = 1; /* the near plane cuts the plate in the middle of its sides, and removes everything else */
     rows[0] = row(1, 8, 12);
     drawing.count = 1;
     assert_true(report(&options, &drawing, text, sizeof text));

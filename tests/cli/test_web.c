@@ -1,5 +1,5 @@
 /* test_web.c - what `make web` builds: the npm package in node (tests/web/npm.js), its types (tests/web/types.ts), and
- * the page in Chromium (tests/web/page.js). All are skipped where it has not run. */
+ * the page in Chromium (tests/web/page.js). All are skipped if it has not been run. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* test_batch_memory.c - lists, manifests and batches with each allocation of the process failing in turn: a status, no
- * leak, no crash, no row that is not whole. */
+ * leak, no crash, no incomplete row. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -76,7 +76,7 @@ static void lists_survive(void **state)
     assert_true(failures >= 8);
 }
 
-/* Adds a row, and asks for it. */
+/* Adds a row, and queries it. */
 static roberts_status add_and_ask(bool *drawn, roberts_error *error)
 {
     manifest m;
@@ -116,7 +116,7 @@ static void manifests_survive(void **state)
         assert_true(failed || status == ROBERTS_OK);
         assert_true(status != ROBERTS_OK || drawn);
         failures += status != ROBERTS_OK;
-        /* what is in the file is a whole row, or nothing */
+        /* the file holds a whole row, or nothing */
         assert_true(status != ROBERTS_OK || access("rows", F_OK) == 0);
         memory.failing = 0;
         whole = access("rows", F_OK) != 0 || add_and_ask(&drawn, &error) == ROBERTS_OK;
@@ -128,8 +128,8 @@ static void manifests_survive(void **state)
 }
 
 #if defined(__clang__) && defined(_OPENMP)
-/* Takes the place of the function that workers call first. If LLVM's library gets no memory as it begins, it waits
- * forever for a lock of its own. So it gets all that it asks for, and begins, before anything else in a worker. */
+/* Replaces the function that workers call first. If LLVM's library gets no memory at its start, it waits forever for a
+ * lock of its own. So it starts before anything else in a worker, with all the memory it needs. */
 int omp_get_max_threads(void)
 {
     const struct process_memory kept = memory;

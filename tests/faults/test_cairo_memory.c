@@ -1,6 +1,6 @@
 /* test_cairo_memory.c - drawings with each of Cairo's own allocations failing in turn: a failure or a drawing, no
- * crash. What leaks inside Cairo is not looked at: it keeps some blocks for the next time. PNG is left out: Cairo 1.16
- * itself crashes in cairo_stroke() where an allocation fails that it makes to fill an image. */
+ * crash. Leaks inside Cairo are not checked: it keeps some blocks for later use. PNG is left out: Cairo 1.16 itself
+ * crashes in cairo_stroke() if an allocation for filling an image fails. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -53,7 +53,7 @@ static void drawings(void **state)
             failed = memory.calls >= memory.failing;
             memory.failing = 0;
             refused += status != ROBERTS_OK;
-            /* PostScript: without memory for its temporary file Cairo says that there was an error writing that */
+            /* PostScript: without memory for its temporary file Cairo reports an error writing it */
             if (status != ROBERTS_OK && status != ROBERTS_NO_MEMORY && status != ROBERTS_IO)
                 fail_msg("allocation %zu: status %d, %s", n, status, error.message);
             assert_true(failed || (status == ROBERTS_OK && written > 100));

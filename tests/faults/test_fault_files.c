@@ -1,5 +1,5 @@
-/* test_fault_files.c - files that are no regular files, or change or vanish while the program works; and few open
- * files, little stack, little memory. tests/README.md lists all faults. */
+/* test_fault_files.c - files that are not regular, or change or vanish while the program works; few open files, little
+ * stack, little memory. tests/README.md lists all faults. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -141,7 +141,7 @@ static void folder_vanishes(void **state)
     assert_entries(1);
 }
 
-/* Inputs that a batch would replace, whatever way their names go. */
+/* Inputs that a batch would replace, by whatever path they are named. */
 static void batch_spares_inputs(void **state)
 {
     static const char *const line[] = {"--batch in in/cube.svg", "--batch in/../in -f svg in/cube.svg",
@@ -197,7 +197,7 @@ static void standard_input_is_closed(void **state)
     assert_string_equal(now, table);
 }
 
-/* Many files with sixteen open at most: each is closed. With too few for all threads, each that fails is told. */
+/* Many files with sixteen open at most: each is closed. With too few for all threads, each failure is reported. */
 static void few_open_files(void **state)
 {
     enum { MANY = 400 };
@@ -248,7 +248,7 @@ static void little_stack(void **state)
     assert_string_equal(last.out, last.err);
 }
 
-/* From too little for the program itself to enough. */
+/* From too little memory for the program itself to enough. */
 static void little_memory(void **state)
 {
     const char *line = "--threads 1 --hidden dashed --verify -q -o in/a.svg";

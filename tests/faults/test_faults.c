@@ -1,6 +1,6 @@
-/* test_faults.c - input that nobody should give to the program, and what it costs. Each run has a limit on processor
- * time and, unless a sanitizer needs more, on memory, which must not grow with what a file promises. Other faults are
- * tested beside what they strike: test_cli.c, test_save.c, test_memory_*.c; tests/README.md lists all. */
+/* test_faults.c - malicious input, and its cost. Each run has a limit on processor time and, unless a sanitizer needs
+ * more, on memory, which must not grow with declared counts. Other faults are tested where they occur: test_cli.c,
+ * test_save.c, test_memory_*.c; tests/README.md lists all. */
 #include <setjmp.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -25,7 +25,7 @@ static char program[4096];
 
 typedef void feed_fn(int pipe);
 
-/* Until the program does not want more. */
+/* Until the program stops reading. */
 static bool feed(int pipe, const char *text, size_t size)
 {
     while (size > 0) {
@@ -43,7 +43,7 @@ static void feed_text(int pipe, const char *text)
     feed(pipe, text, strlen(text));
 }
 
-/* `text` over and over, `total` bytes in all. */
+/* `text` repeated, `total` bytes in all. */
 static void feed_often(int pipe, const char *text, uint64_t total)
 {
     static char block[60000];
@@ -199,7 +199,7 @@ FEED(feed_nothing, "")
 static const struct {
     const char *name;
     feed_fn *feed;
-    const char *file; /* NULL: what `feed` gives, on standard input */
+    const char *file; /* NULL: the output of `feed`, on standard input */
     size_t megabytes; /* of address space; an empty run of the program takes some 40 */
     int status;
     const char *said; /* NULL: nothing */
@@ -240,7 +240,7 @@ static void limit(int which, rlim_t most)
     }
 }
 
-/* Its exit status, or 1000 + signal; what it said. */
+/* Its exit status, or 1000 + signal; its messages. */
 static int run(size_t i, char *said, size_t room)
 {
     int in[2], out[2], status;

@@ -1,6 +1,6 @@
 /* test_hull_memory.c - convex hulls with each of Qhull's own allocations failing in turn: no memory, or the hull; no
- * exit, no word on standard error. Ours alone fail in test_memory_all.c, which goes on to solids. What leaks inside
- * Qhull is counted and told. */
+ * exit, no word on standard error. Only our own allocations fail in test_memory_all.c, which continues to solids. Leaks
+ * inside Qhull are counted and reported. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>

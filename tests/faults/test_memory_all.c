@@ -1,6 +1,6 @@
 /* test_memory_all.c - from a file in memory to its drawing with each allocation failing in turn: solids, the near
- * plane, grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; where none fails any
- * more, all has gone well. Threads are one, so that the allocations come in one order. */
+ * plane, grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; once no allocation
+ * fails, everything succeeds. There is one thread, so that the allocations come in a fixed order. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -111,7 +111,7 @@ static const char soup[] = "OFF 24 6 0\n"
                            "1 0 0 1 1 0 1 1 1 1 0 1\n"
                            "4 0 1 2 3\n4 4 5 6 7\n4 8 9 10 11\n4 12 13 14 15\n4 16 17 18 19\n4 20 21 22 23\n";
 
-/* Two tetrahedra with an edge in common; their faces stand mixed, so that the angles must tell them apart. */
+/* Two tetrahedra with an edge in common; their faces are mixed, so that the angles must separate them. */
 static const char hinge[] = "OFF 6 8 0\n"
                             "0 0 0\n0 0 1\n1 0.2 0\n1 -0.2 0.1\n-1 0.2 0\n-1 -0.2 0.1\n"
                             "3 0 1 2\n3 0 1 4\n3 0 1 3\n3 0 1 5\n3 0 2 3\n3 0 4 5\n3 1 2 3\n3 1 4 5\n";
@@ -132,9 +132,9 @@ static const char half_open[] = "OFF 8 6 0\n"
                                 "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6 255 0 0\n3 4 5 7\n";
 static const char points[] = "OFF 7 0 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n.3 .3 .3\n";
 
-/* All that is no convex solid, and a tetrahedron: an L-block with concave faces, a pentagram, three faces at an edge
- * that a vertex divides, a quadrilateral that is not planar, a wire, a face with a hole at the end of a slit, a face of
- * 20 corners. */
+/* Bodies that are no convex solids, and a tetrahedron: an L-block with concave faces, a pentagram, three faces at an
+ * edge that a vertex divides, a quadrilateral that is not planar, a wire, a face with a hole at the end of a slit, a
+ * face of 20 corners. */
 static const char mixture[] =
     "OFF 62 22 0\n"
     "0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n0 1 2\n"

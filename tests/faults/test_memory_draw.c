@@ -1,5 +1,5 @@
 /* test_memory_draw.c - saving with each allocation of ours failing in turn: a status, no crash, no leak, the old file
- * still there and nothing beside it. (Cairo's own allocations are not reached from here.) */
+ * unchanged and nothing beside it. (Cairo's own allocations are not reached from here.) */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -125,7 +125,7 @@ static ptrdiff_t read_at(void *context, uint64_t offset, void *buffer, size_t si
     return (ptrdiff_t)n;
 }
 
-static size_t place; /* of the one reader in the text */
+static size_t place; /* of the single reader of the text */
 
 static ptrdiff_t read_on(void *context, void *buffer, size_t size)
 {
@@ -147,7 +147,7 @@ static void run_in_turn(off_work_fn *work, void *job, uint32_t threads)
         work(job, i);
 }
 
-/* In pieces: what only they need may be missing, for one thread can do it. */
+/* In pieces: memory that only they need may be missing, since one thread can read everything. */
 static void pieces_survive(void **state)
 {
     static char text[4000];
@@ -178,7 +178,7 @@ static void pieces_survive(void **state)
             break;
         }
     }
-    assert_true(failures >= 4); /* block, source, name, vertices; what then fails in pieces is tried again */
+    assert_true(failures >= 4); /* block, source, name, vertices; failures in pieces are tried again */
 }
 
 static void adding_survives(void **state)
@@ -215,7 +215,7 @@ static void adding_survives(void **state)
     assert_true(failures >= 8);
 }
 
-/* What is declared and does not come takes no memory: no block is larger than the one that bytes are read into. */
+/* Counts without data take no memory: no block is larger than the buffer for reading. */
 static void declared_counts_take_no_memory(void **state)
 {
     static const char *const rows[] = {

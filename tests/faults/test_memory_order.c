@@ -1,6 +1,6 @@
-/* test_memory_order.c - scenes so large that solids which lie scattered in the picture, or behind one another, are
- * hidden in another order than that of the file: the same drawing as of the same solids in order, or as with hidden
- * lines kept, by any number of threads; and memory that fails. */
+/* test_memory_order.c - scenes so large that solids scattered in the picture, or behind one another, are hidden in an
+ * order other than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by
+ * any number of threads; and memory that fails. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -181,7 +181,7 @@ static void deep_as_with_hidden(void **state)
     free(cell);
 }
 
-/* Some of the many allocations, from all over the run. An array that cannot be made smaller is kept as it is. */
+/* Some of the many allocations, from the whole run. An array that cannot be made smaller is kept as it is. */
 static void memory_fails(void **state)
 {
     const bool *keep_hidden = *state;

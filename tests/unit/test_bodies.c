@@ -36,7 +36,7 @@ typedef struct body_case {
 #define SQUARE "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
 #define CROSSED "5 1 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n5 0 1 2 3 4\n"
 
-/* Length in the picture is what counts: an edge along the line of sight has none. */
+/* Lengths are measured in the picture: an edge along the line of sight has none. */
 static const body_case cases[] = {
     {"a sheet", "OFF\n" SQUARE, TOP, "o", 0, 4, 0, 0, false, false},
     {"a sheet from below", "OFF\n" SQUARE, {0, 0, -1}, "o", 0, 4, 0, 0, false, false},
@@ -243,7 +243,7 @@ static void note_warning(void *context, const char *file, size_t line, const cha
     snprintf(said + strlen(said), 200 - strlen(said), "%s;", message);
 }
 
-/* What building says of a face with these corners. */
+/* The message about a face with these corners. */
 static void require_warning(const roberts_vec3 *point, const uint32_t *corner, size_t count, const char *wanted)
 {
     roberts_mesh mesh = {0};
@@ -260,8 +260,8 @@ static void require_warning(const roberts_vec3 *point, const uint32_t *corner, s
     roberts_mesh_free(&mesh);
 }
 
-/* The corners of a slit are not left out, but those that repeat their neighbour are. A star of 801 sides, of which each
- * crosses 798 others, is not cut. */
+/* The corners of a slit are kept, but those that repeat their neighbour are left out. A star of 801 sides, of which
+ * each crosses 798 others, is not cut. */
 static void what_is_left_out_is_said(void **state)
 {
     static const roberts_vec3 slit[10] = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0},

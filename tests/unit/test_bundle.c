@@ -5,7 +5,7 @@
 enum { EDGES_OF_EACH = 3000, SCENES = 24, RINGS = 50, SIDES = 2 * RINGS };
 
 /* Double pyramids, and columns lying down; every other scene to five digits. Two of a kind, one through the other or
- * beside it: so the picture has a box for edges to lie in. */
+ * beside it, so that the picture is large enough for edges. */
 static void make_scene(model *m, uint64_t seed)
 {
     rng r = {seed};
@@ -51,7 +51,7 @@ static void make_speck(model *m)
     model_box(m, (roberts_vec3){1000, 1000, 1000}, (roberts_vec3){2000, 2000, 2000});
 }
 
-/* Anywhere, or a vertex, or a point on the line through two of them, or hardly beside one. */
+/* A point anywhere, a vertex, a point on the line through two vertices, or one just beside such a line. */
 static roberts_vec3 place(const hide_fronts *fronts, rng *r)
 {
     int last = (int)fronts->scene->solid[2].vertex - 1; /* of the first two solids */
@@ -94,7 +94,7 @@ static void a_tree_finds_what_all_faces_do(void **state)
         assert_int_equal(seen_begin(&seen_scene, scene, &cameras[seed % 3], 0.0, NULL), ROBERTS_OK);
         assert_true(
             hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
-        fronts.space.scene = NULL; /* these edges are none of the scene's */
+        fronts.space.scene = NULL; /* these edges do not belong to the scene */
         for (uint32_t k = 0; k < fronts.front_count; k++) {
             const hide_box none = {0};
             hide_single single = {.front = ROBERTS_NONE};

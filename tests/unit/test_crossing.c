@@ -6,7 +6,7 @@
 enum { MOST_LINES = 3 };
 
 typedef struct pair_case {
-    const char *name, *off; /* two faces, or more: the first two are asked */
+    const char *name, *off; /* two faces, or more: the first two are tested */
     size_t count;
     double line[MOST_LINES][6];
 } pair_case;
@@ -108,7 +108,7 @@ static roberts_vec3 turned(roberts_vec3 p, int way)
 
 enum { WAYS = 48 };
 
-/* Reads a scene of loose faces, turned, with the corners of each face begun elsewhere or run backward. */
+/* Reads a scene of loose faces, turned, with the corners of each face rotated or reversed. */
 static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool back)
 {
     roberts_mesh mesh = {0};
@@ -416,7 +416,7 @@ static roberts_scene *crossing_scene(int kind)
     return scene;
 }
 
-/* How many pairs of triangles cross, each asked. */
+/* How many pairs of triangles cross, testing each pair. */
 static size_t pairs_that_cross(const roberts_scene *scene, double touching)
 {
     crossing_rules rules = {scene, touching};

@@ -1,4 +1,4 @@
-/* Tables: every number readable to the last bit, every row where and as the interface says. */
+/* Tables: every number is exact to the last bit, and every row is as the interface promises. */
 #include <errno.h>
 #include <float.h>
 #include <locale.h>
@@ -206,7 +206,7 @@ static const struct {
     {"null", ROBERTS_NULL, ROBERTS_HIDDEN_NONE, 0, 3, ""},
 };
 
-/* Further columns, in the order given. A drawing by hand has no scene: only an intersection has ends. */
+/* Additional columns, in the given order. A drawing made by hand has no scene: only an intersection has ends. */
 static const struct {
     const char *name;
     roberts_format format;
@@ -384,7 +384,7 @@ static void rows_in_a_locale_with_commas(void **state)
     setlocale(LC_ALL, "C");
 }
 
-/* Wherever the output stops taking bytes, the reason comes back. */
+/* Wherever the output stops accepting bytes, the reason is returned. */
 static void full_output(void **state)
 {
     (void)state;

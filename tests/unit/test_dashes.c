@@ -1,4 +1,4 @@
-/* Dashes fitted to their lines: from corner to corner, with a gap at least, as strokes in their sequence. */
+/* Dashes fitted to their lines: from corner to corner, with at least one gap, as strokes in sequence. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -69,7 +69,7 @@ static const struct {
     {"the least dashes", USUAL, false, 2, {{0, 0}, {750, 0}}, "0,0 125,0; 625,0 750,0"},
     {"shorter: whole", USUAL, false, 2, {{0, 0}, {749, 0}}, "0,0 749,0"},
     {"a unit", USUAL, false, 2, {{0, 0}, {1, 0}}, "0,0 1,0"},
-    /* corners, and what is none */
+    /* corners, and bends that are none */
     {"round a corner",
      USUAL,
      false,
@@ -225,7 +225,7 @@ static void any_line_is_dashed(void **state)
                 double left = page_distance(pen, goal), way = page_distance(pen, to);
                 if (i == 0 && k == 0)
                     continue;
-                assert_true(fabs(way + page_distance(to, goal) - left) < 1e-6); /* on the side, and on from there */
+                assert_true(fabs(way + page_distance(to, goal) - left) < 1e-6); /* on the side, and beyond */
                 if (k == 0) {
                     assert_true(way >= 2 * usual.width - 1.0);
                     gaps++;

@@ -217,8 +217,8 @@ static void determinants_are_exact(void **state)
 
 /* ---- zeros ----------------------------------------------------------------------------------------------------- */
 
-/* t = a / (a - b) is m 2^-e with 53 bits of m: |m (a - b) - a 2^e| <= (a - b) says that it is off by one unit of its
- * last place at the most. */
+/* t = a / (a - b) is m 2^-e with 53 bits of m: |m (a - b) - a 2^e| <= (a - b) means that it is off by at most one unit
+ * of its last place. */
 static void zeros_to_the_last_place(void **state)
 {
     rng r = {55};

@@ -1,4 +1,4 @@
-/* Dimensions between vertices: in which view, how long, from where, and that nothing collides from A4 to A0. */
+/* Dimensions between vertices: their views, lengths and ends; nothing collides on pages from A4 to A0. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -61,7 +61,7 @@ static double apart(roberts_vec2 a, roberts_vec2 b)
     return hypot(b.x - a.x, b.y - a.y);
 }
 
-/* One distance: the view that it is in, what it says, and that its lines are those of ISO 129-1. */
+/* One distance: its view, its text, and lines as in ISO 129-1. */
 static void check_one(const char *model, roberts_distance of, int place, const char *wanted, double length)
 {
     views v;

@@ -6,7 +6,7 @@
 #define FLOOR "0 0 0\n4 0 0\n4 4 0\n0 4 0\n"
 #define WALL "1 2 0\n3 2 0\n3 2 1\n1 2 1\n"
 
-/* A scene and the one line that is due. */
+/* A scene and the one line expected. */
 typedef struct edge_case {
     const char *name, *off;
     double crease; /* degrees */

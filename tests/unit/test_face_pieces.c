@@ -1,5 +1,5 @@
-/* test_face_pieces.c - faces of any shape, cut into convex pieces: the pieces tile what the border winds round,
- * whatever the rounding. */
+/* test_face_pieces.c - faces of any shape, cut into convex pieces: the pieces tile the region that the border winds
+ * round, whatever the rounding. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -191,7 +191,7 @@ static int compare_sides(const void *pa, const void *pb)
     return (a > b) - (a < b);
 }
 
-/* Every piece is convex, and no two have the same side on the same hand. */
+/* Every piece is convex, and no two pieces lie on the same side of one edge. */
 static void require_sound(const face_pieces *f, const char *name)
 {
     size_t count = 0;
@@ -377,7 +377,7 @@ static void random_faces_are_tiled(void **unused)
     face_pieces_free(&f);
 }
 
-/* A comb, a star and a face that crosses itself everywhere, of many corners. */
+/* A comb, a star and a face that crosses itself everywhere, each with many corners. */
 static void large_faces_come_out(void **unused)
 {
     enum { MANY = 20000 };
@@ -411,13 +411,13 @@ static void large_faces_come_out(void **unused)
     for (uint32_t i = 0; i < MANY; i++)
         point[i] = (roberts_vec3){any(), any(), 0};
     assert_true(face_pieces_cut(&f, &rules, corner, MANY));
-    assert_int_equal(f.piece_count, 0); /* more crossings than are cut: it bounds wires */
+    assert_int_equal(f.piece_count, 0); /* too many crossings to cut: its sides become wires */
     face_pieces_free(&f);
     free(point);
     free(corner);
 }
 
-/* Lines come, go, and take the places of others; the list stays in order, and the tree finds the lowest. */
+/* Lines are inserted, removed and replaced; the list stays in order, and the tree finds the lowest. */
 static void order_of_lines(void **unused)
 {
     enum { LINES = 600 };

@@ -1,4 +1,4 @@
-/* test_fills.c - what faces are filled with: colours, regions joined by colour, seams between colours.
+/* test_fills.c - fills of faces: colours, regions joined by colour, seams between colours.
  *
  * For each colour, the area of its rings must be exactly that of all its regions, with corners rounded to the page:
  * both are whole numbers. */
@@ -164,7 +164,7 @@ static size_t count_paints(const fills *f, bool seams)
 
 /* ---- tests ----------------------------------------------------------------------------------------------------- */
 
-/* What is joined, what has seams. */
+/* Which regions are joined, and which have seams. */
 static void test_row(void **state)
 {
     static const struct {

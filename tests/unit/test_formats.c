@@ -1,4 +1,4 @@
-/* test_formats.c - one model in all formats gives one drawing, from files and from pipes; and what 32-bit floats do to
+/* test_formats.c - one model in all formats gives one drawing, from files and from pipes; and how 32-bit floats affect
  * the touching distance. The model is tests/fuzz/seeds/house.*: a box and the roof on it. */
 #include <fcntl.h>
 #include <math.h>
@@ -141,7 +141,7 @@ static void steps(void **state)
     }
 }
 
-/* Solids have the names of their groups, be the mesh taken over or copied. */
+/* Solids have the names of their groups, whether the mesh is taken over or copied. */
 static void names(void **state)
 {
     (void)state;

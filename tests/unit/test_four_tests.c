@@ -77,7 +77,7 @@ static void test1_by_table(void **state)
     }
 }
 
-/* If a face's plane is uncertain far away, the later tests decide all that is not certainly in front. */
+/* If a face's plane is uncertain far away, the later tests decide everything that is not certainly in front. */
 static void test1_of_an_uncertain_plane(void **state)
 {
     fixture f;
@@ -215,7 +215,7 @@ static bool one_by_one(const hide_space *space, const hide_face *F, const hide_e
     return hide_pierce(space, F, e, &inside, sides, part) && hide_is_left(space, e, part);
 }
 
-/* All four, and where AB pierces the face; on the ramp z = x. */
+/* All four tests, and where AB pierces the face; on the ramp z = x. */
 static void all_by_table(void **state)
 {
     static const struct {

@@ -1,5 +1,5 @@
-/* test_fronts.c - the scene in view space, built by threads: which solids they take at the same time, and that any
- * number of threads gives the same picture. */
+/* test_fronts.c - the scene in view space, built by threads: which solids they take at the same time; any number of
+ * threads gives the same picture. */
 #include <stdio.h>
 
 #include "hide/front.h"
@@ -31,7 +31,7 @@ static void fill(hide_fronts *fronts, rng *r, double size)
     }
 }
 
-/* Tells of each cell which tile of the round asks or enters something there: one at the most. */
+/* The tile of the round that reads or writes each cell: at most one. */
 static void expect_apart(const tiles *t, const hide_fronts *fronts, int round)
 {
     static uint32_t owner[CELLS_MOST][CELLS_MOST];
@@ -261,7 +261,7 @@ static roberts_scene *make(int kind)
     return scene;
 }
 
-/* What comes out depends in nothing on the threads: not even the order of the fronts. */
+/* Nothing in the result depends on the threads, not even the order of the fronts. */
 static void same_by_any_threads(void **state)
 {
     static const uint32_t threads[] = {2, 3, 7};

@@ -1,4 +1,4 @@
-/* Hatching: strokes end on the rings of their regions, their length follows the shade, and they go on from face to
+/* Hatching: strokes end on the rings of their regions, their length follows the shade, and they continue from face to
  * face.
  */
 #include <errno.h>
@@ -216,14 +216,14 @@ static const ring with_hole[2] = {{5, {{3, 5}, {97, 2}, {93, 60}, {60, 97}, {8, 
 enum { FEW_STROKES = 20, LONGEST_MM = 125 /* strokes across the region above, from corner to corner */ };
 
 /* The length of strokes follows the shade: divided by the area and times the spacing, it is how dark the face is.
- * Nested strokes are not equally far apart: a tone between two powers of a half has gaps of two widths. So where few of
- * them cross the region, one of them more or less counts for more than 5 %. (Fractions of multiples of the golden
- * section, which are nested, too, are no better: measured on 4,000 windows of lines.) */
+ * Nested strokes are not equally far apart: a tone between two powers of a half has gaps of two widths. So if few of
+ * them cross the region, one more or less counts for more than 5 %. (Fractions of multiples of the golden section,
+ * which are nested, too, are no better: measured on 4,000 windows of lines.) */
 static void length_follows_shade(void **state)
 {
     rng r = {20240};
     double worst[2] = {0.0, 0.0}; /* of even and of nested strokes */
-    double stroke = 0.0;          /* of few nested strokes, in strokes as long as they can be */
+    double stroke = 0.0;          /* of few nested strokes, in strokes of full length */
     (void)state;
     for (int trial = 0; trial < 400; trial++) {
         given_region g;
@@ -273,8 +273,8 @@ static void levels_are_the_nearest(void **state)
         }
 }
 
-/* Faces turned away from the light are as dark as one along which the light falls. A face that the light meets straight
- * on has no strokes. */
+/* Faces turned away from the light are as dark as a face parallel to it. A face perpendicular to the light has no
+ * strokes. */
 static void ends_of_the_scale(void **state)
 {
     given_region g;
@@ -291,7 +291,7 @@ static void ends_of_the_scale(void **state)
     strokes_free(&s);
 }
 
-/* Of nested strokes, those of a lighter tone are there in each darker one. */
+/* Nested strokes of a lighter tone are also in each darker one. */
 static void nested_strokes_stay(void **state)
 {
     const ring square = {4, {{10, 10}, {90, 10}, {90, 90}, {10, 90}}};
@@ -492,7 +492,7 @@ static bool holds(const char *bytes, size_t size, const char *text)
     return false;
 }
 
-/* Every page format has the strokes, in single drawings and on sheets. Where a format has layers, styles or pens, the
+/* Every page format has the strokes, in single drawings and on sheets. If a format has layers, styles or pens, the
  * strokes have one of their own. */
 static void all_formats_have_strokes(void **state)
 {

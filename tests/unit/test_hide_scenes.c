@@ -1,8 +1,8 @@
-/* Small scenes whose drawings are worked out by hand: each edge that matters with its parts, and the number of visible
- * rows in all, so that nothing else is drawn.
+/* Small scenes whose drawings are worked out by hand: each edge that matters with its parts, and the total number of
+ * visible rows, so that nothing else is drawn.
  *
- * Boxes are numbered as they stand in the table, box k having the vertices 8 k + x + 2 y + 4 z, where x, y and z are 0
- * on the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are
+ * Boxes are numbered in the order of the table; box k has the vertices 8 k + x + 2 y + 4 z, where x, y and z are 0 on
+ * the low and 1 on the high side. From "top" (x right, y up) only the upper faces are front, the four sides are
  * edge-on; from "front" (x right, z up) only those of least y; from "iso" those of greatest x, least y and greatest z,
  * a point P being hidden by a box that P + s (1, -1, 1) meets for some s > 0. */
 #include <float.h>
@@ -642,7 +642,7 @@ static void perspective_by_hand(void **state)
     model_free(&m);
 }
 
-/* The same eye before the near plane z = 9. A post beside it, [1, 2] x [-1, 1] from z = 0 to 12, is cut there: of its
+/* The same eye with the near plane z = 9. A post beside it, [1, 2] x [-1, 1] from z = 0 to 12, is cut there: of its
  * upright edges 3/4 remain, of the upper ones nothing; what remains of it hides x from 10/10 * 12/10 to 2/1 * 12 in the
  * plane z = -2. */
 static void near_plane_by_hand(void **state)
@@ -784,14 +784,14 @@ static void eyes_refused(void **state)
     model_free(&m);
 }
 
-/* The eye is so near to a cube, or touches it, that the near plane has to be farther away than asked. Nothing is
+/* The eye touches a cube, or is so near to it that the near plane must be farther away than requested. Nothing is
  * refused, the drawing is that of the least possible distance, and rays find no fault in it. */
 static void eyes_very_near(void **state)
 {
     static const struct {
         const char *name;
         roberts_vec3 eye;
-        bool seen; /* else all that is left of the cube lies behind where it is cut */
+        bool seen; /* otherwise the rest of the cube lies behind the cut */
     } table[] = {
         {"before a corner", {1.000001, 1.000001, 1.000001}, true},
         {"nearer to it", {1.0000001, 1.0000001, 1.0000001}, true},
@@ -1008,7 +1008,7 @@ static void cut_cube(void **state)
     model_free(&m);
 }
 
-/* An outline is drawn whatever the crease angle; creases go, and only they. */
+/* An outline is drawn whatever the crease angle; only creases disappear. */
 static void outlines_stay(void **state)
 {
     roberts_camera camera = preset("iso");

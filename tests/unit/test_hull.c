@@ -1,5 +1,5 @@
-/* test_hull.c - convex hulls that replace what is no convex solid. Hulls of points with small whole coordinates are
- * compared with exact integer arithmetic, all others by counts, drawings and messages. */
+/* test_hull.c - convex hulls that replace anything that is no convex solid. Hulls of points with small whole
+ * coordinates are compared with exact integer arithmetic, all others by counts, drawings and messages. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -366,7 +366,7 @@ static void note(void *context, const char *file, size_t line, const char *messa
 #define SQUARE "OFF\n4 0 0\n0 0 9 1 0 9 0 1 9 1 1 9\n"
 #define CUBE "OFF\n8 6 0\n" CUBE_POINTS CUBE_FACES
 
-/* What is flat is left out, even a whole input. It is refused if no input has anything else. */
+/* Flat sets of points are left out, even a whole input. They are refused if no input has anything else. */
 static const struct {
     const char *name, *off[3];
     size_t solids; /* 0: refused */
@@ -622,7 +622,7 @@ static void program_draws_hulls(void **state)
     assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");
     assert_int_equal(run("--hull -q -f null in/fan.off"), 0);
     assert_string_equal(last.err, "");
-    assert_int_equal(run("--hull -f null in/rbox"), 0); /* points have nothing that is replaced */
+    assert_int_equal(run("--hull -f null in/rbox"), 0); /* points alone: nothing is replaced */
     assert_string_equal(last.err, "");
     assert_int_equal(run("--hull --batch in -f null models/platonic/cube.off in/fan.off"), 0);
     assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");

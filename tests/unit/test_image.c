@@ -1,4 +1,4 @@
-/* PNG: the bands in which an image is drawn change nothing, and what is written is the picture that Cairo draws. */
+/* PNG: the bands in which an image is drawn change nothing, and the file holds the picture that Cairo draws. */
 #include <cairo.h>
 #include <errno.h>
 #include <setjmp.h>

@@ -18,7 +18,7 @@ static hide_interval part_of(row r)
 
 /* ---- as they come ---------------------------------------------------------------------------------------------- */
 
-/* Two parts, added either way round: one of them stays two, or they join; their reach is kept. */
+/* Two parts, added in both orders: they stay two, or they join; their reach is kept. */
 static void joined_as_they_come(void **state)
 {
     static const struct {

@@ -1,4 +1,4 @@
-/* Labels of what is seen keep off the lines and off one another, on pages from A4 to A0, and are the same every time.
+/* Labels of visible things avoid the lines and one another, on pages from A4 to A0, and are the same every time.
  */
 #include <errno.h>
 #include <math.h>
@@ -143,7 +143,7 @@ static void all_of_a_dodecahedron(void **state)
     roberts_drawing_free(&drawing);
 }
 
-/* Where there is little room, labels are left out and counted; those that are there lie apart. */
+/* If there is little room, labels are left out and counted; the others lie apart. */
 static void models_from_a4_to_a0(void **state)
 {
     (void)state;
@@ -194,7 +194,7 @@ static void letters_fit_the_room(void **state)
         assert_int_equal(warnings.count, row[i].all ? 0 : 1);
         assert_true(s.notes.count > 0);
         if (row[i].given_mm == 0.0)
-            assert_true(count_crossed(&s) <= s.notes.count / 4); /* where there is no room at all */
+            assert_true(count_crossed(&s) <= s.notes.count / 4); /* if there is no room at all */
         check_apart(&s, row[i].model);
         strokes_free(&s);
         roberts_drawing_free(&drawing);
@@ -248,7 +248,7 @@ static void hidden_and_named(void **state)
     strokes_free(&s);
 }
 
-/* The same strokes again; with text of the reader none of letters, but the same notes. */
+/* The same strokes again; with native text there are no strokes of letters, but the same notes. */
 static void same_again(void **state)
 {
     (void)state;

@@ -85,7 +85,7 @@ static uint32_t add_patch(sheet *s, const patch *p, rng *r)
 
 /* ---- comparing ---- */
 
-/* Is it the same line, with the same part of it seen? */
+/* Is it the same line, with the same visible part? */
 static bool same_segment(const roberts_drawing *a, const roberts_segment *s, const roberts_drawing *b,
                          const roberts_segment *t)
 {
@@ -104,7 +104,7 @@ static size_t next_row(const roberts_drawing *d, size_t i)
     return i;
 }
 
-/* Rows of intersections that are seen, one after the other. */
+/* The rows of visible intersections, one after the other. */
 static size_t next_crossing(const roberts_drawing *d, size_t i)
 {
     while (i < d->count && (d->segment[i].line != ROBERTS_INTERSECTION || d->segment[i].state == ROBERTS_HIDDEN))

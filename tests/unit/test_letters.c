@@ -1,4 +1,4 @@
-/* Letters: what is drawn for UTF-8 of any kind, how wide, where; which characters the fonts lack. */
+/* Letters: the strokes for any UTF-8, their width and place; which characters the fonts lack. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -134,7 +134,7 @@ static void signs_and_digits(void **state)
     assert_true(letters_width("₁", 3.5) < letters_width("1", 3.5));
 }
 
-/* What is no UTF-8, or is not in the fonts, becomes a box each, and never runs over the end. */
+/* Anything that is not UTF-8, or not in the fonts, becomes a box, and is never read beyond its end. */
 static void faults_of_text(void **state)
 {
     (void)state;

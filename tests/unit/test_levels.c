@@ -31,7 +31,7 @@
 
 enum { LINES_MOST = 4 };
 
-/* An edge and the level of its hidden parts; of one that is partly visible, of the rest. */
+/* An edge and the level of its hidden parts. */
 typedef struct wanted {
     uint32_t v0, v1;
     uint16_t level; /* 0: it is not hidden anywhere */
@@ -117,7 +117,7 @@ static roberts_drawing drawing_of(const roberts_scene *scene, const roberts_came
     return drawing;
 }
 
-/* A slash in the text stands for a new line. */
+/* A slash in the text stands for a newline. */
 static void layers_are_counted(void **state)
 {
     (void)state;

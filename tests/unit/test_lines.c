@@ -3,7 +3,7 @@
 #include "hide/segments.h"
 #include "scenes.h"
 
-/* What a scene with one further line of body 0 gives. */
+/* The drawing of a scene with one further line of body 0. */
 static hide_chunk segments_of(const roberts_scene *scene, const roberts_camera *camera, bool all, const seen_line *line)
 {
     roberts_hide_options options = roberts_hide_options_default();
@@ -52,7 +52,7 @@ static const struct {
     const char *name;
     double z;        /* of the line, which runs from x = 0.5 to x = 4 */
     int own[2];      /* bodies whose keys it lists; -1: none */
-    double shown[4]; /* t of what is visible: from, to; 0, 0: no such part */
+    double shown[4]; /* t of the visible part: from, to; 0, 0: no such part */
 } cases[] = {
     {"on the lower box", 1.0, {0, -1}, {0, 1.0 / 7, 3.0 / 7, 1}},
     {"on both", 1.0, {0, 1}, {0, 1}},

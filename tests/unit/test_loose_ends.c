@@ -1,4 +1,4 @@
-/* test_loose_ends.c - every visible facet is bounded all round: at each end of a visible line, another line goes on.
+/* test_loose_ends.c - every visible facet is bounded all round: at each end of a visible line, another line continues.
  * First, pictures whose answer is known by hand. Then all of models/ and the published models, from directions in which
  * no face is edge-on. */
 #include <dirent.h>

@@ -1,4 +1,4 @@
-/* test_mesh.c - the mesh as a container: what may be added, what is refused and leaves it alone. */
+/* test_mesh.c - the mesh as a container: what may be added, and what is refused and changes nothing. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -75,7 +75,7 @@ static void refuses_bad_corners(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* What is added by hand to a mesh that was read with colours has none. */
+/* Vertices and faces added by hand to a mesh with colours have none. */
 static void adds_to_a_coloured_mesh(void **state)
 {
     static const char text[] = "COFF 1 1 0\n0 0 0 1. 0 0\n1 0 7\n";

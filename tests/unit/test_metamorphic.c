@@ -1,10 +1,9 @@
 /* How drawings change, or do not change, if scenes are scaled, moved, turned, reordered, or drawn with other grids and
  * threads. Then each drawing is compared with a simple second opinion: sight rays from points of every segment.
  *
- * Two kinds of scenes. In the lattices solids stand anyhow, so that nothing ties; what they ask for is accuracy. In
- * the crowds and the wall all corners are small integers, so that everything ties: corners, edges and faces touch or
- * coincide, and whatever is no tie is far from one. A drawing of them shows whether ties are decided the same way
- * throughout. */
+ * Two kinds of scenes. In the lattices solids lie at random, so nothing ties; these scenes test accuracy. In the crowds
+ * and the wall all corners are small integers, so everything ties: corners, edges and faces touch or coincide, and
+ * anything that is no tie is far from one. A drawing of them shows whether ties are decided the same way throughout. */
 #include <stdio.h>
 
 #include "scenes.h"
@@ -152,7 +151,7 @@ static roberts_hide_options with_hidden(void)
 /* What may differ. Zeros: nothing, to the last bit. */
 typedef struct allowance {
     double t;     /* parameters by so much */
-    double p;     /* picture points by so much, after scaling */
+    double p;     /* picture points may move by so much, after scaling */
     double scale; /* of the picture; 0 = 1 */
     bool shift;   /* the picture may be moved as a whole */
     bool by;      /* another solid may be named, among those that touch */
@@ -573,7 +572,7 @@ static void any_threads_any_run(void **state)
 
 /* ---- options --------------------------------------------------------------------------------------------------- */
 
-/* Keeps the rows that `keep` wants. */
+/* Keeps the rows that `keep` accepts. */
 static void filter(roberts_drawing *d, bool (*keep)(const roberts_segment *))
 {
     size_t kept = 0;
@@ -824,7 +823,7 @@ static double difference(const roberts_drawing *a, const roberts_drawing *b)
     return most;
 }
 
-/* What the perspective changes falls as 1 / distance: a hundred times as far, a hundredth. */
+/* The effect of perspective falls as 1 / distance: a hundred times as far, a hundredth. */
 static void far_eye_comes_to_orthographic(void **state)
 {
     (void)state;

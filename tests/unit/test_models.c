@@ -509,8 +509,8 @@ static uint64_t decided_by(const roberts_tally *t, int test)
     return decided[test];
 }
 
-/* Hidden part of edge 8-9 in the library's drawing from the top; as the test `said`, if that was counted, so that
- * --stats shows it, else -1. */
+/* Hidden part of edge 8-9 in the library's drawing from the top; `said`: the test that decided, if --stats counts it,
+ * else -1. */
 static outcome drawn(const roberts_mesh *m, const char *name, int said)
 {
     roberts_scene *scene = build_scene(m, name);
@@ -672,7 +672,7 @@ static void families_have_the_number_of_solids_they_promise(void **state)
     }
 }
 
-/* Of a crystal the faces of its forms: as many as symmetry makes of each, none cut off by others. */
+/* The faces of a crystal's forms: as many of each as its symmetry requires, none cut off by others. */
 static void figures_have_the_faces_they_promise(void **state)
 {
     static const struct {
@@ -751,7 +751,7 @@ static void z_range(const roberts_scene *scene, uint32_t solid, double *lo, doub
     }
 }
 
-/* Every solid stands on the floor or on another one, or hangs under one: the very same z. */
+/* Every solid stands on the floor or on another one, or hangs under one, at exactly the same z. */
 static void nothing_floats(void **state)
 {
     static const char *const scenes[] = {"table",     "temple",     "tower", "stacked-blocks",

@@ -40,7 +40,7 @@ static uint64_t next_random(uint64_t *state)
     return *state;
 }
 
-/* How many numbers a test on random ones tries: some, or as many as TEST_NUMBERS says. */
+/* How many random numbers a test tries: some, or as many as TEST_NUMBERS requests. */
 static unsigned long random_count(void)
 {
     const char *count = getenv("TEST_NUMBERS");
@@ -187,7 +187,7 @@ static void refuses_what_is_no_number(void **state)
     }
 }
 
-/* Up to NUMBER_LENGTH_MAX characters; digits that only a tail far behind decides. */
+/* Up to NUMBER_LENGTH_MAX characters; digits that only the last ones decide. */
 static void reads_long_numbers(void **state)
 {
     static char text[ROOM];
@@ -413,7 +413,7 @@ static void reads_integers(void **state)
     }
 }
 
-/* Each bit where it has to be, whatever the others are. */
+/* Each bit is in its place, whatever the others are. */
 static void bits_are_spread(void **state)
 {
     (void)state;

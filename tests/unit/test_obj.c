@@ -41,7 +41,7 @@ static const read_good good[] = {
     {"joined lines", "v 0 \\\n 0 \\\r\n 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2\\\n 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"a joined line that is passed", THREE "vn 0 0 \\\n1\nf 1 2 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"... and comes in pieces", THREE "vn 1\\\nv\nf 1 2 3\nvn 1\\", 0, THREE_TEXT " | 0-1-2",
-     NULL}, /* cut behind the first backslash */
+     NULL}, /* cut after the first backslash */
     {"a backslash that joins nothing", THREE "g a\\b \\ c\nf 1 2 3\n", 0, THREE_TEXT " | 0-1-2 | a\\b \\ c@0", NULL},
     {"CR LF", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\ng a\r\nf 1 2 3\r\n", 0, THREE_TEXT " | 0-1-2 | a@0", NULL},
     {"CR alone", "v 0 0 0\rv 1 0 0\rv 0 1 0\rvn 0 0 1\rf 1 2 3\r", 0, THREE_TEXT " | 0-1-2", NULL},

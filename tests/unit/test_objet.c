@@ -1,6 +1,6 @@
 /* The grid: the conservative scan of polygons, the cells' lists, covers, edges walking through the cells, and how many
- * cells there are. What a cell is said to hold is compared with a plain test of two convex sets: they are apart where
- * one of their sides' directions keeps them apart. */
+ * cells there are. The contents of cells are compared with a plain test of two convex sets: they are apart if the
+ * direction of one of their sides separates them. */
 #include <stdio.h>
 
 #include "hide/cells.h"
@@ -160,7 +160,7 @@ static polygon random_polygon(rng *r, int kind)
         return g;
     case WHOLE:
         return rectangle(window_low.x, window_low.y, window_high.x, window_high.y);
-    default: /* upright or level, all but without width */
+    default: /* upright or level, almost without width */
         g = rectangle(0, 0, 0, 0);
         double x = rng_between(r, -1, 7), y = rng_between(r, 2, 6), w = pow(10, rng_between(r, -12, -3));
         return rng_int(r, 0, 1) ? rectangle(in_window_x(x - w), 2, in_window_x(x + w) + w, 6)
@@ -226,7 +226,7 @@ static void scan_is_conservative_and_tight(void **state)
     }
 }
 
-/* Scratch serves polygon after polygon: what an earlier one left does not show. */
+/* Scratch memory is reused for polygon after polygon: remains of an earlier one have no effect. */
 static void scan_forgets(void **state)
 {
     rng r = {72};
@@ -392,7 +392,7 @@ static void expect_lists(const objet *grid, const hide_fronts *fronts)
         bool listed[MODEL_SOLIDS * 4] = {false};
         for (uint32_t k = grid->start[cell]; k < grid->start[cell + 1]; k++) {
             uint32_t front = grid->entry[k].front;
-            assert_true(!listed[front] && fronts->front[front].listed); /* once, and only what counts */
+            assert_true(!listed[front] && fronts->front[front].listed); /* once, and only listed fronts */
             assert_true(k == grid->start[cell] || in_order(fronts, grid->entry[k - 1].front, front));
             listed[front] = true;
         }
@@ -410,7 +410,7 @@ static void expect_lists(const objet *grid, const hide_fronts *fronts)
     }
 }
 
-/* What a grid of this frame counts sides from. */
+/* A grid of this frame without fronts, which measures sides in its own units. */
 static objet grid_of(scan_frame frame)
 {
     hide_fronts none = {0};
@@ -619,7 +619,7 @@ static front random_front(rng *r, int kind)
     return g;
 }
 
-/* Nearest front over a point by which it lies behind covers; -infinity where none is. */
+/* Depth of the nearest front over a point, as covers count it; -infinity if there is none. */
 static double nearest_at(const front *g, int count, double x, double y)
 {
     double depth = -INFINITY;
@@ -684,7 +684,7 @@ static void covers_cover(void **state)
 }
 
 /* A cell that lies wholly behind a level front has at least that front's depth less the slack (and the rounding to a
- * float): covers are not given away. */
+ * float): no cover is missed. */
 static void covers_are_not_wasted(void **state)
 {
     rng r = {77};
@@ -721,7 +721,8 @@ static void covers_are_not_wasted(void **state)
     }
 }
 
-/* What counts as behind covers really is: every point of the box, or of the edge, has a front that much nearer. */
+/* Anything that counts as behind covers really is: every point of the box, or of the edge, has a front that much
+ * nearer. */
 static void what_covers_hide_is_hidden(void **state)
 {
     rng r = {78};

@@ -1,4 +1,4 @@
-/* test_off.c - reading OFF: every dialect and quirk, every kind of bad input, and what must hold for any input.
+/* test_off.c - reading OFF: every dialect and quirk, every kind of bad input, and properties of any input.
  *
  * A mesh is compared as text: "(x y z)" for a vertex, "[0 1 2]" for a face, each with "/1" (a map index) or "/r,g,b" if
  * it has a colour. Warnings are compared as "LINE: MESSAGE;". */
@@ -69,7 +69,7 @@ static void describe(const roberts_mesh *mesh, log_text *log)
     }
 }
 
-/* What holds for every mesh, whatever was read. */
+/* Properties of every mesh, whatever was read. */
 static void check_mesh(const roberts_mesh *mesh)
 {
     assert_true(mesh->vertex_count <= mesh->vertex_room && mesh->corner_count <= mesh->corner_room);
@@ -318,7 +318,7 @@ static void reads_every_dialect(void **state)
     }
 }
 
-/* Input that is refused: with which status, in which line, and why. */
+/* Refused input: the status, the line and the reason. */
 static const struct {
     const char *name, *text;
     roberts_status status;
@@ -565,7 +565,7 @@ static void refuses_bad_input(void **state)
     }
 }
 
-/* NUL bytes: no strings, so that they need a table of their own. */
+/* NUL bytes: these are no strings, so they need a table of their own. */
 static void refuses_nul_bytes(void **state)
 {
     static const char zeros[5000];
@@ -601,7 +601,7 @@ static void refuses_nul_bytes(void **state)
 
 /* ---- endless and huge ------------------------------------------------------------------------------------------ */
 
-/* A beginning, and then something for ever. */
+/* A beginning, followed by an endless text. */
 typedef struct endless {
     const char *head, *body;
     size_t taken;
@@ -616,7 +616,7 @@ static ptrdiff_t read_endless(void *context, void *buffer, size_t size)
     return (ptrdiff_t)size;
 }
 
-/* The same where any place can be read. */
+/* The same for inputs that can be read at any position. */
 static ptrdiff_t read_endless_at(void *context, uint64_t offset, void *buffer, size_t size)
 {
     const endless *source = context;
@@ -632,7 +632,7 @@ static bool go_endless(void *context, uint64_t offset)
     return true;
 }
 
-/* After an error in a text without end the look for its reason ends as well. */
+/* After an error in an endless text, the search for its reason ends as well. */
 static void looks_again_not_for_ever(void **state)
 {
     static const struct {
@@ -658,7 +658,7 @@ static void looks_again_not_for_ever(void **state)
     }
 }
 
-/* The look ends after 64 MB. Nothing is claimed about the line in which that happens: here, behind its second word. */
+/* The search ends after 64 MB. Nothing is claimed about the line in which that happens: here, after its second word. */
 static void claims_nothing_where_the_look_ends(void **state)
 {
     static const struct {
@@ -852,7 +852,7 @@ static void appends_and_goes_back(void **state)
     }
 }
 
-/* A mesh of all kinds of numbers, longer than several blocks, comes out as it went in, however the bytes arrive. */
+/* A mesh of all kinds of numbers, longer than several blocks, is read unchanged, however the bytes arrive. */
 static void blocks_do_not_matter(void **state)
 {
     enum { VERTICES = 9000 };

@@ -1,6 +1,6 @@
-/* test_off_any.c - any bytes whatever: no crash, no mesh that breaks its promises, errors with a message, an unchanged
- * mesh after an error, and the same result however the bytes arrive. Good files are cut off at each byte, each byte is
- * replaced by every other value, and pieces of different files are combined at random. */
+/* test_off_any.c - arbitrary bytes: no crash, no invalid mesh, errors with a message, an unchanged mesh after an error,
+ * and the same result however the bytes arrive. Good files are cut off at each byte, each byte is replaced by every
+ * other value, and pieces of different files are combined at random. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -14,7 +14,7 @@
 
 #include "roberts.h"
 
-/* A binary file in the making. */
+/* A binary file while it is written. */
 typedef struct file {
     char bytes[1 << 18];
     size_t length;
@@ -122,7 +122,7 @@ static void reads_both_orders(void **state)
     }
 }
 
-/* Counts that look alike in both orders, or smaller in the wrong one: the vertices tell. */
+/* Counts that look alike in both orders, or smaller in the wrong one: the vertices decide. */
 static void finds_the_order_from_the_vertices(void **state)
 {
     static file big;
@@ -136,7 +136,7 @@ static void finds_the_order_from_the_vertices(void **state)
         assert_true(mesh.vertex_count == 256 && mesh.vertex[255].x == 255.0);
         roberts_mesh_free(&mesh);
         begin(&big, "OFF BINARY\n", little);
-        put_words(&big, 3, 0x010000, 0, 0); /* 65536 declared, 256 the other way: too short for what it is */
+        put_words(&big, 3, 0x010000, 0, 0); /* 65536 declared, 256 in the other order: too short for either */
         put_floats(&big, 3, 1.5, 1.5, -2.0);
         roberts_error error;
         assert_int_equal(read_file(&big, &mesh, &error), ROBERTS_BAD_SYNTAX);
@@ -144,7 +144,7 @@ static void finds_the_order_from_the_vertices(void **state)
     }
 }
 
-/* Nothing to tell by but the counts: vertices at the origin, or none. */
+/* Only the counts can decide: vertices at the origin, or none. */
 static void finds_the_order_from_the_counts(void **state)
 {
     (void)state;
@@ -162,7 +162,7 @@ static void finds_the_order_from_the_counts(void **state)
     }
 }
 
-/* Vertex numbers go on from those of the input before. */
+/* Vertex numbers continue from those of the previous input. */
 static void appends(void **state)
 {
     static const char before[] = "OFF 2 1 0\n9 9 9\n8 8 8\n2 0 1\n";

@@ -124,7 +124,7 @@ static size_t compare_colors(const char *name, const char *fields, const roberts
     return all;
 }
 
-/* What follows `title` in the notes; NULL where it is not there. */
+/* The text after `title` in the notes; NULL if there is none. */
 static const char *after(const char *notes, const char *title)
 {
     const char *found = strstr(notes, title);

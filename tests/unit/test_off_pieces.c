@@ -51,7 +51,7 @@ static void run_side_by_side(off_work_fn *work, void *job, uint32_t threads)
         assert_int_equal(pthread_join(thread[i], NULL), 0);
 }
 
-/* The one after the other, as where there are none: much quicker. */
+/* One after the other, as without threads: much faster. */
 static void run_in_turn(off_work_fn *work, void *job, uint32_t threads)
 {
     for (uint32_t i = threads; i-- > 0;)
@@ -167,7 +167,7 @@ static uint32_t chance(uint64_t *seed, uint32_t below)
     return (uint32_t)((*seed >> 33) % below);
 }
 
-/* Adds a number as programs write them. */
+/* Adds a number in a form that programs write. */
 static size_t add_number(char *text, uint64_t *seed)
 {
     double value = ((double)chance(seed, 2000000) - 1e6) / 1e4 * (chance(seed, 4) ? 1.0 : 1e-9);
@@ -208,7 +208,7 @@ static char *allocate(size_t size)
 
 /* ---- tests ----------------------------------------------------------------------------------------------------- */
 
-/* Each size of pieces, so that their borders fall on each byte; and the pieces are what reads it. */
+/* Each size of pieces, so that their borders fall on each byte; and the pieces really read it. */
 static void borders_anywhere(void **state)
 {
     char *text = allocate(1 << 16);
@@ -224,7 +224,7 @@ static void borders_anywhere(void **state)
         result r, one;
         read_input(&in, &division, &r);
         assert_true(r.error.status == ROBERTS_OK && r.mesh.vertex_count == 155 && r.mesh.face_count == 150);
-        assert_true(in.read < 300); /* the head, a vertex, what is left after the last piece */
+        assert_true(in.read < 300); /* the header, a vertex, the rest after the last piece */
         read_input(&in, &alone, &one);
         compare(&one, &r, &in, "after other vertices");
         roberts_mesh_free(&one.mesh);
@@ -233,7 +233,7 @@ static void borders_anywhere(void **state)
     free(text);
 }
 
-/* Threads proper, on a text of many pieces. */
+/* Real threads, on a text of many pieces. */
 static void threads_side_by_side(void **state)
 {
     char *text = allocate(1 << 22);
@@ -310,7 +310,7 @@ static void heads_and_lines_that_differ(void **state)
     }
 }
 
-/* The largest numbers that fit, and what does not: indices, lines longer than a piece with what may hang over. */
+/* The largest values that fit, and larger ones: indices, and lines that exceed a piece by more than is allowed. */
 static void extremes(void **state)
 {
     static const char *const lines[] = {

@@ -1,4 +1,4 @@
-/* The page: what is fitted lies within the margins, fills them one way, is centred and upright. */
+/* The page: a fitted drawing lies within the margins, fills them in one direction, is centred and upright. */
 #include <errno.h>
 #include <float.h>
 #include <math.h>
@@ -19,7 +19,7 @@ static const struct {
     const char *name;
     roberts_page page;
     roberts_vec2 min, max;
-    roberts_vec2 p, on_page; /* a point and where it comes to lie */
+    roberts_vec2 p, on_page; /* a point and its place on the page */
 } fit_cases[] = {
     {"wide: left edge on the margin", {210, 297, 10}, {0, 0}, {19, 1}, {0, 0.5}, {10, 148.5}},
     {"wide: right edge on the margin", {210, 297, 10}, {0, 0}, {19, 1}, {19, 0.5}, {200, 148.5}},

@@ -1,5 +1,5 @@
-/* test_parts.c - a drawing that is joined from parts has the same bytes as that of one run, and join refuses what does
- * not belong together. */
+/* test_parts.c - a drawing that is joined from parts has the same bytes as that of one run, and join refuses parts that
+ * do not belong together. */
 #include <glob.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -100,7 +100,7 @@ static roberts_status join(uint32_t parts, const roberts_task *task, roberts_joi
     return roberts_join(&(roberts_inputs){parts, name}, task, to, error);
 }
 
-/* Returns whether the inputs can be drawn in parts; then everything has to be the same. */
+/* Returns whether the inputs can be drawn in parts; then everything must be the same. */
 static bool is_same(const roberts_inputs *input, const roberts_task *task, uint32_t parts)
 {
     roberts_mesh mesh = {.threads = 1};
@@ -131,7 +131,7 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
 
 static const uint32_t counts[] = {1, 2, 3, 7};
 
-/* The models that come with the program, with hidden lines and without, as one and each for itself. */
+/* The models of the project, with hidden lines and without, as one and separately. */
 static void models_are_the_same(void **state)
 {
     static const char *const views[] = {"iso", "eye", "top", "cabinet"};
@@ -208,7 +208,7 @@ static void crowds_are_the_same(void **state)
     }
 }
 
-/* A part holds less than the whole: a row of boxes in many parts has parts of few rows each. */
+/* A part holds less than the whole: in many parts, a row of boxes has few rows in each. */
 static void parts_are_small(void **state)
 {
     char *const names[] = {model[0]};
@@ -313,7 +313,7 @@ static void broken_parts_are_refused(void **state)
     assert_true(refused + 8 > tried); /* the name of the input may be another one */
 }
 
-/* What needs the whole is refused before anything is written. */
+/* Anything that needs the whole is refused before anything is written. */
 static void wholes_are_refused(void **state)
 {
     static const struct {

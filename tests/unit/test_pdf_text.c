@@ -1,4 +1,5 @@
-/* Text of PDF that readers can search: which characters the fonts have, what the page holds, what pdftotext finds. */
+/* Text of PDF that readers can search: the characters of the fonts, the content of the page, and the result of
+ * pdftotext. */
 #include <errno.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -66,7 +67,7 @@ static void read_page(const sink *file, char page[PAGE_ROOM])
     assert_int_equal(inflateEnd(&z), Z_OK);
 }
 
-/* Latin in Helvetica, Greek in Symbol, brackets and backslashes escaped, what is lacking as a question mark. */
+/* Latin in Helvetica, Greek in Symbol, brackets and backslashes escaped, missing characters as question marks. */
 static void the_page_holds_the_text(void **state)
 {
     static const struct {

@@ -1,7 +1,7 @@
 /* test_plain_bodies.c - bodies built in place are the same as bodies that are cut, joined and laid out again.
  *
- * Each mesh is built twice: as it is, and with its first face once more, the other way round. A face that repeats an
- * earlier one counts for nothing, but its body is not plain. */
+ * Each mesh is built twice: as it is, and with a reversed copy of its first face. A face that repeats an earlier one
+ * has no effect, but its body is not plain. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* test_ply.c - PLY as text and in both byte orders: what is used, what is skipped, what is refused and where. */
+/* test_ply.c - PLY as text and in both byte orders: which data are used, skipped or refused, and where. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -239,7 +239,7 @@ static void tells_float_from_double(void **state)
     }
 }
 
-/* Every byte may be the last one: the message names it. */
+/* The input may end at any byte: the message names it. */
 static void refuses_binary_cut_short(void **state)
 {
     bytes_built b = build_all_types(false, "\n"), header = b;

@@ -180,7 +180,7 @@ static void test_plane_table(void **state)
     }
 }
 
-/* Proposition 2: the point S + t v satisfies the plane's equation, and the ray is met on the side that F(S) tells. */
+/* Proposition 2: the point S + t v satisfies the plane's equation, and the sign of F(S) gives the side that is met. */
 static void test_plane_properties(void **state)
 {
     rng r = {2};

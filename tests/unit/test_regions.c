@@ -1,8 +1,8 @@
 /* test_regions.c - visible regions tile the shadow of a scene's picture, each of the face that is seen there.
  *
  * The shadow is the union of the pictures of all faces. Its area is found here by cutting the picture into upright
- * strips in which no two sides cross. roberts_pick() says what is seen at a point, by casting a ray. The environment
- * variable REGIONS asks for more random scenes, until they have so many regions (`make check-long`). */
+ * strips in which no two sides cross. roberts_pick() finds what is seen at a point, by casting a ray. The environment
+ * variable REGIONS requests more random scenes, until they have so many regions (`make check-long`). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -644,7 +644,7 @@ static void test_threads_and_grid(void **state)
     roberts_mesh_free(&mesh);
 }
 
-/* What cannot be done is said. */
+/* Impossible requests give errors. */
 static void test_refused(void **state)
 {
     roberts_mesh mesh = {0};

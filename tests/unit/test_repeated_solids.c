@@ -1,5 +1,5 @@
-/* test_repeated_solids.c - solids that repeat one another in a file are built as each of them alone; components that
- * follow one another are those of the definition. */
+/* test_repeated_solids.c - solids that repeat one another in a file are built like each of them alone; components that
+ * follow one another agree with the definition. */
 #include "base/box.h"
 #include "model/components.h"
 #include "model/scene.h"

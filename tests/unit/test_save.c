@@ -236,7 +236,7 @@ static const struct {
     {"loop", "cannot write: Too many levels of symbolic links"},
     {"", "cannot write: No such file or directory"},
     {"/dev/fd/987654", "cannot write: Bad file descriptor"},
-    {"/dev/fd/1x", NULL}, /* no number: whatever the system says */
+    {"/dev/fd/1x", NULL}, /* no number: any message of the system */
 };
 
 static void failures(void **state)
@@ -257,7 +257,7 @@ static void failures(void **state)
     assert_int_equal(entries("in", false), 0);
 }
 
-/* In a child without root's rights: what it may not write it does not replace. */
+/* In a child without root's rights: it does not replace files that it may not write. */
 static void protected_files_and_folders(void **state)
 {
     int status;
@@ -383,7 +383,7 @@ static void unfinished_file_is_announced(void **state)
     assert_int_equal(a.calls, 4);
 }
 
-/* Leaves what a killed process would leave that has saved in/a: its unfinished file, which is called `name`. */
+/* Leaves the unfinished file of a process that was killed while saving in/a; the file is called `name`. */
 static void leave_unfinished(char name[300])
 {
     announced a = {0};
@@ -427,7 +427,7 @@ static void what_is_being_written_stays(void **state)
     assert_int_equal(entries("in", false), 1);
 }
 
-/* A link or a folder of that name is nobody's unfinished file. */
+/* A link or a folder of that name is no unfinished file. */
 static void what_is_no_unfinished_file_stays(void **state)
 {
     char name[300];

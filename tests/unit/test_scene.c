@@ -17,7 +17,7 @@
 #include "scenes.h"
 #include "skip.h"
 
-/* What is no convex solid is refused. */
+/* Anything that is no convex solid is refused. */
 static const roberts_scene_options only_solids = {.solids = true};
 
 /* ---- meshes ---------------------------------------------------------------------------------------------------- */
@@ -54,7 +54,7 @@ static void read_text(roberts_mesh *mesh, const char *text)
     }
     while (*at == ' ')
         at++;
-    assert_string_equal(at, ""); /* the text says what its author meant */
+    assert_string_equal(at, ""); /* the text of the test is valid */
 }
 
 /* Corner c of the unit cube, by bits. */
@@ -588,7 +588,7 @@ static void sizes_and_places(void **state)
     }
 }
 
-/* Numbers that a program may put into a mesh by hand, past roberts_mesh_add_vertex(). */
+/* Numbers that a program may write into a mesh directly, without roberts_mesh_add_vertex(). */
 static void numbers_that_are_none_are_refused(void **state)
 {
     static const double bad[] = {NAN, INFINITY, -INFINITY, 1e151, 1e308};

@@ -1,5 +1,5 @@
 /* src/hide/schedule.h with POSIX threads, which the thread sanitizer sees: with any number of threads, segments come in
- * order, each once, and the work ends early when it is told to. */
+ * order, each once, and the work ends early on request. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -25,7 +25,7 @@ static uint32_t size_of(uint32_t k)
 typedef struct labour {
     chunks all;
     uint32_t fails;     /* at this chunk there is no memory; CHUNKS: at none */
-    int missing;        /* threads that were counted on and do not come, as OpenMP may decide */
+    int missing;        /* expected threads that never start, as OpenMP may decide */
     atomic_int threads; /* that have begun */
 } labour;
 

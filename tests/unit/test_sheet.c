@@ -1,4 +1,4 @@
-/* Sheets: where each view stands, to the micrometre, and the symbol; one scale; every format; what is refused. */
+/* Sheets: the place of each view, to the micrometre, and of the symbol; one scale; every format; refusals. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -238,7 +238,7 @@ static void sides_are_the_right_ones(void **state)
     assert_false(roberts_sheet_camera(ROBERTS_FIRST_ANGLE, -1, &camera));
 }
 
-/* Views that are left out take no room, nor does their gap. */
+/* Views that are left out take no room, and neither do their gaps. */
 static void views_can_be_left_out(void **state)
 {
     views v;
@@ -266,7 +266,7 @@ static void views_can_be_left_out(void **state)
 
 /* ---- the page ---- */
 
-/* Fitted, the views fill what margins, frame and symbol leave, one way or the other. */
+/* Fitted, the views fill the area left by margins, frame and symbol, in width or in height. */
 static const struct {
     const char *name;
     roberts_page page;
@@ -361,7 +361,7 @@ static void symbols_tell_the_angle(void **state)
     }
 }
 
-/* It is no larger than a cell of four, and in half its size or so not drawn at all. */
+/* It is no larger than one of four cells, and is not drawn at all below about half its size. */
 static const struct {
     roberts_page page;
     double size;
@@ -464,7 +464,7 @@ static void every_page_format(void **state)
     free_views(&v);
 }
 
-/* The rows of each view are those of its own table, behind the view's name. */
+/* The rows of each view are those of its own table, after the view's name. */
 static void tables_name_the_views(void **state)
 {
     static const char *const names[2][4] = {{"front", "top", "left", "iso"}, {"front", "top", "right", "iso"}};

@@ -26,7 +26,7 @@ static roberts_vec3 random_point(rng *r, const sight *s, uint32_t face)
     return vec3_sub(X, vec3_scale(rng_between(r, 0, 0.2) / vec3_length(v), v));
 }
 
-/* Asks with samples and without. */
+/* Tests with samples and without. */
 static void expect_same(const sight *s, uint32_t face, rng *r, int found[3])
 {
     sight plain = *s;
@@ -72,7 +72,7 @@ static void add_prism(model *m, double wide, int outline)
     }
 }
 
-/* In parallel and in perspective. Where no side may spare what is left of it, the face is not sampled. */
+/* In parallel and in perspective. The face is not sampled if a sample lies outside a side. */
 static void samples_say_what_all_sides_say(void **state)
 {
     static const double wide[] = {1, 1e-2};

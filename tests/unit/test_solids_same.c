@@ -43,7 +43,7 @@ static roberts_mesh row_of_cubes(const uint32_t *faulty, const fault *kind, size
             assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
         }
         if (wrong == ENDLESS)
-            mesh.vertex[first].x = INFINITY; /* which roberts_mesh_add_vertex() refuses */
+            mesh.vertex[first].x = INFINITY; /* roberts_mesh_add_vertex() refuses this */
         for (int side = wrong == OPEN || wrong == ENDLESS; side < 6; side++) {
             for (int i = 0; i < 4; i++)
                 v[i] = first + face[side][i];
@@ -82,7 +82,7 @@ static void the_first_fault_is_told(void **state)
         {"two kinds", 2, {5000, 100}, {FLAT, DENTED}, ROBERTS_NOT_PLANAR, "of solid 100 "},
         {"two kinds, the other way", 2, {5000, 100}, {DENTED, FLAT}, ROBERTS_FLAT, "solid 100 is flat"},
         {"four in one chunk", 4, {259, 258, 257, 256}, {FLAT, FLAT, DENTED, FLAT}, ROBERTS_FLAT, "solid 256 is flat"},
-        /* what is open and cannot be mended is told before all else */
+        /* an open solid that cannot be welded is reported first */
         {"open and flat", 2, {10, 5000}, {OPEN, FLAT}, ROBERTS_NOT_CLOSED, "not closed"},
         {"flat and open", 2, {10, 5000}, {FLAT, OPEN}, ROBERTS_NOT_CLOSED, "not closed"},
         {"endless", 1, {4321}, {ENDLESS}, ROBERTS_BAD_NUMBER, "vertex 34568 is not a finite number"},

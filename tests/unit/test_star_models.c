@@ -1,5 +1,5 @@
-/* The star polyhedra and other bodies that are not convex in models/, against what is known of them: counts, regular
- * faces, Euler characteristic, volume, borders. */
+/* The star polyhedra and other bodies that are not convex in models/, against known properties: counts, regular faces,
+ * Euler characteristic, volume, borders. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* test_stl.c - STL as text and binary: what is read, what is welded, what is refused and where. */
+/* test_stl.c - STL as text and binary: what is read, welded and refused, and where. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -144,7 +144,7 @@ static void reads_binary(void **state)
     }
 }
 
-/* A size that is not known, or not right: recognised by bytes that no text has, whatever the header says. */
+/* An unknown or wrong size: the file is recognised by bytes that no text has, whatever the header says. */
 static void reads_binary_of_unknown_size(void **state)
 {
     static const char *const begins[] = {"",

@@ -1,4 +1,5 @@
-/* From segments to strokes: no line drawn twice, the nearest wins, pieces joined and chained, short ways between. */
+/* From segments to strokes: no line is drawn twice, the nearest wins, pieces are joined and chained, and the pen
+ * travels little. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -247,7 +248,7 @@ enum { LATTICE = 20, DIRECTIONS = 5, LATTICE_MM = 5 };
 
 static const int direction[DIRECTIONS][2] = {{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 1}};
 
-/* By direction and starting point: what is drawn on the step from there. */
+/* What is drawn on each step, by direction and starting point. */
 typedef struct step {
     int times;
     int line; /* roberts_line */
@@ -310,7 +311,7 @@ static void add_side(steps drawn, page_point a, page_point b, int class)
     fail_msg("a stroke runs in no direction of the lattice");
 }
 
-/* Places where an odd number of steps of a class ends; half as many lines have to be open. */
+/* Places where an odd number of steps of a class ends; half as many lines must be open. */
 static size_t odd_places(steps drawn, int class)
 {
     int ends[LATTICE + 1][LATTICE + 1] = {{0}};
@@ -508,7 +509,7 @@ static void what_touches_is_outline(void **state)
         assert_int_equal(sides[ROBERTS_CREASE], wanted[view][0]);
         assert_int_equal(sides[ROBERTS_OUTLINE], wanted[view][1]);
         if (view)
-            assert_int_equal(s.start[1] - s.start[0], 0); /* nothing hidden beside what is seen */
+            assert_int_equal(s.start[1] - s.start[0], 0); /* no hidden line beside a visible one */
         strokes_free(&s);
         roberts_drawing_free(&drawing);
     }
@@ -535,8 +536,8 @@ static roberts_segment *random_lines(size_t count, double length)
     return segment;
 }
 
-/* The ways of the lifted pen get shorter, and the strokes stay the same. A tour through n random places in a square of
- * side a is some 0.71 a sqrt(n) long (Beardwood, Halton, Hammersley 1959); here each stroke has two ends to choose
+/* The travel of the lifted pen gets shorter, and the strokes stay the same. A tour through n random places in a square
+ * of side a is some 0.71 a sqrt(n) long (Beardwood, Halton, Hammersley 1959); here each stroke has two ends to choose
  * from. */
 static void ways_are_short(void **state)
 {
@@ -936,7 +937,7 @@ static double stroke_length(const strokes *s, const polyline *line)
     return length;
 }
 
-/* The pen is lifted only where a line ends: no two strokes of a class end at one place, so none could go on as the
+/* The pen is lifted only where a line ends: no two strokes of a class end at one place, so none could continue as the
  * other. */
 static void check_ends(const strokes *s)
 {

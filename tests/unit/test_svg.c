@@ -135,7 +135,7 @@ static void lines_are_true(void **state)
                 exact_place(&options.page, &drawing, s->p1, place);
                 worst = fmax(worst, deviation(&at, 'L', place));
             }
-            assert_int_equal(strncmp(at, " \"/>\n</g>\n", 10), 0); /* one path, and no more in it */
+            assert_int_equal(strncmp(at, " \"/>\n</g>\n", 10), 0); /* one path, and nothing else in it */
             assert_null(memchr(at + 2, 'M', 4));
         }
         print_message("%s: off by %.6f mm at the most\n", true_cases[i].name, worst);
@@ -309,7 +309,7 @@ static void title_and_description(void **state)
     }
 }
 
-/* A line around a square: one figure, closed, with nothing behind it. */
+/* A line around a square: one figure, closed, with nothing after it. */
 static void closed_lines_are_closed(void **state)
 {
     roberts_segment square[] = {line_at(ROBERTS_OUTLINE, 0, 0, 190, 0), line_at(ROBERTS_OUTLINE, 190, 0, 190, 190),
@@ -322,7 +322,7 @@ static void closed_lines_are_closed(void **state)
     free(text);
 }
 
-/* The chunk pHYs right behind the header: dots per metre both ways, and the checksum that others compute as well. */
+/* The chunk pHYs right after the header: dots per metre both ways, and the checksum that others compute as well. */
 static void images_know_their_resolution(void **state)
 {
     static const unsigned char at_300[] = {0,    0, 0, 9,    'p',  'H', 'Y',  's',  0,    0,   0x2e,
@@ -404,7 +404,7 @@ static void too_long_a_pdf_is_refused(void **state)
     roberts_drawing_free(&drawing);
 }
 
-/* However many strokes a path of Cairo and a surface take, none is lost where one of these ends. */
+/* However many strokes a Cairo path or surface takes, none is lost where one of these ends. */
 static void no_stroke_is_lost(void **state)
 {
     static const size_t counts[] = {1, 2, 999, 1000, 1001, 2000, 49999, 50000, 50001, 100000, 123456};

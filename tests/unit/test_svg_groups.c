@@ -1,5 +1,5 @@
-/* SVG in groups: the file is sound XML, ids are unique, every name is that of the table, and every group has the very
- * lines that belong to it. */
+/* SVG in groups: the file is sound XML, ids are unique, every name is that of the table, and every group has exactly
+ * its own lines. */
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -73,7 +73,7 @@ typedef struct xml_element {
         by[TEXT_MOST], layer[TEXT_MOST], line[TEXT_MOST];
     size_t depth; /* groups round it */
     bool is_path;
-    const char *data; /* of a path: what follows d=" */
+    const char *data; /* of a path: the text after d=" */
 } xml_element;
 
 typedef struct xml {
@@ -110,7 +110,7 @@ static const char *after(const char *at, char c)
     return at + 1;
 }
 
-/* Reads the groups and paths of a file; what is not given is taken from the group round it. */
+/* Reads the groups and paths of a file; missing attributes are those of the enclosing group. */
 static xml read_xml(const char *text)
 {
     xml x = {.item = calloc(ELEMENTS_MOST, sizeof *x.item)};
@@ -235,8 +235,8 @@ static double length_of(const xml *x, const char *class)
 static const char *const models[] = {"models/table.off", "models/compound-of-five-tetrahedra.off", "models/city.off",
                                      "models/temple.off", "models/stacked-blocks.off"};
 
-/* Whatever the groups are, each class has the same lines. In the class's own layers they are chained by Cairo's way,
- * which drops what has no length; so they are compared to within rounding. */
+/* Whatever the groups are, each class has the same lines. In the layers of classes they are chained as Cairo does,
+ * which drops lines without length, so they are compared within rounding. */
 static void lines_are_the_same(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* Lanes against plain C, and tests 2 to 4 at a stroke against the tests one by one. */
+/* Lanes against plain C, and tests 2 to 4 in one pass against the tests one by one. */
 #include "base/lanes.h"
 #include "bare_points.h"
 #include "scenes.h"
@@ -151,7 +151,7 @@ static void bytes_are_compared_with_the_most(void **state)
         assert_int_equal(four_plain_bytes_at_most(a, most), within);
         found |= 1u << within;
     }
-    assert_int_equal(found, 0xffff); /* each answer has been right */
+    assert_int_equal(found, 0xffff); /* each answer has been found */
 }
 
 static void four_numbers_are_compared_with_one(void **state)
@@ -302,7 +302,7 @@ static void within_the_hidden_is_none(void **state)
     assert_true(within > 1000 && found > 1000 && unclear > 0);
 }
 
-/* An edge in contact is decided at a stroke only where it lies outside of another side, or ends well inside. */
+/* An edge in contact is decided in one pass only if it lies outside another side, or ends well inside. */
 static void contact_is_unclear(void **state)
 {
     static const struct {

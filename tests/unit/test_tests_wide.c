@@ -14,7 +14,7 @@ static const double two_pi = 6.283185307179586;
 /* Kinds of polygons. */
 typedef enum kind {
     ELLIPSE,   /* regular, then pressed flat */
-    WHOLE,     /* its corners whole numbers: edges between such often pass through them */
+    WHOLE,     /* its corners are integers: edges between such points often pass through them */
     COLLINEAR, /* a square of which each side has many corners */
     HALF,      /* half a disc: one long side */
     DENTED,    /* corners moved by up to a millionth */
@@ -32,7 +32,7 @@ typedef struct fixture {
     runs *r;
 } fixture;
 
-/* Primitive vectors of no more than `most` either way, by angle: the sides of a convex polygon. Gives their number. */
+/* Primitive vectors with components up to `most`, by angle: the sides of a convex polygon. Returns their number. */
 static uint32_t whole_polygon(roberts_vec3 *P, int most)
 {
     int x = 0, y = -3 * most * most, a = 1, b = 0;
@@ -101,7 +101,7 @@ static void set_polygon(fixture *f, rng *r, kind k)
     assert_non_null(f->r);
 }
 
-/* Anywhere; a corner, or hardly beside it; on a side, or hardly beside it; near the middle. */
+/* A point anywhere; a corner, or just beside it; on a side, or just beside it; near the middle. */
 static roberts_vec3 place(const fixture *f, rng *r, kind k)
 {
     uint32_t i = (uint32_t)rng_int(r, 0, (int)f->face.count - 1);
@@ -194,7 +194,7 @@ static void runs_find_what_all_sides_do(void **state)
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
 /* Prisms and double pyramids of 65 to 128 corners lying over one another and through one another, and boxes among them;
- * half of the scenes as files of five digits have them, where polygons are not quite convex. */
+ * half of the scenes are rounded to five digits, so that polygons are not quite convex. */
 static void make_coins(model *m, uint64_t seed)
 {
     rng r = {seed};

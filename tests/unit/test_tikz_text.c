@@ -23,7 +23,7 @@ static bool take(void *context, const void *bytes, size_t size)
     return true;
 }
 
-/* What TeX reads as commands has names; no character is left that it refuses. */
+/* Characters that TeX reads as commands are written as names; no character that TeX refuses is left. */
 static void characters(void **state)
 {
     (void)state;

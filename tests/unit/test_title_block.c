@@ -1,4 +1,4 @@
-/* Title blocks and dimensions: what they say, and that nothing collides from A4 to A0. */
+/* Title blocks and dimensions: their texts; nothing collides on pages from A4 to A0. */
 #include <errno.h>
 #include <math.h>
 #include <setjmp.h>
@@ -30,7 +30,7 @@ static roberts_draw_options lettered(size_t page)
     options.lettering.field = fields;
     options.lettering.field_count = sizeof fields / sizeof fields[0];
     options.lettering.overall = true;
-    options.lettering.zones = true; /* drawn where there is a frame */
+    options.lettering.zones = true; /* drawn if there is a frame */
     return options;
 }
 
@@ -79,7 +79,7 @@ static void check_collisions(const strokes *s, const char *what)
             for (size_t k = 0; k < sets[set]->count; k++) {
                 const polyline *line = &sets[set]->item[k];
                 const page_point *p = sets[set]->point + line->first;
-                const size_t text_start = s->start[LINE_CLASSES - 2]; /* letters themselves are behind it */
+                const size_t text_start = s->start[LINE_CLASSES - 2]; /* the letters themselves come after it */
                 for (uint32_t j = 0; (set == 1 || k < text_start) && j + 1 < line->count + line->closed; j++)
                     if (!is_apart(box, piece_box(p[j], p[(j + 1) % line->count])))
                         fail_msg("%s: \"%s\" lies on a line", what, text.text);
@@ -140,7 +140,7 @@ static void mark_ends_at_block(void **state)
     free_views(&v);
 }
 
-/* Text about as wide as what it measures, or wider, lies on no extension line. */
+/* Text about as wide as the measured length, or wider, lies on no extension line. */
 static void wide_text(void **state)
 {
     (void)state;

@@ -1,8 +1,8 @@
 /* test_union_drawing.c - bodies drawn as one give the drawing of the same body modelled as one.
  *
  * Blocks fill cells of a grid. The same cells make one body: a square for each place where a cell that is filled meets
- * one that is not. Both are drawn, and each visible line of the one must lie on visible lines of the other that have
- * its class. */
+ * one that is not. Both are drawn, and each visible line of one must lie on visible lines of the other with the same
+ * class. */
 #include <stdio.h>
 
 #include "roberts.h"

@@ -1,5 +1,5 @@
-/* test_verify.c - the second opinion on drawings: no contradiction of right ones, always one of spoiled ones; picking
- * by table; the tree of boxes, compared with testing every box. */
+/* test_verify.c - the second opinion on drawings: none contradicts correct drawings, and some always contradicts
+ * spoiled ones; picking by table; the tree of boxes, compared with testing every box. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -419,9 +419,9 @@ static bool turn_longest(roberts_drawing *drawing, uint32_t solid)
     return longest != NULL;
 }
 
-/* Edges that cross what they are in contact with, within rounding of a point that is asked: a block turned by 9e-12,
- * seen along the border of another; a cube so far from the eye that its corners are within rounding of its faces; one
- * of which the near plane leaves 1.4e-13. */
+/* Edges that cross something in contact with them, within rounding of a tested point: a block turned by 9e-12, seen
+ * along the border of another; a cube so far from the eye that its corners are within rounding of its faces; one of
+ * which the near plane leaves 1.4e-13. */
 static void test_crossed_in_contact(void **state)
 {
     const double a = 2.8565979351453e-11, b = 9.0766838716902e-12, s = 1e-4;
@@ -504,7 +504,8 @@ static void test_sliver(void **state)
     }
 }
 
-/* Up to a hundredth of the scene counts as touching. What an edge or a face loses by that is no contradiction. */
+/* Up to a hundredth of the scene counts as touching. Parts of an edge or a face lost in this way are no
+ * contradiction. */
 static void test_wide_epsilon(void **state)
 {
     rng r = {5};
@@ -582,7 +583,7 @@ static void test_rule(void **state)
         roberts_verify_options options = roberts_verify_options_default();
         size_t wrong = 0;
         options.rays = 33;
-        options.contradiction = count_on_edge; /* what the drawing lacks of other edges does not matter here */
+        options.contradiction = count_on_edge; /* missing rows of other edges do not matter here */
         options.context = &wrong;
         assert_int_equal(roberts_verify(scene, &camera, &drawing, &options, &found, NULL), ROBERTS_OK);
         if ((wrong > 0) != rule_cases[i].wrong)
@@ -866,8 +867,8 @@ static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, c
     return extra;
 }
 
-/* The boxes, each fifty an owner's, against random points and some on borders, one at a time and many together. No more
- * boxes than `more` to a point are found without need: neighbours in a leaf. */
+/* The boxes, each fifty an owner's, against random points and some on borders, one at a time and many together. At most
+ * `more` boxes per point are found needlessly: neighbours in a leaf. */
 static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, size_t more)
 {
     static tree_entry entry[500];

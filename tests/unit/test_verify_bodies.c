@@ -133,7 +133,7 @@ static void test_parts(void **state)
     roberts_scene_free(scene);
 }
 
-/* A bowl of many faces. Its flat edges are left out, and are not missed, unless the options say that they are drawn. */
+/* A bowl of many faces. Its flat edges are left out. That is no fault, unless the options say that they are drawn. */
 static void test_smooth(void **state)
 {
     enum { SIDE = 24 };

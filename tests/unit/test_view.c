@@ -373,7 +373,7 @@ static void frames_at_random(void **state)
     roberts_scene_free(scene);
 }
 
-/* Up as near to the line of sight as may be: depth does not leak into the picture. */
+/* Up as near to the line of sight as possible: depth does not leak into the picture. */
 static void up_nearly_parallel(void **state)
 {
     rng r = {211};
@@ -507,7 +507,7 @@ static void close_to_the_eye(void **state)
     }
 }
 
-/* Lines stay lines, and the parameters along them are those that view_to_space() and view_from_space() tell. */
+/* Lines stay lines, and the parameters along them are those of view_to_space() and view_from_space(). */
 static void parameters_along_lines(void **state)
 {
     rng r = {24};
@@ -530,7 +530,7 @@ static void parameters_along_lines(void **state)
     roberts_scene_free(scene);
 }
 
-/* Toward the viewer: what moves neither right nor up in the picture. */
+/* The direction toward the viewer, which moves a point neither right nor up in the picture. */
 static roberts_vec3 sight_line(const view *v)
 {
     return vec3_add(v->dir, vec3_add(vec3_scale(v->oblique.x, v->right), vec3_scale(v->oblique.y, v->up)));
@@ -554,7 +554,7 @@ static void oblique_sight_lines(void **state)
 }
 
 /* Planes stay planes: the mapped corners lie on the mapped plane, whose normal has length 1 and looks away from the
- * viewer exactly where the viewer is outside the face. `stretch` is what distances from the plane grow by. */
+ * viewer exactly where the viewer is outside the face. Distances from the plane grow by `stretch`. */
 static void planes_stay_planes(void **state)
 {
     rng r = {25};
