@@ -125,7 +125,7 @@ void make_blocks(studio *st)
     int count = dice_int(&st->d, 6, 40);
     for (int i = 0; i < count; i++) {
         roberts_vec3 p = whole_point(st, 0, 8), size = whole_point(st, 1, 4);
-        put_box(st, p.x, p.y, p.z, p.x + size.x, p.y + size.y, p.z + size.z);
+        put_box(st, p, (roberts_vec3){p.x + size.x, p.y + size.y, p.z + size.z});
     }
     if (dice_int(&st->d, 0, 2))
         dice_int(&st->d, 0, 1) ? look_axis(st) : look_corner(st);
@@ -140,7 +140,7 @@ static void shaft(studio *st)
     for (int i = 0; i < count; i++) {
         int x = dice_int(&st->d, 0, 10), y = dice_int(&st->d, 0, 10), z = dice_int(&st->d, 0, 300);
         int w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4), deep = dice_int(&st->d, 1, 9);
-        put_box(st, x, y, z, x + w, y + h, z + deep);
+        put_box(st, (roberts_vec3){x, y, z}, (roberts_vec3){x + w, y + h, z + deep});
     }
     roberts_vec3 dir = whole_point(st, -1, 1);
     look(st, dir.x, dir.y, dice_int(&st->d, 0, 1) ? 40 : -1);
@@ -154,8 +154,8 @@ void make_bricks(studio *st)
         for (int x = 0; x < columns; x++)
             for (int y = 0; y < deep; y++)
                 if (dice_int(&st->d, 0, 4))
-                    put_box(st, 2 * x + z % 2, y, z, 2 * x + z % 2 + 2, y + 1, z + 1);
-    put_box(st, -1, -1, -1, 2 * columns + 2, deep + 1, 0);
+                    put_box(st, (roberts_vec3){2 * x + z % 2, y, z}, (roberts_vec3){2 * x + z % 2 + 2, y + 1, z + 1});
+    put_box(st, (roberts_vec3){-1, -1, -1}, (roberts_vec3){2 * columns + 2, deep + 1, 0});
     look_any(st);
 }
 
@@ -163,11 +163,11 @@ void make_bricks(studio *st)
 void make_checker(studio *st)
 {
     int n = dice_int(&st->d, 2, 4), dense = dice_int(&st->d, 1, 3);
-    put_box(st, 0, 0, 0, 1, 1, 1);
+    put_box(st, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
     for (int i = 1; i < n * n * n; i++)
         if (dice_int(&st->d, 0, 3) < dense) {
             int x = i % n, y = i / n % n, z = i / n / n;
-            put_box(st, x, y, z, x + 1, y + 1, z + 1);
+            put_box(st, (roberts_vec3){x, y, z}, (roberts_vec3){x + 1, y + 1, z + 1});
         }
     look_any(st);
 }
@@ -382,11 +382,11 @@ static void heap(studio *st, double thin)
         double z0 = layer * thin, z1 = (layer + 1) * thin;
         double w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4);
         if (way == 0)
-            put_box(st, z0, x, y, z1, x + w, y + h);
+            put_box(st, (roberts_vec3){z0, x, y}, (roberts_vec3){z1, x + w, y + h});
         else if (way == 1)
-            put_box(st, x, z0, y, x + w, z1, y + h);
+            put_box(st, (roberts_vec3){x, z0, y}, (roberts_vec3){x + w, z1, y + h});
         else
-            put_box(st, x, y, z0, x + w, y + h, z1);
+            put_box(st, (roberts_vec3){x, y, z0}, (roberts_vec3){x + w, y + h, z1});
     }
     look_any(st);
 }

@@ -256,31 +256,39 @@ static void print_one(FILE *out, const char *what, const one_edge *one)
         print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
 }
 
-static void write_failure(const char *name, size_t nth, const char *folder, const test_scene *how,
-                          const roberts_mesh *mesh, FILE *out)
+/* A scene that is being judged: what it is called, where failures are written and reported, where they are counted. */
+typedef struct judging {
+    const char *name, *folder;
+    const test_scene *scene;
+    judge_total *total;
+    FILE *out;
+} judging;
+
+static void write_failure(const judging *j, size_t nth, const roberts_mesh *mesh)
 {
     char path[512], command[800], comment[1200];
-    roberts_camera c = judge_camera(how);
+    roberts_camera c = judge_camera(j->scene);
     bool eye = c.projection == ROBERTS_PERSPECTIVE;
     roberts_vec3 v = eye ? c.eye : c.dir;
     int used = 0;
-    snprintf(path, sizeof path, "%s/failures", folder);
-    mkdir(folder, 0777);
+    snprintf(path, sizeof path, "%s/failures", j->folder);
+    mkdir(j->folder, 0777);
     mkdir(path, 0777);
-    snprintf(path, sizeof path, "%s/failures/%s-%zu.off", folder, name, nth);
+    snprintf(path, sizeof path, "%s/failures/%s-%zu.off", j->folder, j->name, nth);
     used = snprintf(command, sizeof command,
-                    "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g", how->grid,
-                    how->threads, eye ? "eye" : "dir", v.x, v.y, v.z);
+                    "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g", j->scene->grid,
+                    j->scene->threads, eye ? "eye" : "dir", v.x, v.y, v.z);
     if (c.has_look_at)
         snprintf(command + used, sizeof command - (size_t)used, " --look-at=%.17g,%.17g,%.17g --near %.17g",
                  c.look_at.x, c.look_at.y, c.look_at.z, c.near_distance);
-    if (how->tolerance != 0)
-        snprintf(command + strlen(command), sizeof command - strlen(command), " --tolerance %.17g", how->tolerance);
-    snprintf(comment, sizeof comment, "%s; slack %.17g", command, how->slack);
-    if (judge_write_off(path, how->has_soup && mesh == &how->mesh ? &how->soup : mesh, comment))
-        fprintf(out, "  build/roberts %s %s\n", command, path);
+    if (j->scene->tolerance != 0)
+        snprintf(command + strlen(command), sizeof command - strlen(command), " --tolerance %.17g",
+                 j->scene->tolerance);
+    snprintf(comment, sizeof comment, "%s; slack %.17g", command, j->scene->slack);
+    if (judge_write_off(path, j->scene->has_soup && mesh == &j->scene->mesh ? &j->scene->soup : mesh, comment))
+        fprintf(j->out, "  build/roberts %s %s\n", command, path);
     else
-        fprintf(out, "  (%s: %s)\n", path, strerror(errno));
+        fprintf(j->out, "  (%s: %s)\n", path, strerror(errno));
 }
 
 /* Does the edge fail in the part of the scene that has only the wanted solids? */
@@ -318,23 +326,23 @@ static void shrink(const test_scene *scene, const oracle_result *truth, const or
         }
 }
 
-static void report(const char *name, size_t nth, const char *folder, const test_scene *scene,
-                   const oracle_result *truth, const oracle_edge *edge, FILE *out)
+static void report(const judging *j, size_t nth, const oracle_result *truth, const oracle_edge *edge)
 {
+    const test_scene *scene = j->scene;
     bool *wanted = calloc(truth->solid_count + 1, sizeof *wanted);
     bool *before = calloc(truth->solid_count + 1, sizeof *before);
     roberts_mesh part;
     one_edge one;
     judge_one(scene, &scene->mesh, edge->v0, edge->v1, &one);
-    print_one(out, name, &one);
+    print_one(j->out, j->name, &one);
     one_edge_free(&one);
     if (wanted && before) {
         for (size_t i = 0; i < truth->solid_count; i++)
             wanted[i] = true;
         shrink(scene, truth, edge, wanted, before);
         part_fails(scene, truth, wanted, edge, &part, &one);
-        print_one(out, "  the smallest part of it that fails", &one);
-        write_failure(name, nth, folder, scene, &part, out);
+        print_one(j->out, "  the smallest part of it that fails", &one);
+        write_failure(j, nth, &part);
         one_edge_free(&one);
         roberts_mesh_free(&part);
     }
@@ -355,17 +363,17 @@ static void count_edge(const oracle_result *truth, const oracle_edge *e, judge_t
 }
 
 /* Compares the drawing with the oracle's answer for the scene, or for its original. */
-static bool judge_drawing(const char *name, const roberts_drawing *drawing, const test_scene *scene, bool original,
-                          const char *folder, judge_total *total, FILE *out)
+static bool judge_drawing(const judging *j, const roberts_drawing *drawing, bool original)
 {
+    const test_scene *scene = j->scene;
     oracle_options options = {original ? 0 : scene->slack, false};
     oracle_result truth;
     edge_segments mine = {0};
     size_t at = 0, failed = 0;
     if (!oracle_run(original ? &scene->original : &scene->mesh, original ? &scene->original_view : &scene->view,
                     &options, &truth)) {
-        fprintf(out, "%s: the oracle says: %s\n", name, truth.error);
-        total->disagreements++;
+        fprintf(j->out, "%s: the oracle says: %s\n", j->name, truth.error);
+        j->total->disagreements++;
         return false;
     }
     mine.hidden = calloc(drawing->count + 1, sizeof *mine.hidden);
@@ -374,31 +382,31 @@ static bool judge_drawing(const char *name, const roberts_drawing *drawing, cons
         take_edge(drawing, &at, e, &mine);
         double wrong = wrong_length(&mine, &truth, e);
         if (!original)
-            count_edge(&truth, e, total);
+            count_edge(&truth, e, j->total);
         if (wrong <= limit_of(scene, &scene->mesh, e)) {
-            total->slivers += wrong > JUDGE_LIMIT;
-            total->worst = wrong > JUDGE_LIMIT ? total->worst : fmax(total->worst, wrong);
+            j->total->slivers += wrong > JUDGE_LIMIT;
+            j->total->worst = wrong > JUDGE_LIMIT ? j->total->worst : fmax(j->total->worst, wrong);
             continue;
         }
         if (failed++ >= REPORTS)
             continue;
         if (!original) {
-            report(name, failed, folder, scene, &truth, e, out);
+            report(j, failed, &truth, e);
         } else {
-            fprintf(out, "%s (compared with its original): solid %u, edge %u-%u: they differ on %.3g of it\n", name,
-                    e->solid, e->v0, e->v1, wrong);
-            print_intervals(out, "program hides", mine.hidden, mine.hidden_count);
-            print_intervals(out, "the original hides", truth.interval + e->sure, e->sure_count);
-            write_failure(name, failed, folder, scene, &scene->mesh, out);
+            fprintf(j->out, "%s (compared with its original): solid %u, edge %u-%u: they differ on %.3g of it\n",
+                    j->name, e->solid, e->v0, e->v1, wrong);
+            print_intervals(j->out, "program hides", mine.hidden, mine.hidden_count);
+            print_intervals(j->out, "the original hides", truth.interval + e->sure, e->sure_count);
+            write_failure(j, failed, &scene->mesh);
         }
     }
     if (at != drawing->count || !mine.hidden) {
-        fprintf(out, "%s: the drawing has segments of edges that do not exist\n", name);
+        fprintf(j->out, "%s: the drawing has segments of edges that do not exist\n", j->name);
         failed++;
     }
-    total->pairs += truth.pairs;
-    total->exact += truth.exact;
-    total->disagreements += failed;
+    j->total->pairs += truth.pairs;
+    j->total->exact += truth.exact;
+    j->total->disagreements += failed;
     free(mine.hidden);
     oracle_free(&truth);
     return failed == 0;
@@ -443,9 +451,9 @@ static bool is_surely_hidden(const oracle_result *truth, const roberts_segment *
 
 /* Compares `by` of one hidden segment with the plain rays of rays.cpp. Segments that are hidden only perhaps are left
  * out. */
-static bool judge_seen(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
-                       judge_total *total, FILE *out)
+static bool judge_seen(const judging *j, const roberts_drawing *drawing)
 {
+    const test_scene *scene = j->scene;
     const roberts_segment *s = NULL;
     const oracle_options options = {scene->slack, false};
     oracle_result truth;
@@ -459,16 +467,16 @@ static bool judge_seen(const char *name, const test_scene *scene, const roberts_
             s = at;
     }
     if (s) {
-        total->seen++;
+        j->total->seen++;
         agreed = is_seen(scene, &truth, s, drawing->epsilon, &seen);
     }
     if (!agreed) {
         fprintf(
-            out,
+            j->out,
             "%s: solid %u, edge %u-%u, at the middle of [%.17g, %.17g]: the program sees solid %d, a ray solid %d\n",
-            name, s->solid, s->v0, s->v1, s->t0, s->t1, (int)s->by, (int)seen);
-        write_failure(name, 0, folder, scene, &scene->mesh, out);
-        total->disagreements++;
+            j->name, s->solid, s->v0, s->v1, s->t0, s->t1, (int)s->by, (int)seen);
+        write_failure(j, 0, &scene->mesh);
+        j->total->disagreements++;
     }
     oracle_free(&truth);
     return agreed;
@@ -481,9 +489,9 @@ static bool is_same(const roberts_segment *a, const roberts_segment *b)
 }
 
 /* Compares the visible segments with those of a drawing without hidden lines. */
-static bool judge_visible(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
-                          judge_total *total, FILE *out)
+static bool judge_visible(const judging *j, const roberts_drawing *drawing)
 {
+    const test_scene *scene = j->scene;
     const roberts_segment *wrong = NULL;
     roberts_drawing alone;
     roberts_error error = {0};
@@ -496,15 +504,15 @@ static bool judge_visible(const char *name, const test_scene *scene, const rober
     if (!wrong && at < alone.count)
         wrong = &alone.segment[at];
     if (wrong)
-        fprintf(out,
+        fprintf(j->out,
                 "%s: solid %u, edge %u-%u: what is visible from %.17g to %.17g is so only with hidden lines, or only "
                 "without\n",
-                name, wrong->solid, wrong->v0, wrong->v1, wrong->t0, wrong->t1);
+                j->name, wrong->solid, wrong->v0, wrong->v1, wrong->t0, wrong->t1);
     if (!drawn)
-        fprintf(out, "%s: the program refuses it without hidden lines: %s\n", name, error.message);
+        fprintf(j->out, "%s: the program refuses it without hidden lines: %s\n", j->name, error.message);
     if (wrong || !drawn) {
-        write_failure(name, 0, folder, scene, &scene->mesh, out);
-        total->disagreements++;
+        write_failure(j, 0, &scene->mesh);
+        j->total->disagreements++;
     }
     roberts_drawing_free(&alone);
     return drawn && !wrong;
@@ -558,9 +566,9 @@ static size_t next_longer(const roberts_drawing *drawing, size_t i)
 /* Compares the segments with those of the same scene in another order of vertices, faces and corners. They must be the
  * same, except for their names, and for `by` among solids that touch. Where contact is left open, rounding may decide
  * differently; such scenes are counted. */
-static bool judge_order(const char *name, const test_scene *scene, const roberts_drawing *drawing, const char *folder,
-                        judge_total *total, FILE *out)
+static bool judge_order(const judging *j, const roberts_drawing *drawing)
 {
+    const test_scene *scene = j->scene;
     size_t count = scene->mesh.vertex_count;
     uint32_t *number = calloc(count + 1, sizeof *number), *vertex_solid = calloc(count + 1, sizeof *vertex_solid);
     roberts_mesh other = {0};
@@ -579,18 +587,18 @@ static bool judge_order(const char *name, const test_scene *scene, const roberts
         else
             at = next_longer(&again, at + 1);
     }
-    total->reordered++;
+    j->total->reordered++;
     if (wrong && is_open(scene, &again)) {
-        total->reordered_open++;
+        j->total->reordered_open++;
         wrong = NULL;
     }
     if (wrong)
-        print_other(out, name, wrong, at < again.count ? again.segment + at : NULL);
+        print_other(j->out, j->name, wrong, at < again.count ? again.segment + at : NULL);
     if (!drawn)
-        fprintf(out, "%s: in another order the program refuses it: %s\n", name, error.message);
+        fprintf(j->out, "%s: in another order the program refuses it: %s\n", j->name, error.message);
     if (wrong || !drawn) {
-        write_failure(name, 0, folder, scene, &scene->mesh, out);
-        total->disagreements++;
+        write_failure(j, 0, &scene->mesh);
+        j->total->disagreements++;
     }
     free(number);
     free(vertex_solid);
@@ -603,22 +611,23 @@ bool judge_scene(const char *name, const test_scene *scene, const char *folder, 
 {
     roberts_drawing drawing;
     roberts_error error = {0};
+    const judging j = {name, folder, scene, total, out};
     bool ok;
     total->scenes++;
     if (draw(scene, &scene->mesh, true, &drawing, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses it: %s\n", name, error.message);
-        write_failure(name, 0, folder, scene, &scene->mesh, out);
+        write_failure(&j, 0, &scene->mesh);
         total->disagreements++;
         return false;
     }
-    ok = judge_drawing(name, &drawing, scene, false, folder, total, out);
-    ok = judge_visible(name, scene, &drawing, folder, total, out) && ok;
+    ok = judge_drawing(&j, &drawing, false);
+    ok = judge_visible(&j, &drawing) && ok;
     if (!scene->has_soup)
-        ok = judge_order(name, scene, &drawing, folder, total, out) && ok;
+        ok = judge_order(&j, &drawing) && ok;
     if (scene->has_original)
-        ok = judge_drawing(name, &drawing, scene, true, folder, total, out) && ok;
+        ok = judge_drawing(&j, &drawing, true) && ok;
     else if (scene->mesh.face_count <= SEEN_FACES)
-        ok = judge_seen(name, scene, &drawing, folder, total, out) && ok;
+        ok = judge_seen(&j, &drawing) && ok;
     roberts_drawing_free(&drawing);
     return ok;
 }

@@ -56,27 +56,34 @@ static bool filled(const block *b, int x, int y, int z)
 
 enum { SHARED = 0, TRIANGLES = 1, SOUP = 2, STRIPS = 4 };
 
-static uint32_t grid_vertex(workshop *w, uint32_t number[CELLS + 1][CELLS + 1][CELLS + 1], const int p[3], int how,
-                            const int at[3])
+/* A block as it becomes faces. */
+typedef struct block_faces {
+    uint32_t number[CELLS + 1][CELLS + 1][CELLS + 1]; /* of the vertices that there are */
+    const int *at;                                    /* [3] of its first corner */
+    int how;
+} block_faces;
+
+static uint32_t grid_vertex(workshop *w, block_faces *f, const int p[3])
 {
-    uint32_t *n = &number[p[0]][p[1]][p[2]];
-    if ((how & SOUP) || *n == ROBERTS_NONE)
-        *n = vertex(w, at[0] + p[0], at[1] + p[1], at[2] + p[2]);
+    uint32_t *n = &f->number[p[0]][p[1]][p[2]];
+    if ((f->how & SOUP) || *n == ROBERTS_NONE)
+        *n = vertex(w, f->at[0] + p[0], f->at[1] + p[1], f->at[2] + p[2]);
     return *n;
 }
 
-/* One face of cells: from `low` on, `long_` cells along axis v. */
-static void add_quad(workshop *w, uint32_t number[CELLS + 1][CELLS + 1][CELLS + 1], const int low[3], int u, int v,
-                     int length, int how, const int at[3])
+/* One face of cells, at right angles to `axis`: from `low` on, one cell along the next axis, `length` cells along the
+ * last one. */
+static void add_quad(workshop *w, block_faces *f, const int low[3], int axis, int length)
 {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     uint32_t c[4];
     for (int k = 0; k < 4; k++) {
         int p[3] = {low[0], low[1], low[2]};
         p[u] += k == 1 || k == 2;
         p[v] += k >= 2 ? length : 0;
-        c[k] = grid_vertex(w, number, p, how, at);
+        c[k] = grid_vertex(w, f, p);
     }
-    if (how & TRIANGLES) {
+    if (f->how & TRIANGLES) {
         int first = any(w, 0, 1);
         triangle(w, c[first], c[first + 1], c[first + 2]);
         triangle(w, c[first], c[first + 2], c[(first + 3) % 4]);
@@ -88,8 +95,8 @@ static void add_quad(workshop *w, uint32_t number[CELLS + 1][CELLS + 1][CELLS + 
 /* The border of a block, cell by cell, or in strips of cells, which meet the corners of others in their sides. */
 static void add_block(workshop *w, const block *b, int how, const int at[3])
 {
-    uint32_t number[CELLS + 1][CELLS + 1][CELLS + 1];
-    memset(number, 0xff, sizeof number);
+    block_faces faces = {.at = at, .how = how};
+    memset(faces.number, 0xff, sizeof faces.number);
     for (int axis = 0; axis < 3; axis++)
         for (int side = 0; side < 2; side++)
             for (int i = 0; i < CELLS; i++)
@@ -107,7 +114,7 @@ static void add_block(workshop *w, const block *b, int how, const int at[3])
                         } while ((how & STRIPS) && k + run < CELLS);
                         if (run > 0) {
                             p[axis] = i + side, p[u] = j, p[v] = k;
-                            add_quad(w, number, p, u, v, run, how, at);
+                            add_quad(w, &faces, p, axis, run);
                         }
                         run = run > 0 ? run : 1;
                     }

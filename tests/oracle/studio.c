@@ -69,14 +69,14 @@ void put_at(studio *st, const shape *s, roberts_vec3 at)
 }
 
 /* A corner takes its coordinates as they are, without rounding. */
-void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1)
+void put_box(studio *st, roberts_vec3 low, roberts_vec3 high)
 {
     shape unit = shape_box(1, 1, 1);
     size_t base = st->scene->mesh.vertex_count;
     put(st, &unit, 0, 0, 0);
     for (size_t i = 0; i < 8 && !st->no_memory; i++)
-        st->scene->mesh.vertex[base + i] =
-            (roberts_vec3){unit.point[i][0] ? x1 : x0, unit.point[i][1] ? y1 : y0, unit.point[i][2] ? z1 : z0};
+        st->scene->mesh.vertex[base + i] = (roberts_vec3){
+            unit.point[i][0] ? high.x : low.x, unit.point[i][1] ? high.y : low.y, unit.point[i][2] ? high.z : low.z};
 }
 
 void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)

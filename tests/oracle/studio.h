@@ -30,7 +30,7 @@ void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3]);
 void put_scaled(studio *st, const shape *s, roberts_vec3 at, double x, double y, double z);
 void put(studio *st, const shape *s, double x, double y, double z);
 void put_at(studio *st, const shape *s, roberts_vec3 at);
-void put_box(studio *st, double x0, double y0, double z0, double x1, double y1, double z1);
+void put_box(studio *st, roberts_vec3 low, roberts_vec3 high);
 void put_turned(studio *st, const shape *s, roberts_vec3 at, double size);
 
 /* Sets a viewer at infinity. */

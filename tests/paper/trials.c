@@ -75,7 +75,7 @@ static void wall(studio *st)
     for (int z = 0; z < rows; z++)
         for (int x = 0; x < columns; x++)
             for (int y = 0; y < deep; y++)
-                put_box(st, 2 * x + z % 2, y, z, 2 * x + z % 2 + 2, y + 1, z + 1);
+                put_box(st, (roberts_vec3){2 * x + z % 2, y, z}, (roberts_vec3){2 * x + z % 2 + 2, y + 1, z + 1});
     if (dice_int(&st->d, 0, 3))
         turn_all(st);
     spoil_contacts(st);
@@ -139,7 +139,7 @@ static void boxes(studio *st)
     int count = dice_int(&st->d, 4, 30);
     for (int i = 0; i < count; i++) {
         roberts_vec3 p = whole_point(st, 0, 6), size = whole_point(st, 1, 3);
-        put_box(st, p.x, p.y, p.z, p.x + size.x, p.y + size.y, p.z + size.z);
+        put_box(st, p, (roberts_vec3){p.x + size.x, p.y + size.y, p.z + size.z});
     }
     if (dice_int(&st->d, 0, 2) == 0)
         turn_all(st);
@@ -179,7 +179,7 @@ static void discs(studio *st)
     double away = pow(10, dice_int(&st->d, 0, 4));
     for (int i = 0; i < count; i++)
         put_disc(st, corners, 1, i, i + 1);
-    put_box(st, away, away, 0, away + 1, away + 1, 1);
+    put_box(st, (roberts_vec3){away, away, 0}, (roberts_vec3){away + 1, away + 1, 1});
     if (dice_int(&st->d, 0, 1))
         turn_all(st);
     spoil_contacts(st);
@@ -192,10 +192,10 @@ static void tiny(studio *st)
     int count = dice_int(&st->d, 20, 120);
     double size = pow(10, -dice_int(&st->d, 3, 6)) * dice_int(&st->d, 1, 9);
     bool shifted = dice_int(&st->d, 0, 1);
-    put_box(st, 1, 1, 0, 2, 2, 1);
+    put_box(st, (roberts_vec3){1, 1, 0}, (roberts_vec3){2, 2, 1});
     for (int i = 0; i < count; i++) {
         double y = shifted ? size * 0.25 * (i % 4) : 0;
-        put_box(st, size * i, y, 0, size * (i + 1), y + size, size);
+        put_box(st, (roberts_vec3){size * i, y, 0}, (roberts_vec3){size * (i + 1), y + size, size});
     }
     if (dice_int(&st->d, 0, 1))
         turn_all(st);

@@ -431,10 +431,16 @@ static hide_box random_box(rng *r, const scan_frame *f)
         .x0 = fminf(x[0], x[1]), .x1 = fmaxf(x[0], x[1]), .y0 = fminf(y[0], y[1]), .y1 = fmaxf(y[0], y[1])};
 }
 
-/* Are two stretches of an axis apart, by more than `gap`, in the cell from `low` to `high`? */
-static bool apart_in_cell(float a0, float a1, float b0, float b1, double low, double high, double gap)
+typedef struct stretch {
+    double from, to;
+} stretch;
+
+/* Are two stretches of an axis apart in a cell, by more than a hundredth of it? */
+static bool apart_in_cell(stretch a, stretch b, stretch cell)
 {
-    return (a1 + gap < b0 && a1 + gap < high && b0 > low + gap) || (b1 + gap < a0 && b1 + gap < high && a0 > low + gap);
+    const double gap = 0.01 * (cell.to - cell.from);
+    return (a.to + gap < b.from && a.to + gap < cell.to && b.from > cell.from + gap) ||
+           (b.to + gap < a.from && b.to + gap < cell.to && a.from > cell.from + gap);
 }
 
 /* Boxes that meet are not separated in any cell. Boxes that are a hundredth of a cell apart are separated there. */
@@ -454,8 +460,8 @@ static void sides_tell_boxes_apart(void **state)
             uint32_t most = objet_most(objet_cut(objet_place(&grid, &b), i, j));
             bool meet = four_bytes_at_most(entries, most) == 15;
             double left = f->x0 + i * f->dx, low = f->y0 + j * f->dy;
-            bool beside = apart_in_cell(a.x0, a.x1, b.x0, b.x1, left, left + f->dx, 0.01 * f->dx);
-            bool above = apart_in_cell(a.y0, a.y1, b.y0, b.y1, low, low + f->dy, 0.01 * f->dy);
+            bool beside = apart_in_cell((stretch){a.x0, a.x1}, (stretch){b.x0, b.x1}, (stretch){left, left + f->dx});
+            bool above = apart_in_cell((stretch){a.y0, a.y1}, (stretch){b.y0, b.y1}, (stretch){low, low + f->dy});
             if (a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1) {
                 assert_true(meet);
                 met++;

@@ -321,9 +321,15 @@ static void check_borders(const char *name, const roberts_region_list *l, const 
         }
 }
 
+/* What regions were found of. */
+typedef struct found {
+    const char *name;
+    const roberts_scene *scene;
+    const roberts_camera *camera;
+} found;
+
 /* At random points, the face of the one region there is seen, or nothing if there is no region. */
-static void check_points(const char *name, const roberts_scene *scene, const roberts_camera *camera,
-                         const roberts_region_list *l, const roberts_drawing *d, rng *r, tally *t)
+static void check_points(const found *f, const roberts_region_list *l, const roberts_drawing *d, rng *r, tally *t)
 {
     double near = 1e-7 * hypot(d->window_max.x - d->window_min.x, d->window_max.y - d->window_min.y);
     for (int n = 0; n < POINTS; n++) {
@@ -334,16 +340,16 @@ static void check_points(const char *name, const roberts_scene *scene, const rob
         for (size_t i = 0; i < l->count; i++)
             if (holds(l, &l->region[i], x, y, &off)) {
                 if (there)
-                    fail_msg("%s: %.17g, %.17g lies in faces %u and %u", name, x, y, there->face, l->region[i].face);
+                    fail_msg("%s: %.17g, %.17g lies in faces %u and %u", f->name, x, y, there->face, l->region[i].face);
                 there = &l->region[i];
             }
         if (off <= near)
             continue;
         roberts_picked picked;
-        assert_int_equal(roberts_pick(scene, camera, x, y, &picked, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_pick(f->scene, f->camera, x, y, &picked, NULL), ROBERTS_OK);
         if (picked.count == 0 ? there != NULL
                               : !there || there->face != picked.hit[0].face || there->solid != picked.hit[0].solid)
-            fail_msg("%s: at %.17g, %.17g the region is of face %ld, but face %ld is seen", name, x, y,
+            fail_msg("%s: at %.17g, %.17g the region is of face %ld, but face %ld is seen", f->name, x, y,
                      there ? (long)there->face : -1L, picked.count ? (long)picked.hit[0].face : -1L);
         t->points++;
         t->seen += picked.count > 0;
@@ -371,7 +377,7 @@ static double check_scene(const char *name, const roberts_scene *scene, const ro
         check_corners(name, &l, &d);
     if (!t->opened)
         check_borders(name, &l, &d);
-    check_points(name, scene, camera, &l, &d, r, t);
+    check_points(&(found){name, scene, camera}, &l, &d, r, t);
     t->regions += l.count;
     t->rings += l.ring_count;
     roberts_drawing_free(&d);

@@ -824,11 +824,18 @@ static void test_pick_agrees(void **state)
 
 /* ---- the tree of boxes ----------------------------------------------------------------------------------------- */
 
+/* Boxes, and points that are looked for in them together. */
+typedef struct tree_trial {
+    const tree_box *box;
+    roberts_vec3 point[TREE_POINTS];
+    uint32_t skip[TREE_POINTS]; /* the owner that each point skips */
+    uint32_t count, points;     /* how many boxes and points */
+} tree_trial;
+
 /* What a walk of some points together finds: each box that the kernel's slab test meets above a point, once; those of
  * the owner that the point skips may be missing. Point `gone` is dropped at the first leaf: nothing is found for it
  * after. Every third leaf is kept for the next walk, which finds it first, and a second time. */
-static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, const roberts_vec3 *point,
-                         const uint32_t *skip, uint32_t points, uint32_t gone)
+static size_t check_walk(tree_walk *walk, const tree_trial *t, uint32_t gone)
 {
     static unsigned char found[TREE_POINTS][500];
     uint32_t kept = walk->kept_count, leaves = 0;
@@ -836,30 +843,30 @@ static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, c
     tree_leaf leaf;
     size_t extra = 0;
     memset(found, 0, sizeof found);
-    for (uint32_t i = 0; i < points; i++)
-        tree_points_add(&p, point[i], skip[i]);
+    for (uint32_t i = 0; i < t->points; i++)
+        tree_points_add(&p, t->point[i], t->skip[i]);
     tree_walk_start(walk, &p);
     for (bool first = true; tree_walk_next(walk, &leaf); first = false) {
         assert_true(!tree_set_is_empty(&leaf.points) && leaf.item_count > 0);
         while (!tree_set_is_empty(&leaf.points)) {
             uint32_t point_found = tree_set_take(&leaf.points);
-            assert_true(point_found < points);
+            assert_true(point_found < t->points);
             for (uint32_t i = 0; i < leaf.item_count; i++) {
                 assert_int_equal(leaf.item[i].count, 1);
                 assert_true(found[point_found][leaf.item[i].first]++ <= (kept > 0));
             }
             assert_true(first || point_found != gone);
         }
-        if (first && gone < points)
+        if (first && gone < t->points)
             tree_points_drop(&p, gone);
         if (leaves++ % 3 == 0)
             tree_walk_keep(walk);
     }
-    for (uint32_t i = 0; i < points; i++) {
-        for (uint32_t k = 0; k < count; k++) {
+    for (uint32_t i = 0; i < t->points; i++) {
+        for (uint32_t k = 0; k < t->count; k++) {
             roberts_span span;
-            bool met = roberts_ray_box((roberts_ray){point[i], {0, 0, 1}}, box[k].lo, box[k].hi, &span);
-            if (met && k / 50 != skip[i] && i != gone)
+            bool met = roberts_ray_box((roberts_ray){t->point[i], {0, 0, 1}}, t->box[k].lo, t->box[k].hi, &span);
+            if (met && k / 50 != t->skip[i] && i != gone)
                 assert_true(found[i][k] >= 1);
             extra += found[i][k] && !met;
         }
@@ -872,8 +879,7 @@ static size_t check_walk(tree_walk *walk, const tree_box *box, uint32_t count, c
 static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, size_t more)
 {
     static tree_entry entry[500];
-    roberts_vec3 point[TREE_POINTS];
-    uint32_t skip[TREE_POINTS];
+    tree_trial trial = {.box = box, .count = count};
     static tree_walk walk;
     tree t;
     size_t extra = 0, rays = 0;
@@ -881,18 +887,19 @@ static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, s
         entry[i] = tree_entry_of(box[i], i / 50, (tree_item){i, 1});
     assert_true(tree_build(&t, entry, count));
     for (int i = 0; i < walks; i++) {
-        uint32_t points = i % 3 ? 1 : 1 + (uint32_t)(i * 37) % TREE_POINTS;
+        trial.points = i % 3 ? 1 : 1 + (uint32_t)(i * 37) % TREE_POINTS;
         double near = i % 6 ? 2.0 : 0.25; /* all over the scene, or close together */
         roberts_vec3 middle = rng_vec3(r, 2.0 - near);
-        for (uint32_t k = 0; k < points; k++, rays++) {
-            point[k] = vec3_add(middle, rng_vec3(r, near));
-            skip[k] = rays % 3 ? 99 : (uint32_t)rays % 10;
+        for (uint32_t k = 0; k < trial.points; k++, rays++) {
+            trial.point[k] = vec3_add(middle, rng_vec3(r, near));
+            trial.skip[k] = rays % 3 ? 99 : (uint32_t)rays % 10;
             if (rays % 7 == 0 && count)
-                point[k] = rays % 2 ? box[(uint32_t)rays % count].lo : box[(uint32_t)rays % count].hi; /* on borders */
+                trial.point[k] =
+                    rays % 2 ? box[(uint32_t)rays % count].lo : box[(uint32_t)rays % count].hi; /* on borders */
         }
         if (i % 5 == 0)
             tree_walk_init(&walk, &t);
-        extra += check_walk(&walk, box, count, point, skip, points, i % 2 ? points / 2 : points);
+        extra += check_walk(&walk, &trial, i % 2 ? trial.points / 2 : trial.points);
     }
     assert_true(extra <= more * rays);
     tree_free(&t);
