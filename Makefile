@@ -111,7 +111,7 @@ drawings: $(PAGES) $(DEMO:%=$(BUILD)/demo/%.svg) ## manual page, completions and
 
 TESTED   := all tools $(BUILD)/$(SHARED) $(BUILD)/locale/de_DE.UTF-8
 
-test: check-includes $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
+test: check-includes check-map $(TESTED) $(TEST_BIN) ## runs all tests, JOBS=n programs at a time
 	@$(RUN_TESTS) $(SLOW_BIN) $(QUICK_BIN)
 
 test-quick: $(TESTED) $(QUICK_BIN) ## runs the quick tests; `make test` also has the slow ones (SLOW)
@@ -224,6 +224,9 @@ include src/web/module.mk
 ##@ To check
 check-includes: ## checks that the includes of src/ point one way (part of `make test`)
 	@tools/check-includes.sh
+
+check-map: ## checks that src/README.md names every source (part of `make test`)
+	@tools/check-map.sh
 
 lint: lint-format lint-tidy lint-cppcheck ## runs the formatter and static checks (tools/install-deps.sh lint)
 
@@ -388,7 +391,7 @@ lint-cppcheck:
 	$(Q)cppcheck --quiet --error-exitcode=1 --enable=warning,performance,portability --inline-suppr \
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
-.PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long clean demo drawings figures \
+.PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long check-map clean demo drawings figures \
     force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models \
     test test-quick test-sanitize test-threads to-install tools uninstall web
 .SECONDARY:
