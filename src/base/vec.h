@@ -64,6 +64,19 @@ static inline double greater(double a, double b)
     return a > b ? a : b;
 }
 
+/* The size of the largest coordinate; none of them is NaN. */
+static inline double vec3_largest(roberts_vec3 a)
+{
+    return greater(fabs(a.x), greater(fabs(a.y), fabs(a.z)));
+}
+
+/* The part of d that p is, by d's greatest coordinate; p lies along d, which is not 0. */
+static inline double vec3_part_along(roberts_vec3 p, roberts_vec3 d)
+{
+    double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
+    return x >= y && x >= z ? p.x / d.x : y >= z ? p.y / d.y : p.z / d.z;
+}
+
 /* F(P) = a x + b y + c z + d with (a, b, c) of length 1: the signed distance of P from the plane, in model units. A
  * face's (a, b, c) points into its solid: F(P) < 0 outside, F(P) > 0 inside. */
 typedef roberts_plane plane;

@@ -9,7 +9,7 @@
 #include "cli/help.h"
 #include "cli/message.h"
 #include "cli/options.h"
-#include "cli/part.h"
+#include "cli/parts.h"
 #include "cli/picture.h"
 #include "cli/signals.h"
 

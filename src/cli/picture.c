@@ -10,7 +10,7 @@
 #include "cli/lists.h"
 #include "cli/message.h"
 #include "cli/parse.h"
-#include "cli/part.h"
+#include "cli/parts.h"
 #include "cli/report.h"
 #include "cli/signals.h"
 

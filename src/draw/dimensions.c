@@ -115,7 +115,7 @@ bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
     return true;
 }
 
-size_t dimension_text_boxes(const text_line *line, room_box box[DIMENSION_BOXES])
+size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES])
 {
     const roberts_vec2 d = line->along, up = text_upward(d);
     const double width = letters_width(line->text, line->height_mm), h = line->height_mm;
@@ -125,8 +125,8 @@ size_t dimension_text_boxes(const text_line *line, room_box box[DIMENSION_BOXES]
         const double low = width * ((double)i / (double)count - 0.5), high = low + width / (double)count;
         const roberts_vec2 a = along(line->at, d, low), b = along(line->at, d, high), c = along(a, up, h),
                            e = along(b, up, h);
-        box[i] = (room_box){{fmin(fmin(a.x, b.x), fmin(c.x, e.x)), fmin(fmin(a.y, b.y), fmin(c.y, e.y))},
-                            {fmax(fmax(a.x, b.x), fmax(c.x, e.x)), fmax(fmax(a.y, b.y), fmax(c.y, e.y))}};
+        box[i] = (space_box){{fmin(fmin(a.x, b.x), fmin(c.x, e.x)), fmin(fmin(a.y, b.y), fmin(c.y, e.y))},
+                             {fmax(fmax(a.x, b.x), fmax(c.x, e.x)), fmax(fmax(a.y, b.y), fmax(c.y, e.y))}};
     }
     return count;
 }
@@ -135,7 +135,7 @@ bool dimension_draw(strokes *s, const dimension *d)
 {
     const double units = s->units_per_mm;
     dimension_lines l;
-    room_box box[DIMENSION_BOXES];
+    space_box box[DIMENSION_BOXES];
     if (!dimension_lay(s, d, &l))
         return true;
     for (size_t i = 0, count = dimension_text_boxes(&l.text, box); i < count; i++)
@@ -255,15 +255,15 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
 /* ---- where it goes ---- */
 
 /* The cost of a box with `margin_mm` round it; infinite on other text, or beyond the frame. */
-static double box_cost(const strokes *s, const page_room *r, room_box box)
+static double box_cost(const strokes *s, const free_space *r, space_box box)
 {
-    box = (room_box){{box.min.x - margin_mm, box.min.y - margin_mm}, {box.max.x + margin_mm, box.max.y + margin_mm}};
+    box = (space_box){{box.min.x - margin_mm, box.min.y - margin_mm}, {box.max.x + margin_mm, box.max.y + margin_mm}};
     const bool outside = box.min.x < s->frame_mm[0].x || box.min.y < s->frame_mm[0].y || box.max.x > s->frame_mm[1].x ||
                          box.max.y > s->frame_mm[1].y;
-    return outside || room_is_on_box(r, &box, UINT32_MAX) ? INFINITY : room_taken(r, &box, UINT32_MAX);
+    return outside || space_is_on_box(r, &box, UINT32_MAX) ? INFINITY : space_taken(r, &box, UINT32_MAX);
 }
 
-static double line_cost(const strokes *s, const page_room *r, roberts_vec2 a, roberts_vec2 b)
+static double line_cost(const strokes *s, const free_space *r, roberts_vec2 a, roberts_vec2 b)
 {
     const double length = hypot(b.x - a.x, b.y - a.y);
     const uint32_t parts = (uint32_t)fmin(fmax(ceil(length / step_mm), 1.0), PARTS_MOST);
@@ -272,16 +272,16 @@ static double line_cost(const strokes *s, const page_room *r, roberts_vec2 a, ro
         const double t = (double)i / parts, u = (i + 1.0) / parts;
         const roberts_vec2 p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         const roberts_vec2 q = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
-        cost += box_cost(s, r, (room_box){{fmin(p.x, q.x), fmin(p.y, q.y)}, {fmax(p.x, q.x), fmax(p.y, q.y)}});
+        cost += box_cost(s, r, (space_box){{fmin(p.x, q.x), fmin(p.y, q.y)}, {fmax(p.x, q.x), fmax(p.y, q.y)}});
     }
     return cost;
 }
 
 /* The cost of the lines already there; infinite if there is no room for the text. */
-static double drawn_cost(const strokes *s, const page_room *r, const dimension *d)
+static double drawn_cost(const strokes *s, const free_space *r, const dimension *d)
 {
     dimension_lines l;
-    room_box box[DIMENSION_BOXES];
+    space_box box[DIMENSION_BOXES];
     double cost = 0.0;
     if (!dimension_lay(s, d, &l))
         return INFINITY;
@@ -322,7 +322,7 @@ static bool nth_place(const strokes *s, const seen_distance *seen, size_t i, dim
 }
 
 /* Finds the cheapest place, the first of several. False: there is none. */
-static bool find_place(const strokes *s, const page_room *r, const seen_distance *seen, dimension *best)
+static bool find_place(const strokes *s, const free_space *r, const seen_distance *seen, dimension *best)
 {
     double least = INFINITY;
     for (size_t i = 0; i < 2 * SHIFTS * RINGS; i++) {
@@ -340,15 +340,15 @@ static bool find_place(const strokes *s, const page_room *r, const seen_distance
 }
 
 /* Draws a dimension, and reserves its place. */
-static bool add_to_page(strokes *s, page_room *r, const dimension *d)
+static bool add_to_page(strokes *s, free_space *r, const dimension *d)
 {
     const size_t lines = s->notes.lines.count, boxes = s->taken_count;
     uint32_t number;
     bool done = dimension_draw(s, d);
     for (size_t i = lines; done && i < s->notes.lines.count; i++)
-        done = room_add_polyline(r, &s->notes.lines, i, s->units_per_mm);
+        done = space_add_polyline(r, &s->notes.lines, i, s->units_per_mm);
     for (size_t i = boxes; done && i < s->taken_count; i++)
-        done = room_add_box(r, &s->taken[i], &number);
+        done = space_add_box(r, &s->taken[i], &number);
     return done;
 }
 
@@ -364,7 +364,7 @@ static void tell(const strokes *s, const roberts_distance *of, const char *why)
     to->warn(to->context, "", 0, text);
 }
 
-static roberts_status add_distance(strokes *s, page_room *r, const roberts_distance *of, roberts_error *error)
+static roberts_status add_distance(strokes *s, free_space *r, const roberts_distance *of, roberts_error *error)
 {
     roberts_vec3 end[2];
     char text[DIMENSION_TEXT];
@@ -399,7 +399,7 @@ bool distances_wanted(const strokes *s)
     return s->sheet && s->options->lettering.distance_count > 0;
 }
 
-roberts_status distances_add(strokes *s, page_room *r, roberts_error *error)
+roberts_status distances_add(strokes *s, free_space *r, roberts_error *error)
 {
     const roberts_lettering *lettering = &s->options->lettering;
     if (!s->options->scene)

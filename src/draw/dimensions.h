@@ -2,7 +2,7 @@
 #ifndef ROBERTS_DRAW_DIMENSIONS_H
 #define ROBERTS_DRAW_DIMENSIONS_H
 
-#include "draw/room.h"
+#include "draw/free_space.h"
 #include "draw/strokes.h"
 
 /* The space that dimensions need beside a view, mm. */
@@ -18,7 +18,7 @@ bool distances_wanted(const strokes *s);
 /* Adds them to s->notes, and to `r`, the room of the page. The lines of the views are in s->lines already. A distance
  * that no view shows in true length, or for which there is no room, is left out with a warning. Returns ROBERTS_OK,
  * _NO_MEMORY or _BAD_ARGUMENT (a vertex is not there, or both are at one place). */
-roberts_status distances_add(strokes *s, page_room *r, roberts_error *error);
+roberts_status distances_add(strokes *s, free_space *r, roberts_error *error);
 
 /* A dimension while it is laid out; mm. */
 typedef struct dimension {
@@ -43,7 +43,7 @@ enum { DIMENSION_BOXES = 32, DIMENSION_TEXT = 100 };
 bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l);
 
 /* Boxes that hold the text together, along its base line if it is turned. Returns how many. */
-size_t dimension_text_boxes(const text_line *line, room_box box[DIMENSION_BOXES]);
+size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES]);
 
 /* Adds it to s->notes, and its text to s->taken. False: no memory. */
 bool dimension_draw(strokes *s, const dimension *d);

@@ -21,4 +21,12 @@ page_writer hpgl_write;
  * on it. */
 roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output *out, roberts_error *error);
 
+/* Writes UTF-8 as LaTeX source. A control character becomes a question mark, and so does a byte that is not UTF-8.
+ * (tikz.c) */
+void tikz_text_write(output *out, const char *text);
+
+/* How many characters of the text are in neither of the two fonts that every reader of PDF has, Helvetica and Symbol.
+ * They become question marks. (pdf.c) */
+size_t pdf_text_missing(const char *text);
+
 #endif

@@ -15,7 +15,7 @@
 #include "base/angle.h"
 #include "base/array.h"
 #include "base/vec.h"
-#include "draw/room.h"
+#include "draw/free_space.h"
 
 enum {
     NAME_SIZE = 32,
@@ -261,7 +261,7 @@ static size_t count_places(const target *of)
 
 /* The data for placing labels. */
 typedef struct placing {
-    page_room *room;
+    free_space *room;
     double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;
@@ -312,17 +312,17 @@ static roberts_vec2 face_place(const placing *p, const label *l, size_t i, doubl
     return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
 }
 
-static room_box box_of(const label *l, roberts_vec2 middle)
+static space_box box_of(const label *l, roberts_vec2 middle)
 {
-    return (room_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
+    return (space_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
 }
 
-static double cost_of_what_lies_there(const page_room *r, const room_box *box, uint32_t own)
+static double cost_of_what_lies_there(const free_space *r, const space_box *box, uint32_t own)
 {
-    const double taken = room_taken(r, box, own);
+    const double taken = space_taken(r, box, own);
     if (taken <= 0.0)
         return 0.0;
-    return taken + touching + (isfinite(taken) && room_is_on_box(r, box, own) ? on_label : 0.0);
+    return taken + touching + (isfinite(taken) && space_is_on_box(r, box, own) ? on_label : 0.0);
 }
 
 /* Finds the cheapest place, the first of several. */
@@ -334,7 +334,7 @@ static void choose_place(const placing *p, label *l)
         const roberts_vec2 middle = l->of->kind == ROBERTS_LABEL_VERTICES ? vertex_place(p, l, i, &cost)
                                     : l->of->kind == ROBERTS_LABEL_EDGES  ? edge_place(l, i, p->gap, &cost)
                                                                           : face_place(p, l, i, &cost);
-        const room_box box = box_of(l, middle);
+        const space_box box = box_of(l, middle);
         if (cost < least)
             cost += cost_of_what_lies_there(p->room, &box, l->box);
         if (cost < least) {
@@ -358,28 +358,28 @@ static bool place_all(const placing *p, label *l, size_t count)
     for (size_t i = 0; i < count; i++) {
         l[i].box = UINT32_MAX;
         choose_place(p, &l[i]);
-        const room_box box = box_of(&l[i], l[i].middle);
-        if (!room_add_box(p->room, &box, &l[i].box))
+        const space_box box = box_of(&l[i], l[i].middle);
+        if (!space_add_box(p->room, &box, &l[i].box))
             return false;
     }
     for (int pass = 0; pass < PASSES; pass++)
         for (size_t i = 0; i < count; i++) {
             choose_place(p, &l[i]);
-            const room_box box = box_of(&l[i], l[i].middle);
-            if (!room_move_box(p->room, l[i].box, &box))
+            const space_box box = box_of(&l[i], l[i].middle);
+            if (!space_move_box(p->room, l[i].box, &box))
                 return false;
         }
     return true;
 }
 
 /* Leaves out labels that lie on others or off the page, starting with those placed last. */
-static void drop_some(label *l, size_t count, page_room *r)
+static void drop_some(label *l, size_t count, free_space *r)
 {
     for (size_t i = count; i-- > 0;) {
-        const room_box box = box_of(&l[i], l[i].middle);
-        l[i].is_dropped = isinf(room_taken(r, &box, l[i].box)) || room_is_on_box(r, &box, l[i].box);
+        const space_box box = box_of(&l[i], l[i].middle);
+        l[i].is_dropped = isinf(space_taken(r, &box, l[i].box)) || space_is_on_box(r, &box, l[i].box);
         if (l[i].is_dropped)
-            room_drop_box(r, l[i].box);
+            space_drop_box(r, l[i].box);
     }
 }
 
@@ -392,14 +392,14 @@ static size_t count_dropped(const label *l, size_t count)
 }
 
 /* Is there room for all labels, and do nearly all of them lie on no line? */
-static bool have_room(const label *l, size_t count, const page_room *r)
+static bool have_room(const label *l, size_t count, const free_space *r)
 {
     size_t on_lines = 0;
     if (count_dropped(l, count) > 0)
         return false;
     for (size_t i = 0; i < count; i++) {
-        const room_box box = box_of(&l[i], l[i].middle);
-        on_lines += room_taken(r, &box, l[i].box) > 0.0;
+        const space_box box = box_of(&l[i], l[i].middle);
+        on_lines += space_taken(r, &box, l[i].box) > 0.0;
     }
     return (double)on_lines <= most_on_lines * (double)count;
 }
@@ -455,16 +455,16 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
     return count;
 }
 
-static bool add_strokes(const strokes *s, page_room *r, size_t first, size_t end)
+static bool add_strokes(const strokes *s, free_space *r, size_t first, size_t end)
 {
     for (size_t i = first; i < end; i++)
-        if (!room_add_polyline(r, &s->lines, i, s->units_per_mm))
+        if (!space_add_polyline(r, &s->lines, i, s->units_per_mm))
             return false;
     return true;
 }
 
 /* Hatching would leave no room anywhere, so labels may lie on it. It is the lowest class. */
-static bool add_all_strokes(const strokes *s, page_room *r)
+static bool add_all_strokes(const strokes *s, free_space *r)
 {
     if (!strokes_are_grouped(s->options))
         return add_strokes(s, r, s->start[1], s->lines.count);
@@ -474,26 +474,26 @@ static bool add_all_strokes(const strokes *s, page_room *r)
     return true;
 }
 
-static bool fill_room(const strokes *s, page_room *r)
+static bool fill_room(const strokes *s, free_space *r)
 {
     uint32_t number;
     if (!add_all_strokes(s, r))
         return false;
     for (size_t i = 0; i < s->notes.lines.count; i++)
-        if (!room_add_polyline(r, &s->notes.lines, i, s->units_per_mm))
+        if (!space_add_polyline(r, &s->notes.lines, i, s->units_per_mm))
             return false;
     for (size_t i = 0; i < s->taken_count; i++)
-        if (!room_add_box(r, &s->taken[i], &number))
+        if (!space_add_box(r, &s->taken[i], &number))
             return false;
     return true;
 }
 
-page_room *labels_room(const strokes *s)
+free_space *labels_room(const strokes *s)
 {
     const roberts_page *page = &s->options->page;
-    page_room *r = room_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options));
+    free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options));
     if (r && !fill_room(s, r)) {
-        room_free(r);
+        space_free(r);
         return NULL;
     }
     return r;
@@ -523,14 +523,14 @@ static bool try_height(placing *p, double height, const strokes *s, const target
 }
 
 /* Removes the labels from the page again. */
-static void take_off(const label *l, size_t count, page_room *r)
+static void take_off(const label *l, size_t count, free_space *r)
 {
     for (size_t i = 0; i < count; i++)
         if (!l[i].is_dropped)
-            room_drop_box(r, l[i].box);
+            space_drop_box(r, l[i].box);
 }
 
-bool labels_add(strokes *s, page_room *r)
+bool labels_add(strokes *s, free_space *r)
 {
     const roberts_lettering *lettering = &s->options->lettering;
     const size_t sizes = lettering->height_mm > 0.0 ? 0 : sizeof smaller_mm / sizeof smaller_mm[0];

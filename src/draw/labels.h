@@ -3,7 +3,7 @@
 #define ROBERTS_DRAW_LABELS_H
 
 #include "draw/notes.h"
-#include "draw/room.h"
+#include "draw/free_space.h"
 #include "draw/strokes.h"
 
 /* Whether s->options ask for any. */
@@ -12,10 +12,10 @@ bool labels_wanted(const strokes *s);
 /* Adds these labels to s->notes, for all views. `r` is the room of the page as it is now. If there is room beside what
  * a label names, it lies on no other label, on no line, and on none of the boxes `taken`. The same input gives the same
  * places. False: no memory. */
-bool labels_add(strokes *s, page_room *r);
+bool labels_add(strokes *s, free_space *r);
 
-/* The page with all its lines, and with the boxes `taken`. Released by room_free(). NULL: no memory. */
-page_room *labels_room(const strokes *s);
+/* The page with all its lines, and with the boxes `taken`. Released by space_free(). NULL: no memory. */
+free_space *labels_room(const strokes *s);
 
 /* How far labels may reach beyond the drawing, mm; 0: there are none beside it. */
 double labels_reach(const roberts_draw_options *options);

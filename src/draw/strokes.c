@@ -14,7 +14,7 @@
 #include "draw/svg_groups.h"
 #include "draw/hatch.h"
 #include "draw/labels.h"
-#include "draw/pdf.h"
+#include "draw/formats.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
 #include "draw/title_block.h"
@@ -218,7 +218,7 @@ static bool add_symbol(const strokes *s, polylines *out)
     return s->symbol_size == 0.0 || symbol_draw(s->sheet->angle, s->symbol_mm, s->symbol_size, s->units_per_mm, out);
 }
 
-bool strokes_take(strokes *s, const room_box *box)
+bool strokes_take(strokes *s, const space_box *box)
 {
     if (!array_reserve(&s->taken, &s->taken_room, s->taken_count + 1, sizeof *s->taken))
         return false;
@@ -273,13 +273,13 @@ roberts_status strokes_label(strokes *s, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     if (distances_wanted(s) || labels_wanted(s)) {
-        page_room *room = labels_room(s); /* one room for both, so that neither lies on the other */
+        free_space *room = labels_room(s); /* one room for both, so that neither lies on the other */
         status = room ? ROBERTS_OK : error_no_memory(error);
         if (status == ROBERTS_OK && distances_wanted(s))
             status = distances_add(s, room, error);
         if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
             status = error_no_memory(error);
-        room_free(room);
+        space_free(room);
     }
     if (status == ROBERTS_OK)
         tell_missing(s);

@@ -6,7 +6,7 @@
 #include "draw/fills.h"
 #include "draw/notes.h"
 #include "draw/page.h"
-#include "draw/room.h"
+#include "draw/free_space.h"
 
 /* Additional classes besides those of roberts_line: the border of the picture or of the area within the margins, the
  * symbol of a sheet, hatching, text and its lines, and labels of what is hidden. */
@@ -54,7 +54,7 @@ typedef struct strokes {
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     notes notes;
-    room_box *taken; /* [taken_count] boxes that labels must avoid */
+    space_box *taken; /* [taken_count] boxes that labels must avoid */
     size_t taken_count, taken_room;
     fills fills; /* below all lines */
     polylines lines;
@@ -90,7 +90,7 @@ roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line lin
 roberts_status strokes_label(strokes *s, roberts_error *error);
 
 /* Adds a box to s->taken. False: no memory. */
-bool strokes_take(strokes *s, const room_box *box);
+bool strokes_take(strokes *s, const space_box *box);
 
 /* Height of capitals, mm. */
 double strokes_text_height(const roberts_draw_options *options);

@@ -83,7 +83,7 @@ bool title_block_add(strokes *s)
     if (!title_block_is_wanted(s->options))
         return true;
     scale_text(s, scale, sizeof scale);
-    if (!strokes_take(s, &(room_box){corner, s->frame_mm[1]}))
+    if (!strokes_take(s, &(space_box){corner, s->frame_mm[1]}))
         return false;
     for (size_t i = 0; i < sizeof cells / sizeof cells[0] && done; i++) {
         const block_cell *cell = &cells[i];

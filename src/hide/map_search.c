@@ -14,7 +14,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "model/face_pieces.h"
+#include "base/orient.h"
 
 enum {
     FEW = 12,         /* things in a box that are compared with one another */
@@ -99,10 +99,10 @@ static void compare_lines(map_search *s, uint32_t i, uint32_t j, const map_box *
     if (lesser(A.x, B.x) > greater(C.x, D.x) || lesser(C.x, D.x) > greater(A.x, B.x) ||
         lesser(A.y, B.y) > greater(C.y, D.y) || lesser(C.y, D.y) > greater(A.y, B.y))
         return;
-    double c = piece_turn(A, B, C), d = piece_turn(A, B, D);
+    double c = orient2d(A, B, C), d = orient2d(A, B, D);
     if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)))
         return;
-    double a = piece_turn(C, D, A), b = piece_turn(C, D, B);
+    double a = orient2d(C, D, A), b = orient2d(C, D, B);
     if (!((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)))
         return;
     if (is_near(A, B, C, s->touching) || is_near(A, B, D, s->touching) || is_near(C, D, A, s->touching) ||

@@ -7,9 +7,9 @@
 
 #include "base/array.h"
 #include "base/dd.h"
+#include "base/orient.h"
 #include "base/sort.h"
 #include "hide/map_search.h"
-#include "model/face_pieces.h"
 #include "model/sweep_order.h"
 
 /* Rounds of division. From the second one on, the distance at which a node divides a line is halved, so that the
@@ -273,7 +273,7 @@ static bool comes_after(const ray *a, const ray *b)
 {
     if (a->lower != b->lower)
         return a->lower;
-    return piece_turn(a->from, a->to, b->to) < 0.0;
+    return orient2d(a->from, a->to, b->to) < 0.0;
 }
 
 static int compare_rays(const void *pa, const void *pb)
@@ -467,7 +467,7 @@ static uint32_t line_below(const cell_sweep *s, uint32_t node)
     uint32_t below = ROBERTS_NONE;
     for (uint32_t line = s->order.root; line != ROBERTS_NONE;) {
         uint32_t h = rightward(s, line);
-        bool above = piece_turn(s->m->node[map_from(s->m, h)], s->m->node[map_from(s->m, h ^ 1)], s->m->node[node]) > 0;
+        bool above = orient2d(s->m->node[map_from(s->m, h)], s->m->node[map_from(s->m, h ^ 1)], s->m->node[node]) > 0;
         below = above ? line : below;
         line = s->order.place[line].child[above];
     }

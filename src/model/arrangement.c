@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/orient.h"
 #include "model/face_pieces.h"
 
 /* Sweeps of one face. From FIRST_WIDER on, the merging distance of nodes doubles with each sweep, which forces an
@@ -33,8 +34,8 @@ bool border_add_stop(border *b, border_stop stop)
 bool border_add_crossing(face_pieces *f, border *b, uint32_t i, uint32_t j)
 {
     const uint32_t *v = b->item[i].v, *w = b->item[j].v;
-    double p = piece_turn(f->node[w[0]].at, f->node[w[1]].at, f->node[v[0]].at);
-    double q = piece_turn(f->node[w[0]].at, f->node[w[1]].at, f->node[v[1]].at);
+    double p = orient2d(f->node[w[0]].at, f->node[w[1]].at, f->node[v[0]].at);
+    double q = orient2d(f->node[w[0]].at, f->node[w[1]].at, f->node[v[1]].at);
     double t = p != q ? greater(0.0, lesser(1.0, p / (p - q))) : 0.5;
     uint32_t node = face_pieces_add_crossing(f, v[0], v[1], t);
     return node != ROBERTS_NONE && border_add_stop(b, (border_stop){i, node, 0.0}) &&
@@ -91,10 +92,10 @@ static bool cross(face_pieces *f, border *b, uint32_t i, uint32_t j)
 {
     const uint32_t *v = b->item[i].v, *w = b->item[j].v;
     roberts_vec2 A = f->node[v[0]].at, B = f->node[v[1]].at, C = f->node[w[0]].at, D = f->node[w[1]].at;
-    double c = piece_turn(A, B, C), d = piece_turn(A, B, D);
+    double c = orient2d(A, B, C), d = orient2d(A, B, D);
     if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)))
         return true;
-    double p = piece_turn(C, D, A), q = piece_turn(C, D, B);
+    double p = orient2d(C, D, A), q = orient2d(C, D, B);
     return !((p > 0.0 && q < 0.0) || (p < 0.0 && q > 0.0)) || border_add_crossing(f, b, i, j);
 }
 
@@ -347,19 +348,13 @@ static int compare_placed(const void *pa, const void *pb)
     return (a->own.piece > b->own.piece) - (a->own.piece < b->own.piece);
 }
 
-static double part_along(roberts_vec3 p, roberts_vec3 d)
-{
-    double x = fabs(d.x), y = fabs(d.y), z = fabs(d.z);
-    return x >= y && x >= z ? p.x / d.x : y >= z ? p.y / d.y : p.z / d.z;
-}
-
 /* Returns where a node lies along AB in space. Sets *off if it is farther from AB than `most`. */
 static double place_on(const piece_node *node, roberts_vec3 A, roberts_vec3 B, double most, bool *off)
 {
     roberts_vec3 d = vec3_sub(B, A), p = vec3_add(vec3_sub(node->point, A), node->low);
     double t = vec3_dot(p, d) / vec3_dot(d, d);
     *off = *off || !(vec3_length(vec3_sub(p, vec3_scale(t, d))) <= most);
-    return part_along(p, d);
+    return vec3_part_along(p, d);
 }
 
 /* Finds where each stretch lies on its side. given: the ring before merging, since nodes that coincide in the plane may

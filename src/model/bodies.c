@@ -123,11 +123,6 @@ done:
 
 /* ---- bodies ---------------------------------------------------------------------------------------------------- */
 
-static double largest(roberts_vec3 a)
-{
-    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
-}
-
 /* Adds elements of two corners to the box: the scene has no wires yet. */
 static void add_wires(const roberts_mesh *mesh, roberts_vec3 *low, roberts_vec3 *high)
 {
@@ -144,7 +139,7 @@ double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
     if (scene->face_count < mesh->face_count)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
-    double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(largest(low), largest(high));
+    double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
     return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, scene_float32_step(scene, mesh)));
 }
 

@@ -15,11 +15,6 @@
 /* The largest error of a decision, as a fraction of the touching distance. */
 #define TRUSTED 0.125
 
-static double greatest_coordinate(roberts_vec3 d)
-{
-    return greater(fabs(d.x), greater(fabs(d.y), fabs(d.z)));
-}
-
 /* Vertex v as seen from a point, in the scene's unit. */
 static roberts_vec3 seen_from(const crossing_rules *rules, uint32_t v, roberts_vec3 point, roberts_vec3 low)
 {
@@ -50,8 +45,8 @@ static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t pi
     for (uint32_t k = first; k < end; k++) {
         roberts_vec3 Q = seen_from(rules, scene->corner[k], f->origin, f->low);
         f->n = vec3_add(f->n, vec3_cross(P, Q));
-        f->error += greatest_coordinate(P) * greatest_coordinate(Q);
-        f->chord = greater(f->chord, greatest_coordinate(Q));
+        f->error += vec3_largest(P) * vec3_largest(Q);
+        f->chord = greater(f->chord, vec3_largest(Q));
         *sum = vec3_add(*sum, Q);
         P = Q;
     }
@@ -140,7 +135,7 @@ static corner_height height_of(const crossing_rules *rules, crossing_face *f, ui
         return at;
     roberts_vec3 d = seen_from(rules, v, f->origin, f->low);
     at.h = vec3_dot(f->n, d) - f->mean;
-    at.error = f->error * (greatest_coordinate(d) + f->chord);
+    at.error = f->error * (vec3_largest(d) + f->chord);
     if (at.error > TRUSTED * f->touch && !(fabs(at.h) > at.error + f->touch)) {
         at.h = exact_height(rules, f, v).hi;
         at.error = 0x1p-52 * fabs(at.h);

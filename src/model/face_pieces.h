@@ -115,7 +115,4 @@ uint32_t face_pieces_add_crossing(face_pieces *f, uint32_t a, uint32_t b, double
 /* Appends a side. False: no memory. */
 bool face_pieces_add_side(face_pieces *f, piece_side side);
 
-/* > 0 if a, b, c turn left. The sign is exact unless products leave the range of doubles. */
-double piece_turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c);
-
 #endif

@@ -140,9 +140,7 @@ double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at)
     const roberts_vec3 none = {0.0, 0.0, 0.0};
     roberts_vec3 A = s->point[v[0]], AB = vec3_sub(s->point[v[1]], A);
     roberts_vec3 AP = vec3_add(vec3_sub(s->point[at], A), s->low ? s->low[at] : none);
-    double x = fabs(AB.x), y = fabs(AB.y), z = fabs(AB.z);
-    double t = x >= y && x >= z ? AP.x / AB.x : y >= z ? AP.y / AB.y : AP.z / AB.z;
-    return at == v[0] ? 0.0 : at == v[1] ? 1.0 : greater(0.0, lesser(1.0, t));
+    return at == v[0] ? 0.0 : at == v[1] ? 1.0 : greater(0.0, lesser(1.0, vec3_part_along(AP, AB)));
 }
 
 /* Records that the last side is a part of the file's side from a to b. False: no memory. */

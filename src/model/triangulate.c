@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/orient.h"
 #include "model/face_pieces.h"
 #include "model/sweep_order.h"
 
@@ -61,7 +62,7 @@ static roberts_vec2 place(const sweep *s, uint32_t node)
 /* > 0: the node is above the line. */
 static double side_of(const sweep *s, uint32_t line, uint32_t node)
 {
-    return piece_turn(place(s, s->end[line][0]), place(s, s->end[line][1]), place(s, node));
+    return orient2d(place(s, s->end[line][0]), place(s, s->end[line][1]), place(s, node));
 }
 
 static bool is_filled(const sweep *s, int32_t winding)
@@ -247,7 +248,7 @@ static bool add_triangle(sweep *s, const uint32_t node[3], const uint32_t label[
 
 static bool turns_left(const sweep *s, uint32_t a, uint32_t b, uint32_t c)
 {
-    return piece_turn(place(s, a), place(s, b), place(s, c)) > 0.0;
+    return orient2d(place(s, a), place(s, b), place(s, c)) > 0.0;
 }
 
 /* Cuts off the triangles that the chain's uppermost node, the newest, sees. False: no memory. */
@@ -502,8 +503,8 @@ static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint3
 {
     face_piece all = {.count = p->count + q->count - 2};
     if (all.count > PIECE_CORNERS ||
-        piece_turn(corner_at(f, p, i + p->count - 1), corner_at(f, p, i), corner_at(f, q, j + 2)) < 0.0 ||
-        piece_turn(corner_at(f, q, j + q->count - 1), corner_at(f, q, j), corner_at(f, p, i + 2)) < 0.0)
+        orient2d(corner_at(f, p, i + p->count - 1), corner_at(f, p, i), corner_at(f, q, j + 2)) < 0.0 ||
+        orient2d(corner_at(f, q, j + q->count - 1), corner_at(f, q, j), corner_at(f, p, i + 2)) < 0.0)
         return false;
     uint32_t to = 0;
     for (uint32_t k = 1; k < p->count; k++, to++) {

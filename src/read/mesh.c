@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
+#include "base/vec.h"
 
 mesh_mark mesh_here(const roberts_mesh *mesh)
 {
@@ -169,10 +170,8 @@ double mesh_float32_step(const roberts_mesh *mesh)
     int exponent;
     for (size_t i = 0; i < mesh->source_count; i++) {
         size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
-        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++) {
-            roberts_vec3 p = mesh->vertex[v];
-            most = fmax(most, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
-        }
+        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++)
+            most = greater(most, vec3_largest(mesh->vertex[v]));
     }
     if (most == 0.0)
         return 0.0;

@@ -147,7 +147,7 @@ static bool cutter_measure_width(cutter *c, uint32_t first, double *width)
         return false;
     for (size_t k = 0; k < count; k++) {
         c->ring[k] = vec3_sub(to->point[to->corner[first + k]], to->point[to->corner[first]]);
-        scale = fmax(scale, fmax(fabs(c->ring[k].x), fmax(fabs(c->ring[k].y), fabs(c->ring[k].z))));
+        scale = greater(scale, vec3_largest(c->ring[k]));
     }
     *width = 0.0;
     if (count < 3 || scale == 0.0)
@@ -349,7 +349,7 @@ static void set_touching(cutter *c)
 {
     const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
     for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
-        c->touching = fmax(c->touching, fmax(fabs(corners[i].x), fmax(fabs(corners[i].y), fabs(corners[i].z))));
+        c->touching = greater(c->touching, vec3_largest(corners[i]));
     c->touching *= TOUCHING_ULPS * DBL_EPSILON;
 }
 
@@ -357,7 +357,7 @@ static void set_touching(cutter *c)
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
     roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
-    double largest = fmax(fabs(back.x), fmax(fabs(back.y), fabs(back.z)));
+    double largest = vec3_largest(back);
     double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min));
     if (!isfinite(back.x) || !isfinite(back.y) || !isfinite(back.z) || !(largest > 0.0) ||
         !isfinite(camera->near_distance))

@@ -38,11 +38,6 @@
  * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
 
-static double largest(roberts_vec3 a)
-{
-    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
-}
-
 static bool finite3(roberts_vec3 a)
 {
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
@@ -51,7 +46,7 @@ static bool finite3(roberts_vec3 a)
 /* Returns a / |a|, even if the squares would overflow or underflow; zero stays zero. */
 static roberts_vec3 unit_vector(roberts_vec3 a)
 {
-    double m = largest(a);
+    double m = vec3_largest(a);
     if (m == 0.0)
         return a;
     a = (roberts_vec3){a.x / m, a.y / m, a.z / m}; /* not times 1 / m, which overflows for a denormal m */
@@ -281,7 +276,7 @@ double view_from_space(const view *v, double zA, double zB, double t)
 static double eye_distance(const view *v)
 {
     roberts_vec3 back = vec3_sub(v->viewpoint, v->origin);
-    double m = largest(back);
+    double m = vec3_largest(back);
     return m * vec3_length((roberts_vec3){back.x / m, back.y / m, back.z / m}) / v->unit;
 }
 
@@ -447,7 +442,7 @@ void view_add_reach(const view *v, const roberts_vec3 *P, size_t count, scene_re
 /* Sets the bound of all view coordinates, and from it the touching distance and the rounding. */
 static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 {
-    double raw = fmax(largest(scene->box_min), largest(scene->box_max)) / v->unit;
+    double raw = fmax(vec3_largest(scene->box_min), vec3_largest(scene->box_max)) / v->unit;
     /* Rotation about the box's centre moves no point farther away than the diameter. An oblique view adds a fraction of
      * the depth. */
     v->extent = v->diameter * (1.0 + fmax(fabs(v->oblique.x), fabs(v->oblique.y)));
@@ -457,7 +452,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
     if (v->perspective)
         v->extent = fmax(v->extent, reach.extent);
     if (v->perspective)
-        raw = fmax(raw, fmax(largest(v->viewpoint), largest(v->origin)) / v->unit);
+        raw = fmax(raw, fmax(vec3_largest(v->viewpoint), vec3_largest(v->origin)) / v->unit);
     v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
     v->across = v->extent;
     if (at_right_angles(v))
@@ -476,7 +471,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
 static void set_sight_line(view *v, const roberts_camera *camera)
 {
     int exponent;
-    frexp(largest(camera->dir), &exponent);
+    frexp(vec3_largest(camera->dir), &exponent);
     v->viewpoint = (roberts_vec3){ldexp(camera->dir.x, -exponent), ldexp(camera->dir.y, -exponent),
                                   ldexp(camera->dir.z, -exponent)};
     roberts_vec2 by = angle_unit(camera->roll_degrees), oblique = camera->oblique; /* rolls with the picture */
@@ -497,7 +492,7 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the field of view must be between 0 and 180 degrees");
     if (perspective && (!(camera->near_distance >= 0.0) || !isfinite(camera->near_distance)))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the near distance must be finite and not negative");
-    if (!perspective && (!finite3(camera->dir) || largest(camera->dir) == 0.0))
+    if (!perspective && (!finite3(camera->dir) || vec3_largest(camera->dir) == 0.0))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
     if (!isfinite(camera->oblique.x) || !isfinite(camera->oblique.y) ||
         fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
@@ -517,7 +512,7 @@ roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_cam
     *v = (view){.origin = scene->centre, .unit = scene->unit, .per_unit = 1.0 / scene->unit, .diameter = 1.0};
     if (status != ROBERTS_OK)
         return status;
-    if (largest(half) > 0.0)
+    if (vec3_largest(half) > 0.0)
         v->diameter = 2.0 * vec3_length(vec3_scale(v->per_unit, half));
     if (camera->projection == ROBERTS_PERSPECTIVE) {
         v->perspective = true;
@@ -525,7 +520,7 @@ roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_cam
         if (camera->has_look_at)
             v->origin = camera->look_at;
         dir = vec3_sub(camera->eye, v->origin);
-        if (!finite3(dir) || largest(dir) == 0.0)
+        if (!finite3(dir) || vec3_largest(dir) == 0.0)
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
     }
     set_frame(v, dir, camera->up, camera->roll_degrees);

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "base/vec.h"
+#include "base/orient.h"
 #include "model/face_pieces.h"
 #include "model/sweep_order.h"
 
@@ -178,8 +179,8 @@ static double sum_of_areas(const face_pieces *f)
     double sum = 0.0;
     for (size_t p = 0; p < f->piece_count; p++)
         for (uint32_t i = 1; i + 1 < f->piece[p].count; i++)
-            sum += 0.5 * piece_turn(f->node[f->piece[p].node[0]].at, f->node[f->piece[p].node[i]].at,
-                                    f->node[f->piece[p].node[i + 1]].at);
+            sum += 0.5 * orient2d(f->node[f->piece[p].node[0]].at, f->node[f->piece[p].node[i]].at,
+                                  f->node[f->piece[p].node[i + 1]].at);
     return sum;
 }
 
@@ -202,7 +203,7 @@ static void require_sound(const face_pieces *f, const char *name)
         assert_in_range(own->count, 3, PIECE_CORNERS);
         for (uint32_t i = 0; i < own->count; i++) {
             uint32_t a = own->node[i], b = own->node[(i + 1) % own->count], c = own->node[(i + 2) % own->count];
-            if (piece_turn(f->node[a].at, f->node[b].at, f->node[c].at) < 0.0)
+            if (orient2d(f->node[a].at, f->node[b].at, f->node[c].at) < 0.0)
                 fail_msg("%s: piece %zu is not convex", name, p);
             side[count++] = (uint64_t)a << 32 | b;
         }
@@ -222,7 +223,7 @@ static bool wind(const roberts_vec2 *at, uint32_t count, roberts_vec2 P, int *wi
     *winding = 0;
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec2 a = at[i], b = at[(i + 1) % count];
-        double turn = piece_turn(a, b, P), length = hypot(b.x - a.x, b.y - a.y);
+        double turn = orient2d(a, b, P), length = hypot(b.x - a.x, b.y - a.y);
         if (fabs(turn) <= 1e-6 * length && P.x > fmin(a.x, b.x) - 1e-6 && P.x < fmax(a.x, b.x) + 1e-6 &&
             P.y > fmin(a.y, b.y) - 1e-6 && P.y < fmax(a.y, b.y) + 1e-6)
             return false;
@@ -241,7 +242,7 @@ static size_t pieces_at(const face_pieces *f, roberts_vec2 P)
         const face_piece *own = &f->piece[p];
         bool inside = true;
         for (uint32_t i = 0; i < own->count && inside; i++)
-            inside = piece_turn(f->node[own->node[i]].at, f->node[own->node[(i + 1) % own->count]].at, P) > 0.0;
+            inside = orient2d(f->node[own->node[i]].at, f->node[own->node[(i + 1) % own->count]].at, P) > 0.0;
         count += inside;
     }
     return count;
@@ -459,13 +460,13 @@ static void turns_are_exact(void **unused)
             roberts_vec2 p = {a.x + i * 0x1p-53, a.y + k * 0x1p-53};
             if (i < 0)
                 p.x = a.x + i * 0x1p-54;
-            double turn = piece_turn(p, b, c), expected = p.y - p.x; /* exact: how far above the diagonal */
+            double turn = orient2d(p, b, c), expected = p.y - p.x; /* exact: how far above the diagonal */
             assert_int_equal((turn > 0.0) - (turn < 0.0), (expected > 0.0) - (expected < 0.0));
         }
     /* differences of 1 and 2^-100 */
-    assert_true(piece_turn((roberts_vec2){0, 0}, (roberts_vec2){1, 0x1p-100}, (roberts_vec2){2, 0x1p-99}) == 0.0);
-    assert_true(piece_turn((roberts_vec2){0, 0}, (roberts_vec2){1, 0x1p-100}, (roberts_vec2){2, 0x1.8p-99}) > 0.0);
-    assert_true(piece_turn((roberts_vec2){1, 1}, (roberts_vec2){0, 0x1p-150}, (roberts_vec2){-1, -1}) > 0.0);
+    assert_true(orient2d((roberts_vec2){0, 0}, (roberts_vec2){1, 0x1p-100}, (roberts_vec2){2, 0x1p-99}) == 0.0);
+    assert_true(orient2d((roberts_vec2){0, 0}, (roberts_vec2){1, 0x1p-100}, (roberts_vec2){2, 0x1.8p-99}) > 0.0);
+    assert_true(orient2d((roberts_vec2){1, 1}, (roberts_vec2){0, 0x1p-150}, (roberts_vec2){-1, -1}) > 0.0);
 }
 
 int main(void)

@@ -41,11 +41,11 @@ static roberts_draw_options options_of(unsigned labels, size_t page, told *warni
 }
 
 /* The box of the letters of a note, without the space round it, mm. */
-static room_box letters_box(const notes *n, size_t i)
+static space_box letters_box(const notes *n, size_t i)
 {
     const text_line line = notes_line(n, i);
     polylines out = {0};
-    room_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    space_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     assert_true(letters_draw(&line, 1000.0, &out));
     for (size_t k = 0; k < out.point_count; k++) {
         box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
@@ -55,17 +55,17 @@ static room_box letters_box(const notes *n, size_t i)
     return box;
 }
 
-static bool is_apart(room_box a, room_box b)
+static bool is_apart(space_box a, space_box b)
 {
     return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
 }
 
 /* Whether a..b goes through the box: by the sides of it, apart from the code that is tested. */
-static bool goes_through(roberts_vec2 a, roberts_vec2 b, room_box box)
+static bool goes_through(roberts_vec2 a, roberts_vec2 b, space_box box)
 {
     const roberts_vec2 corner[4] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
     int left = 0;
-    if (is_apart((room_box){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}}, box))
+    if (is_apart((space_box){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}}, box))
         return false;
     for (int i = 0; i < 4; i++)
         left += (b.x - a.x) * (corner[i].y - a.y) - (b.y - a.y) * (corner[i].x - a.x) > 0.0;
@@ -77,7 +77,7 @@ static size_t count_crossed(const strokes *s)
 {
     size_t crossed = 0;
     for (size_t i = 0; i < s->notes.count; i++) {
-        const room_box box = letters_box(&s->notes, i);
+        const space_box box = letters_box(&s->notes, i);
         bool found = false;
         for (size_t k = 0; k < s->lines.count; k++) {
             const polyline *line = &s->lines.item[k];
@@ -100,9 +100,9 @@ static size_t count_crossed(const strokes *s)
 static void check_apart(const strokes *s, const char *what)
 {
     const roberts_page *page = &s->options->page;
-    const room_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    const space_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
     for (size_t i = 0; i < s->notes.count; i++) {
-        const room_box box = letters_box(&s->notes, i);
+        const space_box box = letters_box(&s->notes, i);
         assert_true(box.min.x >= whole.min.x && box.min.y >= whole.min.y && box.max.x <= whole.max.x &&
                     box.max.y <= whole.max.y);
         for (size_t k = 0; k < i; k++)

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "draw/tikz.h"
+#include "draw/formats.h"
 
 static char written[200];
 static size_t used;

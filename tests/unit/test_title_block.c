@@ -34,10 +34,10 @@ static roberts_draw_options lettered(size_t page)
     return options;
 }
 
-static room_box letters_box(const text_line *line)
+static space_box letters_box(const text_line *line)
 {
     polylines out = {0};
-    room_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    space_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     assert_true(letters_draw(line, 1000.0, &out));
     for (size_t k = 0; k < out.point_count; k++) {
         box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
@@ -47,15 +47,15 @@ static room_box letters_box(const text_line *line)
     return box;
 }
 
-static bool is_apart(room_box a, room_box b)
+static bool is_apart(space_box a, space_box b)
 {
     return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
 }
 
 /* The boxes of straight pieces: lines here are level, upright, or have all of their box near a view. */
-static room_box piece_box(page_point p, page_point q)
+static space_box piece_box(page_point p, page_point q)
 {
-    return (room_box){{fmin(p.x, q.x) / 1000.0, fmin(p.y, q.y) / 1000.0},
+    return (space_box){{fmin(p.x, q.x) / 1000.0, fmin(p.y, q.y) / 1000.0},
                       {fmax(p.x, q.x) / 1000.0, fmax(p.y, q.y) / 1000.0}};
 }
 
@@ -65,7 +65,7 @@ static void check_collisions(const strokes *s, const char *what)
     const polylines *sets[] = {&s->lines, &s->notes.lines};
     for (size_t i = 0; i < s->notes.count; i++) {
         const text_line text = notes_line(&s->notes, i);
-        const room_box box = letters_box(&text);
+        const space_box box = letters_box(&text);
         if (!*text.text)
             continue;
         assert_true(box.min.x > 0.0 && box.min.y > 0.0 && box.max.x < s->options->page.width_mm &&

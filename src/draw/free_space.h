@@ -1,35 +1,35 @@
-/* room.h - where there is room on the page: lines and boxes that text must keep away from, in a
+/* free_space.h - where there is room on the page: lines and boxes that text must keep away from, in a
  * grid; and which point of a region has most room round it. */
-#ifndef ROBERTS_DRAW_ROOM_H
-#define ROBERTS_DRAW_ROOM_H
+#ifndef ROBERTS_DRAW_FREE_SPACE_H
+#define ROBERTS_DRAW_FREE_SPACE_H
 
 #include "draw/chain.h"
 #include "roberts.h"
 
 /* A rectangle with sides along those of the page; mm. */
-typedef struct room_box {
+typedef struct space_box {
     roberts_vec2 min, max;
-} room_box;
+} space_box;
 
-typedef struct page_room page_room;
+typedef struct free_space free_space;
 
 /* An empty page of this size. NULL: no memory. */
-page_room *room_new(double width_mm, double height_mm, double cell_mm);
-void room_free(page_room *r);
+free_space *space_new(double width_mm, double height_mm, double cell_mm);
+void space_free(free_space *r);
 
 /* Each returns false where there is no memory. A box may be moved later, under the number that it got. */
-bool room_add_line(page_room *r, roberts_vec2 a, roberts_vec2 b);
-bool room_add_polyline(page_room *r, const polylines *lines, size_t i, double units_per_mm);
-bool room_add_box(page_room *r, const room_box *box, uint32_t *number);
-bool room_move_box(page_room *r, uint32_t number, const room_box *box);
-void room_drop_box(page_room *r, uint32_t number);
+bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b);
+bool space_add_polyline(free_space *r, const polylines *lines, size_t i, double units_per_mm);
+bool space_add_box(free_space *r, const space_box *box, uint32_t *number);
+bool space_move_box(free_space *r, uint32_t number, const space_box *box);
+void space_drop_box(free_space *r, uint32_t number);
 
 /* How much lies in `box`, in mm: lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free.
  * The box of number `own` does not count. Infinite if the box leaves the page. */
-double room_taken(const page_room *r, const room_box *box, uint32_t own);
+double space_taken(const free_space *r, const space_box *box, uint32_t own);
 
 /* Whether it overlaps another box by more than a line. */
-bool room_is_on_box(const page_room *r, const room_box *box, uint32_t own);
+bool space_is_on_box(const free_space *r, const space_box *box, uint32_t own);
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 

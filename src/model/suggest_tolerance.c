@@ -1,4 +1,4 @@
-/* tolerance.c - the tolerance that would accept a refused model.
+/* suggest_tolerance.c - the tolerance that would accept a refused model.
  *
  * It is found by trial: the whole model passes with any tolerance that is suggested. The amount by which the first
  * solid failed would not be enough. Others may fail by more, or for reasons that no tolerance cures. */

@@ -1,6 +1,6 @@
-/* part.h - a drawing in parts: plans, parts, and joining. */
-#ifndef ROBERTS_CLI_PART_H
-#define ROBERTS_CLI_PART_H
+/* parts.h - a drawing in parts: plans, parts, and joining. */
+#ifndef ROBERTS_CLI_PARTS_H
+#define ROBERTS_CLI_PARTS_H
 
 #include "cli/options.h"
 

@@ -1,9 +1,9 @@
-/* room.c - where there is room on the page.
+/* free_space.c - where there is room on the page.
  *
  * The page is divided into square cells. Each lists the lines that may cross it and the boxes that touch it. A line may
  * cross several cells of the queried box. In each cell only its part within that cell counts, so nothing counts
  * twice. */
-#include "draw/room.h"
+#include "draw/free_space.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,14 +24,14 @@ typedef struct page_line {
     roberts_vec2 a, b;
 } page_line;
 
-struct page_room {
+struct free_space {
     double cell_mm;
-    room_box page;
+    space_box page;
     uint32_t columns, rows;
     uint32_t *first_line, *first_box; /* [columns * rows] entries; NOTHING: none */
     entry *entry;
     page_line *line;
-    room_box *box;
+    space_box *box;
     size_t entry_count, line_count, box_count, entry_room, line_room, box_room;
 };
 
@@ -46,26 +46,26 @@ static uint32_t cell_of(double mm, double cell_mm, uint32_t count)
     return cell <= 0.0 ? 0 : cell >= count ? count - 1 : (uint32_t)cell;
 }
 
-static cells cells_of(const page_room *r, const room_box *box)
+static cells cells_of(const free_space *r, const space_box *box)
 {
     return (cells){cell_of(box->min.x, r->cell_mm, r->columns), cell_of(box->min.y, r->cell_mm, r->rows),
                    cell_of(box->max.x, r->cell_mm, r->columns), cell_of(box->max.y, r->cell_mm, r->rows)};
 }
 
-page_room *room_new(double width_mm, double height_mm, double cell_mm)
+free_space *space_new(double width_mm, double height_mm, double cell_mm)
 {
-    page_room *r = calloc(1, sizeof *r);
+    free_space *r = calloc(1, sizeof *r);
     if (!r)
         return NULL;
     r->cell_mm = fmax(cell_mm, fmax(width_mm, height_mm) / CELLS_MOST);
-    r->page = (room_box){{0.0, 0.0}, {width_mm, height_mm}};
+    r->page = (space_box){{0.0, 0.0}, {width_mm, height_mm}};
     r->columns = (uint32_t)ceil(width_mm / r->cell_mm);
     r->rows = (uint32_t)ceil(height_mm / r->cell_mm);
     const size_t count = (size_t)r->columns * r->rows;
     r->first_line = alloc_array(count, sizeof *r->first_line);
     r->first_box = alloc_array(count, sizeof *r->first_box);
     if (!r->first_line || !r->first_box) {
-        room_free(r);
+        space_free(r);
         return NULL;
     }
     for (size_t i = 0; i < count; i++)
@@ -73,7 +73,7 @@ page_room *room_new(double width_mm, double height_mm, double cell_mm)
     return r;
 }
 
-void room_free(page_room *r)
+void space_free(free_space *r)
 {
     if (!r)
         return;
@@ -85,7 +85,7 @@ void room_free(page_room *r)
     free(r);
 }
 
-static bool enter(page_room *r, uint32_t *first, uint32_t what)
+static bool enter(free_space *r, uint32_t *first, uint32_t what)
 {
     if (!array_reserve(&r->entry, &r->entry_room, r->entry_count + 1, sizeof *r->entry))
         return false;
@@ -95,7 +95,7 @@ static bool enter(page_room *r, uint32_t *first, uint32_t what)
 }
 
 /* The part of a..b within a box, from t[0] to t[1]. */
-static bool clip(roberts_vec2 a, roberts_vec2 b, const room_box *box, double t[2])
+static bool clip(roberts_vec2 a, roberts_vec2 b, const space_box *box, double t[2])
 {
     t[0] = 0.0;
     t[1] = 1.0;
@@ -103,14 +103,14 @@ static bool clip(roberts_vec2 a, roberts_vec2 b, const room_box *box, double t[2
            box_clip(a.y, b.y, box->min.y, box->max.y, &t[0], &t[1]);
 }
 
-static room_box cell_box(const page_room *r, uint32_t x, uint32_t y)
+static space_box cell_box(const free_space *r, uint32_t x, uint32_t y)
 {
-    return (room_box){{x * r->cell_mm, y * r->cell_mm}, {(x + 1) * r->cell_mm, (y + 1) * r->cell_mm}};
+    return (space_box){{x * r->cell_mm, y * r->cell_mm}, {(x + 1) * r->cell_mm, (y + 1) * r->cell_mm}};
 }
 
-bool room_add_line(page_room *r, roberts_vec2 a, roberts_vec2 b)
+bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
 {
-    const room_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
     const cells in = cells_of(r, &box);
     double t[2];
     if (!array_reserve(&r->line, &r->line_room, r->line_count + 1, sizeof *r->line))
@@ -118,7 +118,7 @@ bool room_add_line(page_room *r, roberts_vec2 a, roberts_vec2 b)
     r->line[r->line_count] = (page_line){a, b};
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++) {
-            const room_box cell = cell_box(r, x, y);
+            const space_box cell = cell_box(r, x, y);
             if (clip(a, b, &cell, t) && !enter(r, &r->first_line[y * r->columns + x], (uint32_t)r->line_count))
                 return false;
         }
@@ -131,17 +131,17 @@ static roberts_vec2 in_mm(page_point p, double units_per_mm)
     return (roberts_vec2){p.x / units_per_mm, p.y / units_per_mm};
 }
 
-bool room_add_polyline(page_room *r, const polylines *lines, size_t i, double units_per_mm)
+bool space_add_polyline(free_space *r, const polylines *lines, size_t i, double units_per_mm)
 {
     const polyline *line = &lines->item[i];
     const page_point *p = lines->point + line->first;
     for (uint32_t k = 0; k + 1 < line->count + line->closed; k++)
-        if (!room_add_line(r, in_mm(p[k], units_per_mm), in_mm(p[(k + 1) % line->count], units_per_mm)))
+        if (!space_add_line(r, in_mm(p[k], units_per_mm), in_mm(p[(k + 1) % line->count], units_per_mm)))
             return false;
     return true;
 }
 
-static bool enter_box(page_room *r, uint32_t number)
+static bool enter_box(free_space *r, uint32_t number)
 {
     const cells in = cells_of(r, &r->box[number]);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
@@ -151,7 +151,7 @@ static bool enter_box(page_room *r, uint32_t number)
     return true;
 }
 
-bool room_add_box(page_room *r, const room_box *box, uint32_t *number)
+bool space_add_box(free_space *r, const space_box *box, uint32_t *number)
 {
     if (!array_reserve(&r->box, &r->box_room, r->box_count + 1, sizeof *r->box))
         return false;
@@ -161,7 +161,7 @@ bool room_add_box(page_room *r, const room_box *box, uint32_t *number)
 }
 
 /* Removed entries stay in memory, unused. */
-void room_drop_box(page_room *r, uint32_t number)
+void space_drop_box(free_space *r, uint32_t number)
 {
     const cells from = cells_of(r, &r->box[number]);
     for (uint32_t y = from.low_y; y <= from.high_y; y++)
@@ -174,23 +174,23 @@ void room_drop_box(page_room *r, uint32_t number)
         }
 }
 
-bool room_move_box(page_room *r, uint32_t number, const room_box *box)
+bool space_move_box(free_space *r, uint32_t number, const space_box *box)
 {
-    room_drop_box(r, number);
+    space_drop_box(r, number);
     r->box[number] = *box;
     return enter_box(r, number);
 }
 
 /* The overlap of two boxes; false: there is none. */
-static bool share(const room_box *a, const room_box *b, room_box *both)
+static bool share(const space_box *a, const space_box *b, space_box *both)
 {
-    *both = (room_box){{fmax(a->min.x, b->min.x), fmax(a->min.y, b->min.y)},
-                       {fmin(a->max.x, b->max.x), fmin(a->max.y, b->max.y)}};
+    *both = (space_box){{fmax(a->min.x, b->min.x), fmax(a->min.y, b->min.y)},
+                        {fmin(a->max.x, b->max.x), fmin(a->max.y, b->max.y)}};
     return both->min.x < both->max.x && both->min.y < both->max.y;
 }
 
 /* Whether cell x, y is the first one in which the queried box meets box `b`. */
-static bool is_first(const page_room *r, const cells *asked, const room_box *b, uint32_t x, uint32_t y)
+static bool is_first(const free_space *r, const cells *asked, const space_box *b, uint32_t x, uint32_t y)
 {
     const cells of = cells_of(r, b);
     return x == (asked->low_x > of.low_x ? asked->low_x : of.low_x) &&
@@ -198,11 +198,11 @@ static bool is_first(const page_room *r, const cells *asked, const room_box *b, 
 }
 
 /* Lengths of lines in the part of the box that cell x, y holds. */
-static double lines_taken(const page_room *r, const room_box *box, uint32_t x, uint32_t y)
+static double lines_taken(const free_space *r, const space_box *box, uint32_t x, uint32_t y)
 {
-    const room_box cell = cell_box(r, x, y);
+    const space_box cell = cell_box(r, x, y);
     double taken = 0.0, t[2];
-    room_box part;
+    space_box part;
     if (!share(box, &cell, &part))
         return 0.0;
     for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
@@ -214,22 +214,22 @@ static double lines_taken(const page_room *r, const room_box *box, uint32_t x, u
 }
 
 /* The shorter sides of the overlaps with other boxes, each counted in the first cell that both boxes share. */
-static double boxes_taken(const page_room *r, const room_box *box, uint32_t own)
+static double boxes_taken(const free_space *r, const space_box *box, uint32_t own)
 {
     const cells in = cells_of(r, box);
     double taken = 0.0;
-    room_box part;
+    space_box part;
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
             for (uint32_t i = r->first_box[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
-                const room_box *other = &r->box[r->entry[i].what];
+                const space_box *other = &r->box[r->entry[i].what];
                 if (r->entry[i].what != own && share(box, other, &part) && is_first(r, &in, other, x, y))
                     taken += fmin(part.max.x - part.min.x, part.max.y - part.min.y);
             }
     return taken;
 }
 
-double room_taken(const page_room *r, const room_box *box, uint32_t own)
+double space_taken(const free_space *r, const space_box *box, uint32_t own)
 {
     const cells in = cells_of(r, box);
     if (box->min.x < r->page.min.x || box->min.y < r->page.min.y || box->max.x > r->page.max.x ||
@@ -242,7 +242,7 @@ double room_taken(const page_room *r, const room_box *box, uint32_t own)
     return taken;
 }
 
-bool room_is_on_box(const page_room *r, const room_box *box, uint32_t own)
+bool space_is_on_box(const free_space *r, const space_box *box, uint32_t own)
 {
     return boxes_taken(r, box, own) > 1e-9;
 }

@@ -1,5 +1,5 @@
-/* part.c - a drawing in parts. See part.h. */
-#include "cli/part.h"
+/* parts.c - a drawing in parts. See parts.h. */
+#include "cli/parts.h"
 
 #include <string.h>
 #include <sys/resource.h>
