@@ -56,7 +56,7 @@ static bool is_apart(space_box a, space_box b)
 static space_box piece_box(page_point p, page_point q)
 {
     return (space_box){{fmin(p.x, q.x) / 1000.0, fmin(p.y, q.y) / 1000.0},
-                      {fmax(p.x, q.x) / 1000.0, fmax(p.y, q.y) / 1000.0}};
+                       {fmax(p.x, q.x) / 1000.0, fmax(p.y, q.y) / 1000.0}};
 }
 
 /* No text lies on another one, on a line of the views, the frame or the symbol, or on a line of its own. */
