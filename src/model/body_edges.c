@@ -278,32 +278,3 @@ bool body_edges_wires(const roberts_scene *scene, const roberts_mesh *mesh, bool
     free(name);
     return enough;
 }
-
-/* ---- the scene's lookups --------------------------------------------------------------------------------------- */
-
-const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
-{
-    const scene_surface *s = scene->surface;
-    return &s->many[find_numbered(s->many, s->many_count, sizeof *s->many, edge)];
-}
-
-const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge)
-{
-    const scene_surface *s = scene->surface;
-    return &s->part[find_numbered(s->part, s->part_count, sizeof *s->part, edge)];
-}
-
-void scene_surface_free(scene_surface *s)
-{
-    if (!s)
-        return;
-    free(s->kind);
-    free(s->smooth);
-    free(s->edge_is);
-    free(s->bend);
-    free(s->plane_of);
-    free(s->many);
-    free(s->many_face);
-    free(s->part);
-    free(s);
-}

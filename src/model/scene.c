@@ -1,5 +1,5 @@
 /* scene.c - the scene's arrays: allocated, filled solid by solid, freed; queries by callers; which file a solid comes
- * from. */
+ * from; which edge a segment is part of. */
 #include "model/scene.h"
 
 #include <math.h>
@@ -118,6 +118,21 @@ void scene_turn_back(roberts_scene *scene)
     for (uint32_t f = 0; scene->lent & LENT_CORNER && scene->turned && f < scene->face_count; f++)
         if (scene->turned[f])
             scene_turn_face(scene, f);
+}
+
+void scene_surface_free(scene_surface *s)
+{
+    if (!s)
+        return;
+    free(s->kind);
+    free(s->smooth);
+    free(s->edge_is);
+    free(s->bend);
+    free(s->plane_of);
+    free(s->many);
+    free(s->many_face);
+    free(s->part);
+    free(s);
 }
 
 void scene_clear(roberts_scene *scene)
@@ -487,4 +502,119 @@ solid_source source_of_points(const roberts_scene *scene, uint32_t s, const robe
         return none;
     return count_solids(
         scene, s, (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex});
+}
+
+/* ---- edges, and the edge of a segment ---------------------------------------------------------------------------- */
+
+const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
+{
+    const scene_surface *s = scene->surface;
+    return &s->many[find_numbered(s->many, s->many_count, sizeof *s->many, edge)];
+}
+
+const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge)
+{
+    const scene_surface *s = scene->surface;
+    return &s->part[find_numbered(s->part, s->part_count, sizeof *s->part, edge)];
+}
+
+/* Keeps the two smallest different faces. */
+static void add_smallest(uint32_t face[2], uint32_t number)
+{
+    if (number < face[0]) {
+        face[1] = face[0];
+        face[0] = number;
+    } else if (number > face[0] && number < face[1]) {
+        face[1] = number;
+    }
+}
+
+/* Does the scene have the segment's edge? */
+static bool has_edge(const roberts_scene *scene, const roberts_segment *segment)
+{
+    return scene && segment->solid < scene->solid_count && segment->edge >= scene->solid[segment->solid].edge &&
+           segment->edge < scene->solid[segment->solid + 1].edge;
+}
+
+void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                           uint32_t face[2])
+{
+    face[0] = face[1] = ROBERTS_NONE;
+    if (scene_crosses(segment)) {
+        if (drawing && segment->edge < drawing->crossing_count)
+            memcpy(face, drawing->crossing[segment->edge].face, 2 * sizeof *face);
+        return;
+    }
+    if (drawing && segment->edge < drawing->known_edge_count) {
+        memcpy(face, drawing->known_edge[segment->edge].face, 2 * sizeof *face);
+        return;
+    }
+    if (!has_edge(scene, segment))
+        return;
+    const uint32_t first = scene->solid[segment->solid].face;
+    const scene_edge *edge = scene_edge_stored(scene, segment->solid, segment->edge);
+    if (!scene_is_convex(scene, segment->solid) && scene->surface->edge_is[segment->edge] & EDGE_MANY) {
+        const scene_many *many = scene_many_at(scene, segment->edge);
+        for (uint32_t k = many->first; k < many->end; k++)
+            add_smallest(face, scene_face_number(scene, scene->surface->many_face[k] & ~MANY_TURNED));
+        return;
+    }
+    for (int k = 0; k < 2; k++)
+        if (edge->f[k] != ROBERTS_NONE)
+            add_smallest(face, scene_face_number(scene, first + edge->f[k]));
+}
+
+/* Returns the point at t on a line from A to B whose parameters run from `from` to `to`. */
+static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to, double t)
+{
+    if (t <= from || t >= to)
+        return line[t > from];
+    return vec3_add(line[0], vec3_scale((t - from) / (to - from), vec3_sub(line[1], line[0])));
+}
+
+/* Finds the ends of a segment's line; not its faces. False: there is no such line. */
+static bool find_line(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                      roberts_known_edge *known)
+{
+    const uint32_t body = segment->solid, e = segment->edge;
+    *known = (roberts_known_edge){.t1 = 1.0};
+    if (scene_crosses(segment)) {
+        if (e >= drawing->crossing_count)
+            return false;
+        memcpy(known->end, drawing->crossing[e].end, sizeof known->end);
+        return true;
+    }
+    if (drawing && e < drawing->known_edge_count) {
+        *known = drawing->known_edge[e];
+        return true;
+    }
+    if (!has_edge(scene, segment))
+        return false;
+    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    for (int i = 0; i < 2; i++)
+        known->end[i] = scene->point[scene->solid[body].vertex + edge->v[i]];
+    if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_PART) {
+        known->t0 = scene_part_at(scene, e)->t0;
+        known->t1 = scene_part_at(scene, e)->t1;
+    }
+    return true;
+}
+
+bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                     roberts_known_edge *known)
+{
+    const bool found = find_line(scene, drawing, segment, known);
+    roberts_segment_faces(scene, drawing, segment, known->face);
+    return found;
+}
+
+bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
+                          roberts_vec3 end[2])
+{
+    roberts_known_edge line;
+    if (!find_line(scene, drawing, segment, &line))
+        return false;
+    end[0] = point_at(line.end, line.t0, line.t1, segment->t0);
+    end[1] = point_at(line.end, line.t0, line.t1, segment->t1);
+    return true;
 }

@@ -125,7 +125,7 @@ struct roberts_scene {
 };
 
 /* Finds the line of a segment, an edge or an intersection: its faces and its ends. `scene` and `drawing` as for
- * roberts_segment_ends(). False: there is no such line. (In solid_edges.c.) */
+ * roberts_segment_ends(). False: there is no such line. */
 bool scene_know_edge(const roberts_scene *scene, const roberts_drawing *drawing, const roberts_segment *segment,
                      roberts_known_edge *known);
 
