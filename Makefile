@@ -31,7 +31,7 @@ QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
 LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
-LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw part,src/$(room)/*.c)))
+LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw write part,src/$(room)/*.c)))
 CLI_SRC  := $(sort $(wildcard src/cli/*.c))
 TOOL_SRC := $(sort $(wildcard tools/*.c))
 MODEL_SRC:= $(sort $(wildcard tools/models/*.c))
@@ -334,13 +334,13 @@ $(ORACLE_CGAL): $(ORACLE_X) $(BUILD)/flags
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP \
 	    $(ORACLE_X:%=-include %) -x c++ -c -o $@ /dev/null
 
-$(BUILD)/obj/src/draw/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
+$(BUILD)/obj/src/write/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o \
     $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
 
 # The letters, from the fonts of HERSHEY
-$(BUILD)/obj/src/draw/letters.o: NEEDS = $(CAIRO_CFLAGS) -I$(BUILD)/generated
+$(BUILD)/obj/src/draw/letters.o: NEEDS = -I$(BUILD)/generated
 $(BUILD)/obj/src/draw/letters.o: $(BUILD)/generated/draw/letters_data.h
 $(BUILD)/generated/draw/letters_data.h: tools/make-letters.sh $(wildcard $(HERSHEY)/futural.jhf $(HERSHEY)/greeks.jhf)
 	@mkdir -p $(@D)

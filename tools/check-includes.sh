@@ -2,16 +2,16 @@
 # Checks that the includes of src/ point one way: tools/check-includes.sh [FOLDER] (default: the top folder).
 #
 # A room may include headers of its own and of the rooms below it:
-#     web > cli > part > draw, ray, hide > view > model > read > base
+#     web > cli > part > write > draw, ray, hide > view > model > read > base
 # Rooms on one level never include one another, so that hide and ray can check each other. cli is a client of roberts.h
-# alone. Cairo is included in draw only, Qhull in model only. `make check` runs this.
+# alone. Cairo is included in write only, Qhull in model only. `make check` runs this.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 
 grep -n '^[[:space:]]*#[[:space:]]*include' src/*/*.[ch] | awk -F: '
     BEGIN {
-        split("base read model view hide ray draw part cli web", name, " ")
-        split("1 2 3 4 5 5 5 6 7 8", height, " ")
+        split("base read model view hide ray draw write part cli web", name, " ")
+        split("1 2 3 4 5 5 5 6 7 8 9", height, " ")
         for (i in name)
             level[name[i]] = height[i]
     }
@@ -29,7 +29,7 @@ grep -n '^[[:space:]]*#[[:space:]]*include' src/*/*.[ch] | awk -F: '
         sub(/\/.*/, "", other)
         if (!(room in level))
             wrong("the room " room " has no place in tools/check-includes.sh")
-        else if (target ~ /cairo/ && room != "draw" || target ~ /qhull/ && room != "model" && system_header)
+        else if (target ~ /cairo/ && room != "write" || target ~ /qhull/ && room != "model" && system_header)
             wrong("this library has its place in another room")
         else if (system_header || target == "roberts.h" || other == room)
             next
@@ -38,7 +38,7 @@ grep -n '^[[:space:]]*#[[:space:]]*include' src/*/*.[ch] | awk -F: '
         else if (room == "cli")
             wrong("cli includes roberts.h and headers of its own alone")
         else if (level[other] >= level[room])
-            wrong("includes point downward: web > cli > part > draw, ray, hide > view > model > read > base")
+            wrong("includes point downward: web > cli > part > write > draw, ray, hide > view > model > read > base")
     }
     END {
         if (NR < 100)

@@ -10,9 +10,9 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/output.h"
 #include "base/vec.h"
 #include "draw/labels.h"
-#include "draw/output.h"
 #include "draw/title_block.h"
 #include "view/camera.h"
 

@@ -2,8 +2,8 @@
 #ifndef ROBERTS_DRAW_LABELS_H
 #define ROBERTS_DRAW_LABELS_H
 
-#include "draw/notes.h"
 #include "draw/free_space.h"
+#include "draw/notes.h"
 #include "draw/strokes.h"
 
 /* Whether s->options ask for any. */

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "draw/output.h"
+#include "base/output.h"
 #include "draw/letters_data.h"
 
 enum { FIRST = ' ', LAST = 127, ZERO = 'R' };

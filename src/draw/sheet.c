@@ -11,8 +11,8 @@
 #include <math.h>
 
 #include "base/angle.h"
-#include "base/vec.h"
 #include "base/error.h"
+#include "base/vec.h"
 #include "draw/dimensions.h"
 #include "draw/title_block.h"
 

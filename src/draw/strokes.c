@@ -11,12 +11,11 @@
 #include "base/vec.h"
 #include "draw/dashes.h"
 #include "draw/dimensions.h"
-#include "draw/svg_groups.h"
 #include "draw/hatch.h"
 #include "draw/labels.h"
-#include "draw/formats.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
+#include "draw/stroke_groups.h"
 #include "draw/title_block.h"
 #include "draw/travel.h"
 
@@ -242,33 +241,6 @@ static bool add_text(const strokes *s, roberts_line line, polylines *out)
            notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
 }
 
-/* Warns once about the characters that the fonts lack. Fonts of viewers are unknown here, except those of PDF. */
-static void tell_missing(const strokes *s)
-{
-    const roberts_warnings *to = &s->options->lettering.warnings;
-    const bool native = strokes_text_is_native(s->options), is_pdf = s->options->format == ROBERTS_PDF;
-    size_t missing = 0;
-    uint32_t first = 0;
-    char text[160];
-    for (size_t i = 0; i < s->notes.count; i++) {
-        const char *line = notes_line(&s->notes, i).text;
-        missing += native && is_pdf ? pdf_text_missing(line) : letters_missing(line, missing ? NULL : &first);
-    }
-    if (missing == 0 || !to->warn || (native && !is_pdf))
-        return;
-    if (native)
-        snprintf(text, sizeof text, "the fonts of PDF lack %zu character%s: a question mark stands for each", missing,
-                 missing == 1 ? "" : "s");
-    else if (first)
-        snprintf(text, sizeof text, "the letters lack %zu character%s, the first of them U+%04X: a box stands for each",
-                 missing, missing == 1 ? "" : "s", (unsigned)first);
-    else
-        snprintf(text, sizeof text,
-                 "the letters lack %zu character%s, the first of them a byte that is not UTF-8: a box stands for each",
-                 missing, missing == 1 ? "" : "s");
-    to->warn(to->context, "", 0, text);
-}
-
 roberts_status strokes_label(strokes *s, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
@@ -281,8 +253,6 @@ roberts_status strokes_label(strokes *s, roberts_error *error)
             status = error_no_memory(error);
         space_free(room);
     }
-    if (status == ROBERTS_OK)
-        tell_missing(s);
     return status;
 }
 

@@ -4,9 +4,9 @@
 
 #include "draw/chain.h"
 #include "draw/fills.h"
+#include "draw/free_space.h"
 #include "draw/notes.h"
 #include "draw/page.h"
-#include "draw/free_space.h"
 
 /* Additional classes besides those of roberts_line: the border of the picture or of the area within the margins, the
  * symbol of a sheet, hatching, text and its lines, and labels of what is hidden. */

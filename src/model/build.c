@@ -14,8 +14,8 @@
 #include "model/hull.h"
 #include "model/plain_bodies.h"
 #include "model/repeated_solids.h"
-#include "model/weld.h"
 #include "model/solid.h"
+#include "model/weld.h"
 #include "read/mesh.h"
 
 #define CHUNK_SOLIDS 256

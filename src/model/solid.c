@@ -8,9 +8,9 @@
 #include "base/box.h"
 #include "base/error.h"
 #include "model/convex.h"
-#include "model/solid_edges.h"
 #include "model/face_plane.h"
 #include "model/scene.h"
+#include "model/solid_edges.h"
 #include "read/mesh.h"
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */

@@ -2,8 +2,8 @@
 #ifndef ROBERTS_MODEL_SOLID_H
 #define ROBERTS_MODEL_SOLID_H
 
-#include "model/solid_edges.h"
 #include "model/scene.h"
+#include "model/solid_edges.h"
 
 /* ---- a frame of its own ---------------------------------------------------------------------------------------- */
 

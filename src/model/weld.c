@@ -12,9 +12,9 @@
 #include "base/sets.h"
 #include "base/sort.h"
 #include "base/vec.h"
-#include "model/solid_edges.h"
 #include "model/scene.h"
 #include "model/solid.h"
+#include "model/solid_edges.h"
 #include "model/split.h"
 #include "read/mesh.h"
 

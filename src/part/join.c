@@ -10,7 +10,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "draw/output.h"
+#include "base/output.h"
 
 /* One part, open at its next line. */
 typedef struct source {

@@ -16,7 +16,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/sort.h"
-#include "draw/save.h"
+#include "write/save.h"
 
 enum { CELLS = 512 };
 

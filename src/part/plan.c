@@ -18,7 +18,6 @@
 #include "base/bits.h"
 #include "base/box.h"
 #include "base/error.h"
-#include "draw/save.h"
 #include "hide/cells.h"
 #include "hide/tolerance.h"
 #include "model/box_tree.h"
@@ -26,6 +25,7 @@
 #include "read/mesh.h"
 #include "view/clip.h"
 #include "view/view.h"
+#include "write/save.h"
 
 enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/sort.h"
 #include "base/error.h"
+#include "base/sort.h"
 #include "ray/sight.h"
 #include "view/seen.h"
 

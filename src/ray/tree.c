@@ -5,9 +5,9 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/sort.h"
 #include "base/bits.h"
 #include "base/lanes.h"
+#include "base/sort.h"
 
 enum {
     LEAF_ITEMS = 1, /* two take 6 % more time on most scenes, and 10 % less on needles seen obliquely */

@@ -6,9 +6,9 @@
 
 #include "base/angle.h"
 #include "base/bits.h"
-#include "base/vec.h"
 #include "base/error.h"
 #include "base/lanes.h"
+#include "base/vec.h"
 
 /* Touching distance as a fraction of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a
  * page). */

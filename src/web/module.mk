@@ -11,7 +11,7 @@ WASM_AS := --target=wasm32-wasi -nostdlibinc -isystem $(WASI) -O3 -ffp-contract=
 WASM_ZLIB  := adler32 crc32 deflate trees zutil
 WASM_QHULL := geom2_r geom_r global_r io_r libqhull_r mem_r merge_r poly2_r poly_r qset_r random_r stat_r user_r \
               usermem_r userprintf_r
-WASM_NOT := $(addprefix src/,draw/cairo.c draw/image.c cli/signals.c cli/batch.c cli/manifest.c cli/workers.c)
+WASM_NOT := $(addprefix src/,write/cairo.c write/image.c cli/signals.c cli/batch.c cli/manifest.c cli/workers.c)
 WASM_SRC := $(filter-out $(WASM_NOT),$(LIB_SRC) $(CLI_SRC)) $(sort $(wildcard src/web/*.c src/web/wasi/*.c))
 WASM_OBJ := $(WASM_SRC:%.c=$(WEB)/obj/%.o) $(WASM_ZLIB:%=$(WEB)/obj/zlib/%.o) $(WASM_QHULL:%=$(WEB)/obj/qhull/%.o)
 

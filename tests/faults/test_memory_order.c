@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "hide/schedule.h"
 #include "hide/cells.h"
+#include "hide/schedule.h"
 #include "memory.h"
 #include "roberts.h"
 

@@ -1,6 +1,6 @@
 /* paper.c - reads lines back from SVG and PDF, and pixels from PNG.
  *
- * It reads only what Cairo and src/draw/svg.c write: paths of straight lines. */
+ * It reads only what Cairo and src/write/svg.c write: paths of straight lines. */
 #include "paper.h"
 
 #include <cairo.h>

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "draw/output.h"
+#include "base/output.h"
 #include "drawing.h"
 #include "skip.h"
 

@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "base/vec.h"
 #include "base/orient.h"
+#include "base/vec.h"
 #include "model/face_pieces.h"
 #include "model/sweep_order.h"
 

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "draw/cairo.h"
-#include "draw/formats.h"
+#include "write/cairo.h"
+#include "write/formats.h"
 #include "drawing.h"
 #include "read_png.h"
 

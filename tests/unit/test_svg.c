@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "draw/formats.h"
+#include "write/formats.h"
 #include "drawing.h"
 #include "skip.h"
 

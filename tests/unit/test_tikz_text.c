@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "draw/formats.h"
+#include "write/formats.h"
 
 static char written[200];
 static size_t used;

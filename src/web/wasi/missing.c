@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "cli/batch.h"
 #include "cli/message.h"
-#include "draw/formats.h"
+#include "write/formats.h"
 
 /* ---- functions of POSIX ---- */
 

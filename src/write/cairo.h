@@ -1,6 +1,6 @@
 /* cairo.h - strokes, pens and failures of Cairo's surfaces. */
-#ifndef ROBERTS_DRAW_CAIRO_H
-#define ROBERTS_DRAW_CAIRO_H
+#ifndef ROBERTS_WRITE_CAIRO_H
+#define ROBERTS_WRITE_CAIRO_H
 
 #include <cairo.h>
 

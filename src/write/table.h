@@ -1,8 +1,8 @@
 /* table.h - segments and visible regions as tables: CSV and JSON. */
-#ifndef ROBERTS_DRAW_TABLE_H
-#define ROBERTS_DRAW_TABLE_H
+#ifndef ROBERTS_WRITE_TABLE_H
+#define ROBERTS_WRITE_TABLE_H
 
-#include "draw/output.h"
+#include "base/output.h"
 
 /* A drawing, and its name if it is one view of several: then the table's first column is `view`. Otherwise NULL. */
 typedef struct table_view {

@@ -24,14 +24,15 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/output.h"
 #include "base/vec.h"
-#include "draw/formats.h"
-#include "draw/output.h"
+#include "draw/letters.h"
 #include "draw/page.h"
-#include "draw/save.h"
 #include "draw/sheet.h"
 #include "draw/strokes.h"
-#include "draw/table.h"
+#include "write/formats.h"
+#include "write/save.h"
+#include "write/table.h"
 
 /* ---- formats, and any of them to a function ---- */
 
@@ -220,14 +221,43 @@ static page_writer *writer_of(roberts_format format)
     }
 }
 
+/* Warns once about the characters that the fonts lack. Fonts of viewers are unknown here, except those of PDF. */
+static void tell_missing(const strokes *s)
+{
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    const bool native = strokes_text_is_native(s->options), is_pdf = s->options->format == ROBERTS_PDF;
+    size_t missing = 0;
+    uint32_t first = 0;
+    char text[160];
+    for (size_t i = 0; i < s->notes.count; i++) {
+        const char *line = notes_line(&s->notes, i).text;
+        missing += native && is_pdf ? pdf_text_missing(line) : letters_missing(line, missing ? NULL : &first);
+    }
+    if (missing == 0 || !to->warn || (native && !is_pdf))
+        return;
+    if (native)
+        snprintf(text, sizeof text, "the fonts of PDF lack %zu character%s: a question mark stands for each", missing,
+                 missing == 1 ? "" : "s");
+    else if (first)
+        snprintf(text, sizeof text, "the letters lack %zu character%s, the first of them U+%04X: a box stands for each",
+                 missing, missing == 1 ? "" : "s", (unsigned)first);
+    else
+        snprintf(text, sizeof text,
+                 "the letters lack %zu character%s, the first of them a byte that is not UTF-8: a box stands for each",
+                 missing, missing == 1 ? "" : "s");
+    to->warn(to->context, "", 0, text);
+}
+
 static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,
                                  roberts_error *error)
 {
     strokes s;
     roberts_status status = what->sheet ? strokes_make_sheet(&s, what->sheet, options, error)
                                         : strokes_make(&s, what->drawing, options, error);
-    if (status == ROBERTS_OK)
+    if (status == ROBERTS_OK) {
+        tell_missing(&s);
         status = writer_of(options->format)(&s, out, error);
+    }
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
     strokes_free(&s);

@@ -11,9 +11,9 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "draw/formats.h"
 #include "draw/letters.h"
-#include "draw/plot.h"
+#include "write/formats.h"
+#include "write/plot.h"
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 

@@ -6,12 +6,12 @@
  *
  * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Files have no date, so that the same drawing gives the same
  * bytes: the line with the date is dropped from the PostScript stream. */
-#include "draw/cairo.h"
+#include "write/cairo.h"
 
 #include <cairo-ps.h>
 
 #include "base/error.h"
-#include "draw/formats.h"
+#include "write/formats.h"
 
 static const double mm_per_inch = 25.4, points_per_inch = 72.0;
 

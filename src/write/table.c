@@ -2,7 +2,7 @@
  *
  * Numbers have 17 significant digits, so that a table holds all that was computed. `by` is empty (null) if nothing
  * hides the row, v0 and v1 if the line is no edge, and f0 and f1 if the edge has no such face. */
-#include "draw/table.h"
+#include "write/table.h"
 
 #include <string.h>
 

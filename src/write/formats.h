@@ -1,8 +1,8 @@
 /* formats.h - the page in each format. */
-#ifndef ROBERTS_DRAW_FORMATS_H
-#define ROBERTS_DRAW_FORMATS_H
+#ifndef ROBERTS_WRITE_FORMATS_H
+#define ROBERTS_WRITE_FORMATS_H
 
-#include "draw/output.h"
+#include "base/output.h"
 #include "draw/strokes.h"
 
 /* Each writes the page. The caller finishes `out`, which records failed writes. Each returns ROBERTS_OK, _NO_MEMORY or

@@ -1,6 +1,6 @@
 /* output.h - a buffered stream to the caller's function, and doubles as decimal text. */
-#ifndef ROBERTS_DRAW_OUTPUT_H
-#define ROBERTS_DRAW_OUTPUT_H
+#ifndef ROBERTS_BASE_OUTPUT_H
+#define ROBERTS_BASE_OUTPUT_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -5,8 +5,8 @@
  * them. 40 units are a mm. The origin is the lower left corner of the page, or its middle, and the page may be turned,
  * as the plotter needs it. Coordinates are whole numbers, because many plotters and cutters read no others. So they are
  * accurate to half a unit, 0.0125 mm. */
-#include "draw/formats.h"
-#include "draw/plot.h"
+#include "write/formats.h"
+#include "write/plot.h"
 
 enum {
     UNITS_PER_MM = 40,

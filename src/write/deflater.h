@@ -1,6 +1,6 @@
 /* deflater.h - bytes compressed by zlib, for PDF and PNG. */
-#ifndef ROBERTS_DRAW_DEFLATER_H
-#define ROBERTS_DRAW_DEFLATER_H
+#ifndef ROBERTS_WRITE_DEFLATER_H
+#define ROBERTS_WRITE_DEFLATER_H
 
 #include <zlib.h>
 

@@ -2,12 +2,12 @@
  *
  * It is written here and not by Cairo: the SVG of Cairo 1.16 has no layers, and numbers its groups by a counter of the
  * process. */
-#include "draw/svg.h"
+#include "write/svg.h"
 
 #include "base/error.h"
-#include "draw/formats.h"
 #include "draw/page_regions.h"
-#include "draw/plot.h"
+#include "write/formats.h"
+#include "write/plot.h"
 
 /* ---- colours ---- */
 

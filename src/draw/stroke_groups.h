@@ -1,6 +1,6 @@
-/* svg_groups.h - strokes in groups, for SVG: by body, or by class and body, with each piece of an edge by itself. */
-#ifndef ROBERTS_DRAW_SVG_GROUPS_H
-#define ROBERTS_DRAW_SVG_GROUPS_H
+/* stroke_groups.h - strokes in groups, for SVG: by body, or by class and body, with each piece of an edge by itself. */
+#ifndef ROBERTS_DRAW_STROKE_GROUPS_H
+#define ROBERTS_DRAW_STROKE_GROUPS_H
 
 #include "draw/strokes.h"
 

@@ -13,9 +13,9 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "draw/cairo.h"
-#include "draw/deflater.h"
-#include "draw/formats.h"
+#include "write/cairo.h"
+#include "write/deflater.h"
+#include "write/formats.h"
 
 enum {
     PIXELS_MAX = 32767 /* Cairo's limit for the side of an image */,

@@ -1,5 +1,5 @@
 /* deflater.c - bytes compressed by zlib. */
-#include "draw/deflater.h"
+#include "write/deflater.h"
 
 #include <limits.h>
 #include <stdint.h>

@@ -1,7 +1,7 @@
 /* plot.c - passes strokes to the text formats.
  *
  * Like Cairo, it joins straight runs into one line (tests/paper reads all formats back). */
-#include "draw/plot.h"
+#include "write/plot.h"
 
 #include <stdlib.h>
 

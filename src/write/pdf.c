@@ -7,9 +7,9 @@
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "draw/deflater.h"
-#include "draw/formats.h"
-#include "draw/plot.h"
+#include "write/deflater.h"
+#include "write/formats.h"
+#include "write/plot.h"
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 

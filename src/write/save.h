@@ -1,8 +1,8 @@
 /* save.h - files that appear whole or not at all, for anything that is not a drawing. */
-#ifndef ROBERTS_DRAW_SAVE_H
-#define ROBERTS_DRAW_SAVE_H
+#ifndef ROBERTS_WRITE_SAVE_H
+#define ROBERTS_WRITE_SAVE_H
 
-#include "draw/output.h"
+#include "base/output.h"
 
 /* Writes the file. Failures of `out` need not be checked. */
 typedef struct save_source {

@@ -1,8 +1,8 @@
 /* svg.h - shared by the parts of an SVG: colours, text, pens. */
-#ifndef ROBERTS_DRAW_SVG_H
-#define ROBERTS_DRAW_SVG_H
+#ifndef ROBERTS_WRITE_SVG_H
+#define ROBERTS_WRITE_SVG_H
 
-#include "draw/output.h"
+#include "base/output.h"
 #include "draw/strokes.h"
 
 void svg_color(output *out, unsigned char red, unsigned char green, unsigned char blue);

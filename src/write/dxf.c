@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "draw/formats.h"
-#include "draw/plot.h"
+#include "write/formats.h"
+#include "write/plot.h"
 
 enum { BLACK_OR_WHITE = 7 /* the colour that contrasts with the screen */, COLORS = 256 };
 

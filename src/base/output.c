@@ -3,7 +3,7 @@
  * printf takes 0.3 us a number, and some locales have a comma for the point. A double is m 2^e with m < 2^53, and 10^k
  * for k <= 27 is one word times a power of two. Their product is exact in two words. Shifted once, and rounded half to
  * even as printf does, it is the 17 digits. This serves 1e-11 <= |x| < 1e17; other numbers go through printf. */
-#include "draw/output.h"
+#include "base/output.h"
 
 #include <errno.h>
 #include <math.h>

@@ -1,8 +1,8 @@
 /* plot.h - strokes for the text formats, which get each class of lines, and each stroke of it, in turn. */
-#ifndef ROBERTS_DRAW_PLOT_H
-#define ROBERTS_DRAW_PLOT_H
+#ifndef ROBERTS_WRITE_PLOT_H
+#define ROBERTS_WRITE_PLOT_H
 
-#include "draw/output.h"
+#include "base/output.h"
 #include "draw/strokes.h"
 
 /* The operations of a format, as of a plotter. Any of these may be NULL. */
