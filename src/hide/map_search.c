@@ -2,8 +2,8 @@
  *
  * A bucket grid finds what is near what: each cell lists the lines in it or near it. A crowded cell is halved along the
  * axis that leaves fewer lines in both halves. This is repeated until few lines are left, which are compared with one
- * another. A fan of lines at one node is not cut at all. So the search adapts to pictures that are crowded in places. It
- * takes O(n log n) time unless very many long lines run side by side at an angle.
+ * another. A fan of lines at one node is not cut at all. So the search adapts to pictures that are crowded in places.
+ * It takes O(n log n) time unless very many long lines run side by side at an angle.
  *
  * After a round of division, only lines that are open are compared with their neighbours. At first all are. A node is
  * open if it is new, or if another node is near that it has not become. A part of a line is open if an end of it is, or
@@ -20,7 +20,7 @@
 #include "model/face_pieces.h"
 
 enum {
-    FEW = 16,         /* lines in a box that are compared with one another */
+    FEW = 16, /* lines in a box that are compared with one another */
     CELLS_PER_LINE = 1,
     IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all lines are compared */
 };
@@ -372,8 +372,8 @@ static void choose_cells(const map_search *s, map_grid *g)
         high = (roberts_vec2){greater(high.x, greater(p.a.x, p.b.x)), greater(high.y, greater(p.a.y, p.b.y))};
     }
     const double width = high.x - g->low.x, height = high.y - g->low.y, most = CELLS_PER_LINE * (double)m->line_count;
-    const double size = greater(sqrt(width) * sqrt(height) / sqrt(most),
-                                greater(greater(width, height) / most, length / (2.0 * most)));
+    const double size =
+        greater(sqrt(width) * sqrt(height) / sqrt(most), greater(greater(width, height) / most, length / (2.0 * most)));
     g->size = greater(size, 64.0 * s->margin);
     g->columns = g->rows = 1;
     if (m->line_count <= FEW || !(g->size > 0.0) || !isfinite(g->size))
