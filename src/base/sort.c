@@ -83,3 +83,17 @@ bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order)
     free(other);
     return true;
 }
+
+bool sort_buckets(const uint32_t *key, size_t count, size_t keys, uint32_t **start, uint32_t **order)
+{
+    uint32_t *first = *start = alloc_zeroed(keys + 2, sizeof *first), *item = *order = alloc_array(count, sizeof *item);
+    if (!first || !item)
+        return false;
+    for (size_t i = 0; i < count; i++)
+        first[key[i] + 2]++;
+    for (size_t k = 0; k < keys; k++)
+        first[k + 2] += first[k + 1];
+    for (size_t i = 0; i < count; i++)
+        item[first[key[i] + 1]++] = (uint32_t)i;
+    return true;
+}

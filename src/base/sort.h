@@ -43,6 +43,10 @@ uint32_t radix_key_descending(float x);
  * memory. */
 bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order);
 
+/* Lists 0 .. count-1 by their keys, which are less than `keys`, ties by number: (*order)[(*start)[k]] and so on have
+ * the key k. Takes linear time. False: no memory. Free *start, [keys + 2], and *order, [count], in any case. */
+bool sort_buckets(const uint32_t *key, size_t count, size_t keys, uint32_t **start, uint32_t **order);
+
 /* Finds the first of `count` items of `size` bytes with at least `number` as its key; `count`: none. Each item begins
  * with its key, a uint32_t, and keys ascend. */
 static inline size_t find_numbered(const void *items, size_t count, size_t size, uint32_t number)

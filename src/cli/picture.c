@@ -212,39 +212,6 @@ static bool is_counted_only(const cli_options *options)
            !page->crease.off && !page->intersection.off && !page->wire.off && !page->back.off;
 }
 
-static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
-                                     run_stats *run, roberts_error *error)
-{
-    const roberts_receiver counter = {report_count, run};
-    roberts_hide_options hide = options->hide;
-    hide.nameless = !names_hiders(options);
-    if (is_counted_only(options))
-        return roberts_hide_each(scene, &options->camera, &hide, &counter, drawing, error);
-    roberts_status status = roberts_hide(scene, &options->camera, &hide, drawing, error);
-    for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
-        report_count(run, &drawing->segment[i]);
-    return status;
-}
-
-/* Hides one view; its times and findings are added to `run`. */
-static roberts_status hide(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
-                           run_stats *run, roberts_error *error)
-{
-    progress_stage("removing hidden lines");
-    roberts_status status = hide_and_count(options, scene, drawing, run, error);
-    if (status == ROBERTS_BAD_ARGUMENT) /* all other options were checked when they were parsed */
-        snprintf(error->file, sizeof error->file, "--epsilon");
-    roberts_time start = report_now();
-    if (status == ROBERTS_OK && options->verify) {
-        progress_stage("verifying");
-        status = report_verify(options, scene, drawing, &run->found, error);
-    }
-    if (status == ROBERTS_OK)
-        status = report_picks(options, scene, error);
-    run->verify = report_sum(run->verify, report_since(start));
-    return status;
-}
-
 /* Whether the drawing needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
@@ -260,15 +227,45 @@ static bool needs_regions(const cli_options *options)
            (strokes && page->hatching.on && !page->hatch.off);
 }
 
-/* Finds the visible regions of view `i`, if they are needed, and attaches them to its drawing. */
-static roberts_status find_regions(const cli_options *options, const roberts_scene *scene, views *v, size_t i,
-                                   roberts_error *error)
+/* regions: filled if they are needed, and attached to the drawing. */
+static roberts_status hide_and_count(const cli_options *options, const roberts_scene *scene, roberts_drawing *drawing,
+                                     roberts_region_list *regions, run_stats *run, roberts_error *error)
 {
-    if (!needs_regions(options) && !options->regions)
-        return ROBERTS_OK;
-    progress_stage("finding the visible regions");
-    roberts_status status = roberts_regions(scene, &options->camera, &options->hide, &v->regions[i], error);
-    v->drawing[i].regions = &v->regions[i];
+    const roberts_receiver counter = {report_count, run};
+    const bool wanted = needs_regions(options) || options->regions;
+    roberts_hide_options hide = options->hide;
+    roberts_status status;
+    hide.nameless = !names_hiders(options);
+    if (is_counted_only(options) && !wanted)
+        return roberts_hide_each(scene, &options->camera, &hide, &counter, drawing, error);
+    if (wanted) {
+        status = roberts_hide_with_regions(scene, &options->camera, &hide, drawing, regions, error);
+        drawing->regions = regions;
+    } else {
+        status = roberts_hide(scene, &options->camera, &hide, drawing, error);
+    }
+    for (size_t i = 0; i < drawing->count && options->stats != STATS_NONE; i++)
+        report_count(run, &drawing->segment[i]);
+    return status;
+}
+
+/* Hides view `i`; its times and findings are added to `run`. */
+static roberts_status hide(const cli_options *options, const roberts_scene *scene, views *v, size_t i, run_stats *run,
+                           roberts_error *error)
+{
+    roberts_drawing *drawing = &v->drawing[i];
+    progress_stage("removing hidden lines");
+    roberts_status status = hide_and_count(options, scene, drawing, &v->regions[i], run, error);
+    if (status == ROBERTS_BAD_ARGUMENT) /* all other options were checked when they were parsed */
+        snprintf(error->file, sizeof error->file, "--epsilon");
+    roberts_time start = report_now();
+    if (status == ROBERTS_OK && options->verify) {
+        progress_stage("verifying");
+        status = report_verify(options, scene, drawing, &run->found, error);
+    }
+    if (status == ROBERTS_OK)
+        status = report_picks(options, scene, error);
+    run->verify = report_sum(run->verify, report_since(start));
     return status;
 }
 
@@ -293,9 +290,7 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
             roberts_sheet_camera(options->sheet, (int)i, &one.camera);
             one.hide.keep_hidden = options->hide.keep_hidden && i != ROBERTS_SHEET_ISO; /* as ISO 5456-3 prefers */
         }
-        status = hide(&one, scene, &v->drawing[i], run, error);
-        if (status == ROBERTS_OK)
-            status = find_regions(&one, scene, v, i, error);
+        status = hide(&one, scene, v, i, run, error);
     }
     return status;
 }

@@ -613,6 +613,12 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
     const hide_front *front = &fronts->front[index];
     uint32_t count;
     hide_single single = {.front = ROBERTS_NONE};
+    if (hide_is_face(front)) { /* its plane is computed only if the point is in it */
+        const hide_face outline = hide_outline(fronts, index, single.turned);
+        if (!hide_polygon_holds(fronts, &fronts->face_runs, outline.corner, outline.count, (roberts_vec2){l->x, l->y},
+                                fronts->space.epsilon))
+            return;
+    }
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)

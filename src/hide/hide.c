@@ -68,10 +68,6 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (!hide_fronts_build_for_looks(&job->fronts, &job->seen, options, looked_up) ||
         (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
-    if (job->regions && job->seen.clip.clipped)
-        status = cut_lines_find(&job->fronts, &job->seen.further) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
-    if (status != ROBERTS_OK)
-        return status;
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
@@ -258,6 +254,31 @@ done:
     return status;
 }
 
+/* ---- visible regions ---- */
+
+/* Finds the regions, after the lines. Their borders are the lines, the edges that are left out because they are flat,
+ * and the cuts of the near plane. */
+static roberts_status find_regions(hide_job *job, const roberts_drawing *drawing)
+{
+    roberts_status status = ROBERTS_OK;
+    roberts_drawing rest = {0};
+    bool clipped = job->seen.clip.clipped;
+    if (clipped && !cut_lines_find(&job->fronts, &job->seen.further))
+        return ROBERTS_NO_MEMORY;
+    /* of bodies that are not convex, the edges that are left out are not counted */
+    if (clipped || drawing->surviving_edges != drawing->drawn_edges ||
+        (job->seen.scene->surface && !job->options->all_edges)) {
+        seen_set_rest(&job->seen);
+        picture_order_free(&job->order);
+        crossings_free(&job->crossings);
+        status = do_chunks(job, &rest);
+    }
+    if (status == ROBERTS_OK && !regions_find(job, drawing, &rest))
+        status = ROBERTS_NO_MEMORY;
+    roberts_drawing_free(&rest);
+    return status;
+}
+
 /* ---- all of it ---- */
 
 static roberts_status check_options(const roberts_hide_options *options, roberts_error *error)
@@ -329,8 +350,8 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
-    if (status == ROBERTS_OK && job->regions && !regions_find(job, drawing, job->regions))
-        status = ROBERTS_NO_MEMORY;
+    if (status == ROBERTS_OK && job->regions)
+        status = find_regions(job, drawing);
     if (job->regions)
         cut_lines_free(&job->seen.further);
     crossings_free(&job->crossings);

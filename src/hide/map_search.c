@@ -1,12 +1,15 @@
 /* map_search.c - see map_search.h.
  *
- * A bucket grid finds what is near what: each cell lists the lines and nodes in it or near it. A crowded cell is halved
- * along the axis that leaves fewer items in both halves. This is repeated until few items are left, which are compared
- * with one another. A fan of lines at one node is not cut at all. So the search adapts to pictures that are crowded in
- * places. It takes O(n log n) time unless very many long lines run side by side at an angle.
+ * A bucket grid finds what is near what: each cell lists the lines in it or near it. A crowded cell is halved along the
+ * axis that leaves fewer lines in both halves. This is repeated until few lines are left, which are compared with one
+ * another. A fan of lines at one node is not cut at all. So the search adapts to pictures that are crowded in places.
+ * It takes O(n log n) time unless very many long lines run side by side at an angle.
  *
- * After a round of division, only new items are compared with their neighbours. Two items that the last round left
- * unchanged are not near one another. */
+ * After a round of division, only lines that are open are compared with their neighbours. At first all are. A node is
+ * open if it is new, or if another node is near that it has not become. A part of a line is open if an end of it is, or
+ * if a node is near the line but does not touch it. Two lines that are not open have nothing to do with one another:
+ * the division moves a line by less than four touching distances in all rounds, so it makes two lines meet only where
+ * an end of one was near the other. MARGIN leaves ample room for that. */
 #include "hide/map_search.h"
 
 #include <math.h>
@@ -17,30 +20,38 @@
 #include "base/orient.h"
 
 enum {
-    FEW = 12,         /* things in a box that are compared with one another */
-    IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all items are compared */
+    FEW = 16, /* lines in a box that are compared with one another */
+    CELLS_PER_LINE = 1,
+    IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all lines are compared */
 };
 
-/* A line or a node, or the part of a line that a box holds. */
+/* A line, or the part of it that a box holds. */
 struct map_item {
-    roberts_vec2 a, b;   /* a node: both are its place */
-    uint32_t line, node; /* one of them; the other is ROBERTS_NONE */
+    roberts_vec2 a, b;
+    roberts_vec2 low, high; /* of the whole line; each is half a margin farther out */
+    uint32_t line;
 };
 
-/* The bucket grid: cell (x, y) lists entry[start[y columns + x]] and so on. Line i is number i, node n is number
- * line_count + n. The outermost cells are infinite. */
+/* The bucket grid: cell (x, y) lists entry[start[y columns + x]] and so on. The outermost cells are infinite. */
 typedef struct map_grid {
     roberts_vec2 low;
-    double size; /* of a cell */
+    double size, per_size; /* of a cell; 1 / size */
     size_t columns, rows;
-    uint8_t *busy;   /* [columns rows] something new is in it or near it; in others nothing is listed */
+    uint8_t *busy;   /* [columns rows] an open line is in it or near it; others list nothing. NULL: all are busy */
     size_t *start;   /* [columns rows + 2] */
     uint32_t *entry; /* [start[columns rows]] */
+    uint32_t *cell;  /* [cell_count] the cells of the lines, line by line */
+    size_t cell_count, cell_room;
 } map_grid;
 
 typedef struct map_box {
     roberts_vec2 low, high;
 } map_box;
+
+static bool box_holds(const map_box *box, roberts_vec2 P)
+{
+    return P.x >= box->low.x && P.x < box->high.x && P.y >= box->low.y && P.y < box->high.y;
+}
 
 /* ---- pairs ----------------------------------------------------------------------------------------------------- */
 
@@ -49,7 +60,17 @@ static void join_nodes(map_search *s, uint32_t p, uint32_t q)
     p = map_search_node(s, p);
     q = map_search_node(s, q);
     s->joined = s->joined || p != q;
-    s->same[p > q ? p : q] = p < q ? p : q;
+    s->fate[p > q ? p : q].node = p < q ? p : q;
+}
+
+static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
+{
+    const roberts_vec2 d = map_between(s->m->node[p], s->m->node[q]);
+    const double apart2 = map_product(d, d);
+    if (apart2 <= s->touching * s->touching)
+        join_nodes(s, p, q);
+    else if (apart2 <= s->margin * s->margin)
+        s->fate[p].open = s->fate[q].open = true;
 }
 
 static void add_stop(map_search *s, uint32_t line, uint32_t node)
@@ -61,111 +82,132 @@ static void add_stop(map_search *s, uint32_t line, uint32_t node)
     s->stop[s->stop_count++] = (map_stop){.line = line, .node = node};
 }
 
-/* Does P touch the line between A and B? */
-static bool is_near(roberts_vec2 A, roberts_vec2 B, roberts_vec2 P, double touching)
+/* Does a node touch a line that does not end in it? Then the line has to stop there. */
+static bool compare_with_node(map_search *s, uint32_t line, uint32_t node)
 {
-    if (P.x < lesser(A.x, B.x) - touching || P.x > greater(A.x, B.x) + touching || P.y < lesser(A.y, B.y) - touching ||
-        P.y > greater(A.y, B.y) + touching)
-        return false;
-    roberts_vec2 d = map_between(A, B), p = map_between(A, P);
-    double length2 = map_product(d, d), t = map_product(p, d) / length2;
+    const roberts_vec2 *at = s->m->node;
+    const roberts_vec2 A = at[s->m->line[line][0]], d = map_between(A, at[s->m->line[line][1]]);
+    const roberts_vec2 p = map_between(A, at[node]);
+    double t = map_product(p, d) / map_product(d, d);
     t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
-    roberts_vec2 off = {p.x - t * d.x, p.y - t * d.y};
-    return map_product(off, off) <= touching * touching;
-}
-
-static void compare_with_node(map_search *s, uint32_t line, uint32_t node)
-{
-    const uint32_t *v = s->m->line[line];
-    if (v[0] != node && v[1] != node && is_near(s->m->node[v[0]], s->m->node[v[1]], s->m->node[node], s->touching))
+    const roberts_vec2 off = {p.x - t * d.x, p.y - t * d.y};
+    const double apart2 = map_product(off, off);
+    if (apart2 <= s->touching * s->touching) {
         add_stop(s, line, node);
+        return true;
+    }
+    if (apart2 <= s->margin * s->margin)
+        s->crowded[line] = 1;
+    return false;
 }
 
-static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
-{
-    roberts_vec2 d = map_between(s->m->node[p], s->m->node[q]);
-    if (map_product(d, d) <= s->touching * s->touching)
-        join_nodes(s, p, q);
-}
-
-/* Records where two lines cross, unless an end of one touches the other or the crossing is in another box. */
-static void compare_lines(map_search *s, uint32_t i, uint32_t j, const map_box *box)
+/* Adds a node where two lines cross. */
+static void add_crossing(map_search *s, uint32_t i, uint32_t j, roberts_vec2 X)
 {
     planar_map *m = s->m;
-    const uint32_t *v = m->line[i], *w = m->line[j];
-    if (v[0] == w[0] || v[0] == w[1] || v[1] == w[0] || v[1] == w[1])
-        return;
-    roberts_vec2 A = m->node[v[0]], B = m->node[v[1]], C = m->node[w[0]], D = m->node[w[1]];
-    if (lesser(A.x, B.x) > greater(C.x, D.x) || lesser(C.x, D.x) > greater(A.x, B.x) ||
-        lesser(A.y, B.y) > greater(C.y, D.y) || lesser(C.y, D.y) > greater(A.y, B.y))
-        return;
-    double c = orient2d(A, B, C), d = orient2d(A, B, D);
-    if (!((c > 0.0 && d < 0.0) || (c < 0.0 && d > 0.0)))
-        return;
-    double a = orient2d(C, D, A), b = orient2d(C, D, B);
-    if (!((a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0)))
-        return;
-    if (is_near(A, B, C, s->touching) || is_near(A, B, D, s->touching) || is_near(C, D, A, s->touching) ||
-        is_near(C, D, B, s->touching))
-        return;
-    double t = a / (a - b);
-    roberts_vec2 X = {A.x + t * (B.x - A.x), A.y + t * (B.y - A.y)};
-    if (!(X.x >= box->low.x && X.x < box->high.x && X.y >= box->low.y && X.y < box->high.y))
-        return;
     if (!array_reserve(&m->node, &m->node_room, m->node_count + 1, sizeof *m->node) ||
-        !array_reserve(&s->same, &s->same_room, m->node_count + 1, sizeof *s->same)) {
+        !array_reserve(&s->fate, &s->fate_room, m->node_count + 1, sizeof *s->fate)) {
         s->lost = true;
         return;
     }
     uint32_t node = (uint32_t)m->node_count++;
     m->node[node] = X;
-    s->same[node] = node;
+    s->fate[node] = (map_fate){node, true};
     add_stop(s, i, node);
     add_stop(s, j, node);
 }
 
-/* Did the last round leave it unchanged? */
-static bool is_old(const map_search *s, const map_item *p)
+static double turn(roberts_vec2 a, roberts_vec2 b)
 {
-    return p->line != ROBERTS_NONE ? s->old[p->line] : p->node < s->old_nodes;
+    return a.x * b.y - a.y * b.x;
+}
+
+/* Are C and D on one side of the line from A along `ab`, and not near it? */
+static bool is_beside(roberts_vec2 A, roberts_vec2 ab, roberts_vec2 C, roberts_vec2 D, double margin)
+{
+    const double c = turn(ab, map_between(A, C)), d = turn(ab, map_between(A, D));
+    const double near = margin * (fabs(ab.x) + fabs(ab.y));
+    return lesser(c, d) > near || greater(c, d) < -near;
+}
+
+static bool differ(double a, double b)
+{
+    return (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0);
+}
+
+/* Compares two lines that share no node. A crossing in another box is left to that box. */
+static void compare_apart(map_search *s, uint32_t i, uint32_t j, const map_box *box)
+{
+    const uint32_t *v = s->m->line[i], *w = s->m->line[j];
+    const roberts_vec2 *at = s->m->node;
+    const roberts_vec2 A = at[v[0]], B = at[v[1]], C = at[w[0]], D = at[w[1]];
+    bool touching = false;
+    if (is_beside(A, map_between(A, B), C, D, s->margin) || is_beside(C, map_between(C, D), A, B, s->margin))
+        return;
+    for (int k = 0; k < 2; k++) {
+        touching = compare_with_node(s, i, w[k]) || touching;
+        touching = compare_with_node(s, j, v[k]) || touching;
+        compare_nodes(s, v[k], w[0]);
+        compare_nodes(s, v[k], w[1]);
+    }
+    if (touching || !differ(orient2d(A, B, C), orient2d(A, B, D)))
+        return;
+    const double a = orient2d(C, D, A), b = orient2d(C, D, B), t = a / (a - b);
+    const roberts_vec2 X = {A.x + t * (B.x - A.x), A.y + t * (B.y - A.y)};
+    if (differ(a, b) && box_holds(box, X))
+        add_crossing(s, i, j, X);
+}
+
+/* Compares two lines that share the node S and go on to P and Q. */
+static void compare_branches(map_search *s, uint32_t i, uint32_t j, uint32_t S, uint32_t P, uint32_t Q)
+{
+    const roberts_vec2 *at = s->m->node;
+    const roberts_vec2 p = map_between(at[S], at[P]), q = map_between(at[S], at[Q]);
+    const double size = fabs(turn(p, q)), r = s->margin;
+    if (size > r * (fabs(p.x) + fabs(p.y)) && size > r * (fabs(q.x) + fabs(q.y)))
+        return;
+    compare_with_node(s, i, Q);
+    compare_with_node(s, j, P);
+    compare_nodes(s, P, Q);
+}
+
+static void compare_lines(map_search *s, const map_item *p, const map_item *q, const map_box *box)
+{
+    const uint32_t i = p->line, j = q->line, *v = s->m->line[i], *w = s->m->line[j];
+    if (p->low.x > q->high.x || q->low.x > p->high.x || p->low.y > q->high.y || q->low.y > p->high.y ||
+        (!s->open[i] && !s->open[j]))
+        return;
+    for (int k = 0; k < 2; k++)
+        if (v[k] == w[0] || v[k] == w[1]) {
+            compare_branches(s, i, j, v[k], v[1 - k], w[v[k] == w[0]]);
+            return;
+        }
+    compare_apart(s, i, j, box);
 }
 
 static void compare_all(map_search *s, size_t first, size_t end, const map_box *box)
 {
     for (size_t i = first; i < end; i++)
-        for (size_t k = i + 1; k < end; k++) {
-            const map_item *p = &s->item[i], *q = &s->item[k];
-            if (is_old(s, p) && is_old(s, q))
-                continue;
-            if (p->line != ROBERTS_NONE && q->line != ROBERTS_NONE)
-                compare_lines(s, p->line, q->line, box);
-            else if (p->line != ROBERTS_NONE)
-                compare_with_node(s, p->line, q->node);
-            else if (q->line != ROBERTS_NONE)
-                compare_with_node(s, q->line, p->node);
-            else
-                compare_nodes(s, p->node, q->node);
-        }
+        for (size_t k = i + 1; k < end; k++)
+            compare_lines(s, &s->item[i], &s->item[k], box);
 }
 
-/* Do all lines share one node, and is there no other node? */
-static bool is_fan(const map_search *s, size_t first, size_t end)
+/* Do all lines share one node, and are their other ends elsewhere? */
+static bool is_fan(const map_search *s, size_t first, size_t end, const map_box *box)
 {
-    uint32_t v[2] = {ROBERTS_NONE, ROBERTS_NONE};
-    for (size_t i = first; i < end; i++) {
-        const map_item *p = &s->item[i];
-        uint32_t own[2] = {p->node, p->node};
-        if (p->line != ROBERTS_NONE)
-            memcpy(own, s->m->line[p->line], sizeof own);
-        if (i == first)
-            memcpy(v, own, sizeof own);
-        for (int k = 0; k < 2; k++)
-            if (v[k] != own[0] && v[k] != own[1])
-                v[k] = ROBERTS_NONE;
-        if (v[0] == ROBERTS_NONE && v[1] == ROBERTS_NONE)
-            return false;
+    const planar_map *m = s->m;
+    for (int k = 0; k < 2; k++) {
+        const uint32_t node = m->line[s->item[first].line][k];
+        size_t i = first;
+        for (; i < end; i++) {
+            const uint32_t *v = m->line[s->item[i].line];
+            if ((v[0] != node && v[1] != node) || box_holds(box, m->node[v[v[0] == node]]))
+                break;
+        }
+        if (i == end)
+            return true;
     }
-    return true;
+    return false;
 }
 
 /* ---- halving --------------------------------------------------------------------------------------------------- */
@@ -195,7 +237,7 @@ static bool part_of(const map_search *s, const map_item *all, int axis, double a
     if (greater(a, b) < -s->margin)
         return false;
     *part = *all;
-    if (all->line == ROBERTS_NONE || lesser(a, b) >= 0.0)
+    if (lesser(a, b) >= 0.0)
         return true;
     if (a <= 0.0 && b <= 0.0)
         *(a < b ? &part->a : &part->b) = a < b ? all->b : all->a; /* only its end is near */
@@ -215,18 +257,17 @@ static size_t count_both(const map_search *s, size_t first, size_t end, int axis
     return both;
 }
 
-/* Is any of it new? */
-static bool has_new(const map_search *s, size_t first, size_t end)
+static bool has_open(const map_search *s, size_t first, size_t end)
 {
     for (size_t i = first; i < end; i++)
-        if (!is_old(s, &s->item[i]))
+        if (s->open[s->item[i].line])
             return true;
     return false;
 }
 
 static void visit(map_search *s, size_t first, size_t end, map_box box, int idle)
 {
-    if (end - first < 2 || !has_new(s, first, end) || is_fan(s, first, end))
+    if (end - first < 2 || !has_open(s, first, end) || is_fan(s, first, end, &box))
         return;
     if (end - first <= FEW) {
         compare_all(s, first, end, &box);
@@ -272,60 +313,53 @@ static void visit(map_search *s, size_t first, size_t end, map_box box, int idle
 
 /* ---- the grid -------------------------------------------------------------------------------------------------- */
 
-static map_item item_of(const map_search *s, uint32_t number)
+static map_item item_of(const map_search *s, uint32_t line)
 {
-    const planar_map *m = s->m;
-    if (number >= m->line_count) {
-        uint32_t node = number - (uint32_t)m->line_count;
-        return (map_item){m->node[node], m->node[node], ROBERTS_NONE, node};
-    }
-    return (map_item){m->node[m->line[number][0]], m->node[m->line[number][1]], number, ROBERTS_NONE};
+    const roberts_vec2 A = s->m->node[s->m->line[line][0]], B = s->m->node[s->m->line[line][1]];
+    const double r = 0.5 * s->margin;
+    return (map_item){.a = A,
+                      .b = B,
+                      .low = {lesser(A.x, B.x) - r, lesser(A.y, B.y) - r},
+                      .high = {greater(A.x, B.x) + r, greater(A.y, B.y) + r},
+                      .line = line};
 }
 
 /* The column or row of a coordinate, one of the grid's. */
-static size_t place_in(double at, double low, double size, size_t count)
+static size_t place_in(const map_grid *g, double at, double low, size_t count)
 {
-    double place = (at - low) / size;
+    const double place = (at - low) * g->per_size;
     return !(place > 0.0) ? 0 : place >= (double)count ? count - 1 : (size_t)(int64_t)place;
 }
 
-/* The operation on each cell that an item is in or near. */
-typedef enum list_pass {
-    MARK,  /* they become busy */
-    COUNT, /* busy ones count the item */
-    LIST   /* busy ones list it */
-} list_pass;
-
-static void list_in_cells(const map_search *s, map_grid *g, uint32_t number, list_pass pass)
+/* Appends the busy cells that a line is in or near to g->cell. False: no memory. */
+static bool add_cells(const map_search *s, map_grid *g, uint32_t line)
 {
-    const map_item p = item_of(s, number);
+    const map_item p = item_of(s, line);
     const double near = 2.0 * s->margin; /* twice: for rounding */
     const double low = lesser(p.a.y, p.b.y) - near, high = greater(p.a.y, p.b.y) + near;
-    const size_t first = place_in(low, g->low.y, g->size, g->rows), last = place_in(high, g->low.y, g->size, g->rows);
+    const size_t first = place_in(g, low, g->low.y, g->rows), last = place_in(g, high, g->low.y, g->rows);
     for (size_t row = first; row <= last; row++) {
         double a = p.a.x, b = p.b.x;
-        if (first < last && p.line != ROBERTS_NONE && p.a.y != p.b.y) { /* what of it is in the row */
+        if (first < last && p.a.y != p.b.y) { /* what of it is in the row */
             const double y0 = row == first ? low : g->low.y + (double)row * g->size - near;
             const double y1 = row == last ? high : g->low.y + (double)(row + 1) * g->size + near;
             const double t0 = (y0 - p.a.y) / (p.b.y - p.a.y), t1 = (y1 - p.a.y) / (p.b.y - p.a.y);
             a = p.a.x + greater(0.0, lesser(1.0, t0)) * (p.b.x - p.a.x);
             b = p.a.x + greater(0.0, lesser(1.0, t1)) * (p.b.x - p.a.x);
         }
-        const size_t from = place_in(lesser(a, b) - near, g->low.x, g->size, g->columns);
-        const size_t to = place_in(greater(a, b) + near, g->low.x, g->size, g->columns);
-        for (size_t cell = row * g->columns + from; cell <= row * g->columns + to; cell++) {
-            if (pass == MARK)
-                g->busy[cell] = 1;
-            else if (pass == COUNT)
-                g->start[cell + 2] += g->busy[cell];
-            else if (g->busy[cell])
-                g->entry[g->start[cell + 1]++] = number;
-        }
+        const size_t from = row * g->columns + place_in(g, lesser(a, b) - near, g->low.x, g->columns);
+        const size_t to = row * g->columns + place_in(g, greater(a, b) + near, g->low.x, g->columns);
+        if (!array_reserve(&g->cell, &g->cell_room, g->cell_count + (to - from + 1), sizeof *g->cell))
+            return false;
+        for (size_t cell = from; cell <= to; cell++)
+            if (!g->busy || g->busy[cell])
+                g->cell[g->cell_count++] = (uint32_t)cell;
     }
+    return true;
 }
 
-/* Chooses the size of the cells: about one for each item, so that a line is in a few of them on average. */
-static void choose_cells(const map_search *s, map_grid *g, size_t items)
+/* Chooses the size of the cells: about one for each line, so that a line is in a few of them on average. */
+static void choose_cells(const map_search *s, map_grid *g)
 {
     const planar_map *m = s->m;
     roberts_vec2 high = {-INFINITY, -INFINITY};
@@ -337,17 +371,18 @@ static void choose_cells(const map_search *s, map_grid *g, size_t items)
         g->low = (roberts_vec2){lesser(g->low.x, lesser(p.a.x, p.b.x)), lesser(g->low.y, lesser(p.a.y, p.b.y))};
         high = (roberts_vec2){greater(high.x, greater(p.a.x, p.b.x)), greater(high.y, greater(p.a.y, p.b.y))};
     }
-    const double width = high.x - g->low.x, height = high.y - g->low.y, most = (double)items;
-    const double size = greater(sqrt(width) * sqrt(height) / sqrt(most),
-                                greater(greater(width, height) / most, length / (2.0 * (double)items)));
+    const double width = high.x - g->low.x, height = high.y - g->low.y, most = CELLS_PER_LINE * (double)m->line_count;
+    const double size =
+        greater(sqrt(width) * sqrt(height) / sqrt(most), greater(greater(width, height) / most, length / (2.0 * most)));
     g->size = greater(size, 64.0 * s->margin);
     g->columns = g->rows = 1;
-    if (items <= FEW || !(g->size > 0.0) || !isfinite(g->size)) {
+    if (m->line_count <= FEW || !(g->size > 0.0) || !isfinite(g->size))
         g->size = 1.0;
-        return;
+    else {
+        g->columns += (size_t)(width / g->size);
+        g->rows += (size_t)(height / g->size);
     }
-    g->columns += (size_t)(width / g->size);
-    g->rows += (size_t)(height / g->size);
+    g->per_size = 1.0 / g->size;
 }
 
 /* Compares what is in a cell. */
@@ -381,59 +416,75 @@ static void visit_cell(map_search *s, const map_grid *g, size_t column, size_t r
     visit(s, 0, s->count, box, 0);
 }
 
-/* Lists the lines, and the nodes that they use, in the cells with anything new. False: no memory. */
+/* Marks the cells of open lines as busy, unless all lines are open. False: no memory. */
+static bool mark_busy(const map_search *s, map_grid *g)
+{
+    const size_t lines = s->m->line_count;
+    if (!memchr(s->open, 0, lines))
+        return true;
+    uint8_t *busy = alloc_zeroed(g->columns * g->rows, 1);
+    for (uint32_t i = 0; busy && i < lines; i++) {
+        g->cell_count = 0;
+        if (s->open[i] && !add_cells(s, g, i)) {
+            free(busy);
+            return false;
+        }
+        for (size_t k = 0; k < g->cell_count; k++)
+            busy[g->cell[k]] = 1;
+    }
+    g->busy = busy;
+    g->cell_count = 0;
+    return busy;
+}
+
+/* Lists the lines in the busy cells. False: no memory. */
 static bool fill_grid(const map_search *s, map_grid *g)
 {
-    const planar_map *m = s->m;
-    uint8_t *used = alloc_zeroed(m->node_count, 1);
-    size_t items = m->line_count;
-    bool enough = used;
-    for (size_t i = 0; enough && i < m->line_count; i++)
-        for (int k = 0; k < 2; k++) {
-            items += !used[m->line[i][k]];
-            used[m->line[i][k]] = 1;
-        }
-    if (enough) {
-        choose_cells(s, g, items);
-        g->start = alloc_zeroed(g->columns * g->rows + 2, sizeof *g->start);
-        g->busy = alloc_zeroed(g->columns * g->rows, 1);
-        enough = g->start && g->busy;
+    const size_t lines = s->m->line_count;
+    choose_cells(s, g);
+    const size_t cells = g->columns * g->rows;
+    size_t *end = alloc_array(lines, sizeof *end); /* of each line's cells */
+    g->start = alloc_zeroed(cells + 2, sizeof *g->start);
+    bool enough = end && g->start && mark_busy(s, g);
+    for (uint32_t i = 0; enough && i < lines; i++) {
+        enough = add_cells(s, g, i);
+        end[i] = g->cell_count;
     }
-    const bool all_new = s->old_nodes == 0;
-    if (enough && all_new)
-        memset(g->busy, 1, g->columns * g->rows);
-    for (list_pass pass = all_new ? COUNT : MARK; enough && pass <= LIST; pass++) {
-        for (uint32_t i = 0; i < m->line_count + m->node_count; i++) {
-            const map_item p = item_of(s, i);
-            if ((p.node == ROBERTS_NONE || used[p.node]) && (pass != MARK || !is_old(s, &p)))
-                list_in_cells(s, g, i, pass);
-        }
-        if (pass == COUNT) {
-            for (size_t c = 0; c < g->columns * g->rows; c++)
-                g->start[c + 2] += g->start[c + 1];
-            g->entry = alloc_array(g->start[g->columns * g->rows + 1], sizeof *g->entry);
-            enough = g->entry;
-        }
-    }
-    free(used);
+    g->entry = enough ? alloc_array(g->cell_count, sizeof *g->entry) : NULL;
+    enough = g->entry;
+    for (size_t k = 0; enough && k < g->cell_count; k++)
+        g->start[g->cell[k] + 2]++;
+    for (size_t c = 0; enough && c < cells; c++)
+        g->start[c + 2] += g->start[c + 1];
+    size_t k = 0;
+    for (uint32_t i = 0; enough && i < lines; i++)
+        for (; k < end[i]; k++)
+            g->entry[g->start[g->cell[k] + 1]++] = i;
+    free(end);
     return enough;
 }
 
 bool map_search_all(map_search *s)
 {
     map_grid g = {0};
-    const size_t before = s->m->node_count;
+    const planar_map *m = s->m;
     s->stop_count = 0;
     s->joined = false;
-    bool enough = array_reserve(&s->same, &s->same_room, before, sizeof *s->same) && fill_grid(s, &g);
-    for (uint32_t n = 0; enough && n < before; n++)
-        s->same[n] = n;
+    free(s->crowded);
+    s->crowded = alloc_zeroed(m->line_count, 1);
+    bool enough = s->crowded && array_reserve(&s->fate, &s->fate_room, m->node_count, sizeof *s->fate);
+    for (uint32_t n = 0; enough && n < m->node_count; n++)
+        s->fate[n] = (map_fate){n, false};
+    for (size_t i = 0; enough && i < m->line_count; i++)
+        if (s->open[i])
+            compare_nodes(s, m->line[i][0], m->line[i][1]);
+    enough = enough && fill_grid(s, &g);
     for (size_t row = 0; enough && row < g.rows; row++)
         for (size_t column = 0; column < g.columns && !s->lost; column++)
             visit_cell(s, &g, column, row);
-    s->old_nodes = before;
     free(g.busy);
     free(g.start);
     free(g.entry);
+    free(g.cell);
     return enough && !s->lost;
 }

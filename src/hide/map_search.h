@@ -13,17 +13,22 @@ typedef struct map_stop {
     double t; /* along the line, times its length */
 } map_stop;
 
+/* What becomes of a node. */
+typedef struct map_fate {
+    uint32_t node; /* the node that it becomes, or one on the way to it; itself: it stays */
+    bool open;     /* new, or another node that it has not become is near */
+} map_fate;
+
 typedef struct map_search {
     planar_map *m;
-    uint32_t (*kept)[2];          /* [kept_count] lines that a round has left as they were, in order */
-    uint8_t *old;                 /* [line_count] the line is one of them */
-    size_t kept_count, old_nodes; /* nodes from number old_nodes on are new */
-    double touching;              /* things nearer than this are joined: less in each round */
-    double margin;                /* a box holds everything nearer than this: above rounding, the same in each round */
-    map_item *item;               /* [count] boxes within boxes; the items of the current box come last */
-    map_stop *stop;               /* [stop_count] */
-    uint32_t *same;               /* [same_room] the node that each node becomes, or one on the way to it */
-    size_t count, room, stop_count, stop_room, same_room;
+    uint8_t *open;    /* [line_count] the line may meet others; two lines that are not open do not: see map_search.c */
+    uint8_t *crowded; /* [line_count] a node is near the line, but does not touch it */
+    double touching;  /* things nearer than this are joined: less in each round */
+    double margin;    /* things nearer than this are near: the same in each round */
+    map_item *item;   /* [count] boxes within boxes; the items of the current box come last */
+    map_stop *stop;   /* [stop_count] */
+    map_fate *fate;   /* [fate_room] of each node */
+    size_t count, room, stop_count, stop_room, fate_room;
     bool joined, lost; /* lost: no memory */
 } map_search;
 
@@ -43,9 +48,9 @@ bool map_search_all(map_search *s);
 /* The node that a node has become. */
 static inline uint32_t map_search_node(map_search *s, uint32_t node)
 {
-    while (s->same[node] != node) {
-        s->same[node] = s->same[s->same[node]];
-        node = s->same[node];
+    while (s->fate[node].node != node) {
+        s->fate[node].node = s->fate[s->fate[node].node].node;
+        node = s->fate[node].node;
     }
     return node;
 }

@@ -16,6 +16,9 @@
  * division ends. */
 enum { MOST_ROUNDS = 60 };
 
+/* Touching distances: see map_search.c. */
+#define MARGIN 16.0
+
 /* The numbers of nodes, and those of both ends of all lines, are 32 bits wide. */
 #define NODES_MOST ((size_t)(UINT32_MAX / 4))
 
@@ -77,42 +80,43 @@ static bool join_equal(planar_map *m)
     return enough;
 }
 
-/* Puts the lines in order, each once, and leaves out those without length. False: no memory. */
-static bool unite_lines(planar_map *m)
+/* Puts the lines in order, each once, and leaves out those without length. Lines that become one are open if one of
+ * them is. False: no memory. */
+static bool unite_lines(map_search *s)
 {
-    uint32_t *key = alloc_array(m->line_count, sizeof *key), *order = alloc_array(m->line_count, sizeof *order);
-    uint64_t *line = alloc_array(m->line_count, sizeof *line);
-    bool enough = key && order && line;
-    for (size_t i = 0; enough && i < m->line_count; i++) {
-        const uint32_t *v = m->line[i];
-        key[i] = v[0] < v[1] ? v[0] : v[1];
-    }
-    enough = enough && radix_order(key, (uint32_t)m->line_count, order);
-    size_t count = m->line_count;
+    planar_map *m = s->m;
+    const size_t count = m->line_count;
+    uint32_t *key = alloc_array(count, sizeof *key), *start = NULL, *order = NULL;
+    uint64_t *line = alloc_array(count, sizeof *line); /* the smaller node, the other one, is it open? */
+    bool enough = key && line;
+    for (size_t i = 0; enough && i < count; i++)
+        key[i] = m->line[i][m->line[i][1] < m->line[i][0]];
+    enough = enough && sort_buckets(key, count, m->node_count, &start, &order);
     for (size_t i = 0; enough && i < count; i++) {
-        const uint32_t *v = m->line[order[i]];
-        line[i] = v[0] < v[1] ? (uint64_t)v[0] << 32 | v[1] : (uint64_t)v[1] << 32 | v[0];
+        const uint32_t *v = m->line[order[i]], from = key[order[i]];
+        line[i] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[order[i]];
     }
-    for (size_t i = 0, k; enough && i < count; i = k) {
-        for (k = i + 1; k < count && line[k] >> 32 == line[i] >> 32;)
-            k++;
-        if (k - i <= 32) {
-            SORT_FEW(uint64_t, line + i, k - i, *a > *b);
+    for (size_t n = 0; enough && n < m->node_count; n++) {
+        const size_t few = start[n + 1] - start[n];
+        if (few <= 32) {
+            SORT_FEW(uint64_t, line + start[n], few, *a > *b);
         } else {
-            qsort(line + i, k - i, sizeof *line, compare_u64);
+            qsort(line + start[n], few, sizeof *line, compare_u64);
         }
     }
     size_t to = 0;
     for (size_t i = 0; enough && i < count; i++) {
-        uint32_t from = (uint32_t)(line[i] >> 32), end = (uint32_t)line[i];
-        if (from == end || (i > 0 && line[i] == line[i - 1]))
+        uint32_t from = (uint32_t)(line[i] >> 32), end = (uint32_t)line[i] >> 1;
+        if (from == end || (i + 1 < count && line[i] >> 1 == line[i + 1] >> 1))
             continue;
+        s->open[to] = line[i] & 1;
         m->line[to][0] = from;
         m->line[to++][1] = end;
     }
     if (enough)
         m->line_count = to;
     free(key);
+    free(start);
     free(order);
     free(line);
     return enough;
@@ -120,92 +124,111 @@ static bool unite_lines(planar_map *m)
 
 /* ---- division -------------------------------------------------------------------------------------------------- */
 
-static int compare_stops(const void *pa, const void *pb)
+static bool comes_later(const map_stop *a, const map_stop *b)
 {
-    const map_stop *a = pa, *b = pb;
-    if (a->line != b->line)
-        return a->line < b->line ? -1 : 1;
-    if (a->t != b->t)
-        return a->t < b->t ? -1 : 1;
-    return (a->node > b->node) - (a->node < b->node);
+    return a->t != b->t ? a->t > b->t : a->node > b->node;
 }
 
-/* Marks the lines that the division has left as they were. False: no memory. */
-static bool mark_old(map_search *s)
+static int compare_stops(const void *pa, const void *pb)
+{
+    return comes_later(pa, pb) ? 1 : comes_later(pb, pa) ? -1 : 0;
+}
+
+/* Sorts the stops by their lines, and along each line. Line i has stop[start[i]] .. stop[start[i + 1] - 1]. False: no
+ * memory. */
+static bool sort_stops(map_search *s, uint32_t **start)
 {
     const planar_map *m = s->m;
-    size_t k = 0;
-    free(s->old);
-    s->old = alloc_zeroed(m->line_count, 1);
-    for (size_t i = 0; s->old && i < m->line_count; i++) {
-        const uint32_t *v = m->line[i];
-        while (k < s->kept_count && (s->kept[k][0] < v[0] || (s->kept[k][0] == v[0] && s->kept[k][1] < v[1])))
-            k++;
-        s->old[i] = k < s->kept_count && s->kept[k][0] == v[0] && s->kept[k][1] == v[1];
+    uint32_t *key = alloc_array(s->stop_count, sizeof *key), *order = NULL;
+    map_stop *stop = alloc_array(s->stop_count, sizeof *stop);
+    bool enough = key && stop;
+    for (size_t i = 0; enough && i < s->stop_count; i++)
+        key[i] = s->stop[i].line;
+    enough = enough && sort_buckets(key, s->stop_count, m->line_count, start, &order);
+    for (size_t i = 0; enough && i < s->stop_count; i++) {
+        const uint32_t line = key[order[i]], *v = m->line[line];
+        const roberts_vec2 A = m->node[map_search_node(s, v[0])], B = m->node[map_search_node(s, v[1])];
+        const uint32_t node = map_search_node(s, s->stop[order[i]].node);
+        stop[i] = (map_stop){line, node, map_product(map_between(A, m->node[node]), map_between(A, B))};
     }
-    return s->old;
+    for (size_t i = 0; enough && i < m->line_count; i++) {
+        const size_t few = (*start)[i + 1] - (*start)[i];
+        if (few <= 32) {
+            SORT_FEW(map_stop, stop + (*start)[i], few, comes_later(a, b));
+        } else {
+            qsort(stop + (*start)[i], few, sizeof *stop, compare_stops);
+        }
+    }
+    if (enough) {
+        free(s->stop);
+        s->stop = stop;
+        s->stop_room = s->stop_count;
+        stop = NULL;
+    }
+    free(key);
+    free(order);
+    free(stop);
+    return enough;
 }
 
 /* Divides the lines at their stops. False: no memory. */
 static bool divide_lines(map_search *s)
 {
     planar_map *m = s->m;
-    size_t k = 0, to = 0;
-    uint32_t(*line)[2] = alloc_array(m->line_count + s->stop_count, sizeof *line);
-    free(s->kept);
-    s->kept = alloc_array(m->line_count, sizeof *s->kept);
-    s->kept_count = 0;
-    if (!line || !s->kept) {
-        free(line);
-        return false;
-    }
-    for (size_t i = 0; i < s->stop_count; i++) {
-        map_stop *stop = &s->stop[i];
-        stop->node = map_search_node(s, stop->node);
-        const uint32_t *v = m->line[stop->line];
-        roberts_vec2 A = m->node[map_search_node(s, v[0])], B = m->node[map_search_node(s, v[1])];
-        stop->t = map_product(map_between(A, m->node[stop->node]), map_between(A, B));
-    }
-    if (s->stop_count > 1)
-        qsort(s->stop, s->stop_count, sizeof *s->stop, compare_stops);
-    for (uint32_t i = 0; i < m->line_count; i++) {
-        const uint32_t *v = m->line[i];
-        uint32_t from = map_search_node(s, v[0]);
-        if ((k == s->stop_count || s->stop[k].line != i) && from == v[0] && map_search_node(s, v[1]) == v[1])
-            memcpy(s->kept[s->kept_count++], v, sizeof *s->kept);
+    const size_t most = m->line_count + s->stop_count;
+    size_t to = 0, k = 0;
+    uint32_t *start = NULL, (*line)[2] = alloc_array(most, sizeof *line);
+    uint8_t *open = alloc_array(most, 1);
+    bool enough = line && open && sort_stops(s, &start);
+    for (uint32_t n = 0; enough && n < m->node_count; n++)
+        if (s->fate[n].open)
+            s->fate[map_search_node(s, n)].open = true;
+    for (size_t i = 0; enough && i < m->line_count; i++) {
+        uint32_t from = map_search_node(s, m->line[i][0]);
         for (bool more = true; more;) {
-            more = k < s->stop_count && s->stop[k].line == i;
-            uint32_t node = more ? s->stop[k++].node : map_search_node(s, m->line[i][1]);
+            more = k < start[i + 1];
+            const uint32_t node = more ? s->stop[k++].node : map_search_node(s, m->line[i][1]);
             if (node == from)
                 continue;
+            open[to] = s->crowded[i] || s->fate[from].open || s->fate[node].open;
             line[to][0] = from;
             line[to++][1] = node;
             from = node;
         }
     }
+    free(start);
+    if (!enough) {
+        free(line);
+        free(open);
+        return false;
+    }
     free(m->line);
+    free(s->open);
     m->line = line;
-    m->line_room = m->line_count + s->stop_count;
+    m->line_room = most;
     m->line_count = to;
-    return unite_lines(m) && mark_old(s);
+    s->open = open;
+    return unite_lines(s);
 }
 
 bool planar_map_divide(planar_map *m, double touching)
 {
-    map_search s = {.m = m, .touching = touching, .margin = touching};
-    bool enough = join_equal(m) && unite_lines(m) && mark_old(&s), more = enough;
+    map_search s = {.m = m, .touching = touching, .margin = MARGIN * touching};
+    s.open = alloc_array(m->line_count, 1);
+    bool enough = s.open != NULL, more;
+    if (enough)
+        memset(s.open, 1, m->line_count);
+    more = enough = enough && join_equal(m) && unite_lines(&s);
     for (int round = 0; more && round < MOST_ROUNDS; round++) {
-        enough = map_search_all(&s);
-        more = enough && (s.joined || s.stop_count > 0);
-        if (more)
-            more = enough = divide_lines(&s);
+        enough = map_search_all(&s) && ((!s.joined && s.stop_count == 0) || divide_lines(&s));
+        more = enough && (s.joined || s.stop_count > 0) && memchr(s.open, 1, m->line_count);
         s.touching *= 0.5;
     }
     free(s.item);
     free(s.stop);
-    free(s.same);
-    free(s.kept);
-    free(s.old);
+    free(s.fate);
+    free(s.open);
+    free(s.crowded);
     return enough;
 }
 
@@ -284,19 +307,16 @@ static int compare_rays(const void *pa, const void *pb)
 static bool sort_stars(map_stars *s, const planar_map *m)
 {
     size_t halves = 2 * m->line_count, most = 0;
-    s->start = alloc_zeroed(m->node_count + 2, sizeof *s->start);
-    s->half = alloc_array(halves, sizeof *s->half);
+    uint32_t *node = alloc_array(halves, sizeof *node);
     s->place = alloc_array(halves, sizeof *s->place);
-    if (!s->start || !s->half || !s->place)
+    for (uint32_t h = 0; node && h < halves; h++)
+        node[h] = map_from(m, h);
+    const bool listed = node && s->place && sort_buckets(node, halves, m->node_count, &s->start, &s->half);
+    free(node);
+    if (!listed)
         return false;
-    for (uint32_t h = 0; h < halves; h++)
-        s->start[map_from(m, h) + 2]++;
-    for (size_t n = 0; n <= m->node_count; n++) {
-        most = s->start[n + 1] > most ? s->start[n + 1] : most;
-        s->start[n + 1] += s->start[n];
-    }
-    for (uint32_t h = 0; h < halves; h++)
-        s->half[s->start[map_from(m, h) + 1]++] = h;
+    for (size_t n = 0; n < m->node_count; n++)
+        most = s->start[n + 1] - s->start[n] > most ? s->start[n + 1] - s->start[n] : most;
     ray *own = alloc_array(most, sizeof *own);
     for (size_t n = 0; own && n < m->node_count; n++) {
         uint32_t first = s->start[n], count = s->start[n + 1] - first;

@@ -14,6 +14,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/sets.h"
+#include "base/sort.h"
 #include "base/threads.h"
 #include "hide/planar_map.h"
 #include "hide/region_faces.h"
@@ -54,11 +55,23 @@ typedef struct region_work {
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
-static bool take_lines(region_work *w, const roberts_drawing *drawing)
+/* Does a segment of the rest precede one of the drawing? Segments follow their bodies, then their edges; those of
+ * intersections, which only a drawing has, come last. */
+static bool precedes(const roberts_segment *rest, const roberts_segment *drawn)
+{
+    if (drawn->v0 == ROBERTS_NONE || rest->solid < drawn->solid)
+        return true;
+    return rest->solid == drawn->solid && rest->edge < drawn->edge;
+}
+
+/* Takes the lines in the order that they would have if all were of one drawing. */
+static bool take_lines(region_work *w, const roberts_drawing *drawing, const roberts_drawing *rest)
 {
     const double per = w->job->seen.view.per_unit;
-    for (size_t i = 0; i < drawing->count; i++) {
-        const roberts_segment *s = &drawing->segment[i];
+    for (size_t i = 0, k = 0; i < drawing->count || k < rest->count;) {
+        const bool first =
+            k < rest->count && (i == drawing->count || precedes(&rest->segment[k], &drawing->segment[i]));
+        const roberts_segment *s = first ? &rest->segment[k++] : &drawing->segment[i++];
         if (s->state == ROBERTS_VISIBLE && s->line != ROBERTS_WIRE &&
             !planar_map_add(&w->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
                             (roberts_vec2){per * s->p1.x, per * s->p1.y}))
@@ -73,17 +86,12 @@ static bool take_lines(region_work *w, const roberts_drawing *drawing)
 static bool list_halves(region_work *w)
 {
     size_t halves = 2 * w->map.line_count;
-    w->start = alloc_zeroed(w->cells.cell_count + 2, sizeof *w->start);
-    w->half = alloc_array(halves, sizeof *w->half);
-    if (!w->start || !w->half)
-        return false;
-    for (uint32_t h = 0; h < halves; h++)
-        w->start[map_cell_of(&w->cells, h) + 2]++;
-    for (size_t c = 0; c <= w->cells.cell_count; c++)
-        w->start[c + 1] += w->start[c];
-    for (uint32_t h = 0; h < halves; h++)
-        w->half[w->start[map_cell_of(&w->cells, h) + 1]++] = h;
-    return true;
+    uint32_t *cell = alloc_array(halves, sizeof *cell);
+    for (uint32_t h = 0; cell && h < halves; h++)
+        cell[h] = map_cell_of(&w->cells, h);
+    bool enough = cell && sort_buckets(cell, halves, w->cells.cell_count, &w->start, &w->half);
+    free(cell);
+    return enough;
 }
 
 static roberts_vec2 corner_of(const region_work *w, uint32_t half)
@@ -117,8 +125,11 @@ static bool widest_at(const region_work *w, uint32_t cell, double y, region_scra
             return false;
         scratch->item[count++] = P.x + (y - P.y) / (Q.y - P.y) * (Q.x - P.x);
     }
-    if (count > 1)
+    if (count <= 32) {
+        SORT_FEW(double, scratch->item, count, *a > *b);
+    } else {
         qsort(scratch->item, count, sizeof *scratch->item, compare_doubles);
+    }
     for (size_t k = 0; k + 1 < count; k += 2)
         if (scratch->item[k + 1] - scratch->item[k] > *width) {
             *width = scratch->item[k + 1] - scratch->item[k];
@@ -131,7 +142,7 @@ static bool widest_at(const region_work *w, uint32_t cell, double y, region_scra
  * the visible one from behind. False: no memory. */
 static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
 {
-    static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height; at any of them */
+    static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height */
     uint32_t first = w->start[cell], end = w->start[cell + 1];
     double low = INFINITY, high = -INFINITY, most = 0.0;
     for (uint32_t k = first; k < end; k++) {
@@ -323,7 +334,7 @@ static bool trace_rings(region_work *w)
     return enough;
 }
 
-/* A ring's place in the table. */
+/* A ring among those of its face. */
 typedef struct ring_place {
     uint32_t face, ring;
     bool hole;
@@ -334,8 +345,6 @@ typedef struct ring_place {
 static int compare_places(const void *pa, const void *pb)
 {
     const ring_place *a = pa, *b = pb;
-    if (a->face != b->face)
-        return a->face < b->face ? -1 : 1;
     int order = vec2_compare(a->outer, b->outer);
     if (order != 0)
         return order;
@@ -347,13 +356,26 @@ static int compare_places(const void *pa, const void *pb)
 
 static ring_place *sort_rings(const region_work *w)
 {
-    ring_place *place = alloc_array(w->ring_count, sizeof *place);
-    for (uint32_t r = 0; place && r < w->ring_count; r++) {
-        const region_ring *own = &w->ring[r];
-        place[r] = (ring_place){own->face, r, own->outer != r, w->ring[own->outer].at, own->at, own->half};
+    const size_t count = w->ring_count;
+    uint32_t *face = alloc_array(count, sizeof *face), *start = NULL, *order = NULL;
+    ring_place *place = NULL;
+    for (uint32_t r = 0; face && r < count; r++)
+        face[r] = w->ring[r].face;
+    if (face && sort_buckets(face, count, w->job->seen.scene->face_count, &start, &order))
+        place = alloc_array(count, sizeof *place);
+    for (size_t i = 0, k = 0; place && i < count; i++) {
+        const region_ring *own = &w->ring[order[i]];
+        place[i] =
+            (ring_place){own->face, order[i], own->outer != order[i], w->ring[own->outer].at, own->at, own->half};
+        if (i + 1 < start[own->face + 1])
+            continue;
+        if (i > k)
+            qsort(place + k, i + 1 - k, sizeof *place, compare_places);
+        k = i + 1;
     }
-    if (place && w->ring_count > 1)
-        qsort(place, w->ring_count, sizeof *place, compare_places);
+    free(face);
+    free(start);
+    free(order);
     return place;
 }
 
@@ -429,14 +451,14 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-bool regions_find(const hide_job *job, const roberts_drawing *drawing, roberts_region_list *out)
+bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest)
 {
     const view *v = &job->seen.view;
     region_work w = {.job = job};
-    bool enough = take_lines(&w, drawing) &&
+    bool enough = take_lines(&w, drawing, rest) &&
                   planar_map_divide(&w.map, REGION_TOUCHING * (v->epsilon + v->across_rounding)) &&
                   map_cells_find(&w.cells, &w.map) && list_halves(&w) && look_into_all(&w) && merge_faces(&w) &&
-                  join_cells(&w) && trace_rings(&w) && write_regions(&w, out);
+                  join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
     planar_map_free(&w.map);
     map_cells_free(&w.cells);
     free(w.start);
@@ -462,6 +484,27 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
     roberts_drawing_free(&drawing);
     if (status != ROBERTS_OK)
         roberts_regions_free(out);
+    return status;
+}
+
+roberts_status roberts_hide_with_regions(const roberts_scene *scene, const roberts_camera *camera,
+                                         const roberts_hide_options *options, roberts_drawing *drawing,
+                                         roberts_region_list *regions, roberts_error *error)
+{
+    hide_job job = {.options = options, .regions = regions, .upright = slope_upright(camera)};
+    roberts_status status;
+    *regions = (roberts_region_list){0};
+    if (options && (options->keep_hidden || options->unite)) {
+        status = roberts_hide(scene, camera, options, drawing, error);
+        if (status == ROBERTS_OK)
+            status = roberts_regions(scene, camera, options, regions, error);
+    } else {
+        status = hide_scene(&job, scene, camera, drawing, error);
+    }
+    if (status != ROBERTS_OK) {
+        roberts_drawing_free(drawing);
+        roberts_regions_free(regions);
+    }
     return status;
 }
 

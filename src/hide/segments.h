@@ -38,7 +38,8 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
 roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
                           roberts_drawing *drawing, roberts_error *error);
 
-/* Finds the visible regions from the segments of a job that has found them all. False: no memory. (regions.c) */
-bool regions_find(const hide_job *job, const roberts_drawing *drawing, struct roberts_region_list *out);
+/* Finds the visible regions from the segments of all edges: those of `drawing` and the rest. False: no memory.
+ * (regions.c) */
+bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest);
 
 #endif

@@ -99,20 +99,19 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     double crease = crease_of(s, w->body);
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
-        return true;
+        return !s->rules.rest;
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
                                       : faces_of_edge(w, scene, edge, e, crease);
     bool fold = (faces.left == 0) != (faces.right == 0);
     line->class = ROBERTS_OUTLINE;
+    bool border = edge->f[1] == ROBERTS_NONE, flat = !border && !fold && faces.flat;
     if (is & EDGE_CUT)
-        return fold && faces.edge_on == 0 && edge->f[1] != ROBERTS_NONE;
-    if (edge->f[1] == ROBERTS_NONE)
+        return !s->rules.rest && fold && faces.edge_on == 0 && !border;
+    if (border)
         line->class = ROBERTS_BORDER;
-    else if (!fold && faces.flat && !s->rules.all_edges)
-        return false;
     else if (!fold && faces.left > 0)
         line->class = ROBERTS_CREASE;
-    return true;
+    return flat ? s->rules.all_edges : !s->rules.rest;
 }
 
 seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
@@ -172,6 +171,8 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     }
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
     bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
+    if (is_line && convex && w->of->rules.rest)
+        is_line = line->class != ROBERTS_OUTLINE && seen_is_flat(w->plane, stored, w->of->rules.crease_chord);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)

@@ -56,9 +56,17 @@ static double square_chord(double degrees)
 void seen_set_rules(seen *s, const roberts_hide_options *options)
 {
     double chord = square_chord(options->crease_degrees);
-    s->rules = (seen_rules){chord, chord, options->all_edges, options->keep_hidden};
+    s->rules = (seen_rules){
+        .crease_chord = chord, .smooth_chord = chord, .all_edges = options->all_edges, .hidden = options->keep_hidden};
     if (options->crease_auto)
         s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
+}
+
+void seen_set_rest(seen *s)
+{
+    if (s->rules.all_edges) /* then nothing is flat enough to be left out */
+        s->rules.crease_chord = s->rules.smooth_chord = 0.0;
+    s->rules.all_edges = s->rules.rest = true;
 }
 
 typedef struct walked {

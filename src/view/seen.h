@@ -27,6 +27,7 @@ typedef struct seen_rules {
     double crease_chord; /* two faces are flat if the squared distance of their unit normals is less than this */
     double smooth_chord; /* the same limit for bodies that count as curved */
     bool all_edges;      /* edges of flat faces are lines too */
+    bool rest;           /* with all_edges: these edges only */
     bool hidden;         /* edges that their own convex body hides, or that the near plane removes, are lines too */
 } seen_rules;
 
@@ -64,6 +65,10 @@ bool seen_begin_points(seen *s);
 
 /* Sets which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
+
+/* From now on, the lines are the edges that the rules have left out, and further lines. Without union and hidden lines
+ * only. */
+void seen_set_rest(seen *s);
 
 /* Treats all bodies as one, with at most `threads` threads. The facings of mapped bodies must be known. culled:
  * [solid_count] 1: no walk will visit this body. False: no memory. */
@@ -231,7 +236,7 @@ typedef struct seen_walk {
     uint32_t body;
     uint32_t edge, end; /* edges of seen.source: the next one; the end */
     uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
-    bool slow;          /* the body is not convex, the near plane has clipped the scene, or there is a union */
+    bool slow;          /* the body is not convex, the near plane has clipped the scene, there is a union, or rules.rest holds */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* pointers to the body's first in seen.scene: */
@@ -249,7 +254,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || s->edges.first || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->edges.first || s->rules.rest || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
