@@ -488,11 +488,11 @@ static bool alloc_fronts(hide_fronts *fronts)
     fronts->room = (size_t)fronts->convex_count + other_faces;
     fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
     fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
-    fronts->face = alloc_array(scene->face_count - other_faces, sizeof *fronts->face);
+    fronts->face = alloc_sparse(scene->face_count - other_faces, sizeof *fronts->face);
     fronts->whole = alloc_array(fronts->convex_count, sizeof *fronts->whole);
     fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
     fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
-    fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
+    fronts->outline = alloc_sparse(scene->vertex_count, sizeof *fronts->outline);
     return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
            fronts->outline;
 }

@@ -25,13 +25,15 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. */
+/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. Of meshes nearly all is
+ * mapped. */
 bool seen_begin_points(seen *s)
 {
-    s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);
+    s->P = s->scene->surface ? alloc_array(s->scene->vertex_count, sizeof *s->P)
+                             : alloc_sparse(s->scene->vertex_count, sizeof *s->P);
     s->facing = alloc_zeroed(s->scene->face_count, sizeof *s->facing);
     if (s->scene->surface)
-        s->turned = alloc_array(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
+        s->turned = alloc_sparse(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
     return s->P && s->facing && (s->turned || !s->scene->surface);
 }
 
