@@ -286,6 +286,16 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     return w->of->edges.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
+void seen_pass_flat(seen_walk *w)
+{
+    const scene_surface *surface = w->of->scene->surface;
+    const scene_edge *edge = scene_edge_stored(w->of->scene, w->body, w->edge);
+    uint8_t crease = scene_bend_code(crease_of(w->of, w->body));
+    for (; w->edge < w->end; w->edge++, edge++)
+        if (surface->bend[w->edge] >= crease || !seen_joins_faces(w->facing, edge, surface->edge_is[w->edge]))
+            return;
+}
+
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene, *source = s->source;
@@ -301,7 +311,9 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .stored = scene->edge + own->stored,
                    .facing = s->facing + own->face,
                    .plane = scene->face_plane ? scene->face_plane + own->face : NULL,
-                   .vertex = own->vertex};
+                   .vertex = own->vertex,
+                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->clip.clipped &&
+                              !s->edges.first};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;
     /* edges of a cap are no lines, but they are counted; they come last */

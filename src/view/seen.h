@@ -239,6 +239,7 @@ typedef struct seen_walk {
     const unsigned char *facing;
     const plane *plane; /* of a convex body */
     uint32_t vertex;
+    bool passing; /* seen_pass_flat() may be called */
 } seen_walk;
 
 /* Begins a walk. The body's points must be mapped and its faces classified, unless the near plane has removed all of
@@ -327,6 +328,9 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
 /* Is the edge of seen.scene left out because its faces are flat, or nearly flat, to one another? Its body is mapped. */
 bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge);
 
+/* Passes edges of a mesh that are certainly no lines. Most edges of a fine mesh are of this kind. */
+void seen_pass_flat(seen_walk *w);
+
 /* Finds the line of edge `edge` of the walk's body. False: the edge is not a line. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 
@@ -334,6 +338,11 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 {
     while (w->edge < w->end) {
+        if (slow && w->passing) {
+            seen_pass_flat(w);
+            if (w->edge == w->end)
+                return false;
+        }
         line->edge = w->edge++;
         if (slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
             return true;
