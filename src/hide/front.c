@@ -2,6 +2,7 @@
 #include "hide/front.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "hide/refine.h"
@@ -336,26 +337,56 @@ static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *fron
                              .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
 }
 
-/* Makes each face of a body that is not convex a front, unless it is edge-on. */
+hide_box front_box_of_face(const hide_fronts *fronts, uint32_t face)
+{
+    const uint32_t *start = fronts->scene->face_start + face;
+    hide_bounds own = bounds_of(fronts, fronts->scene->corner + start[0], start[1] - start[0]);
+    return hide_box_around(&own);
+}
+
+void front_set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
+{
+    fronts->front_box[to] = front_box_of_face(fronts, face);
+    fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+}
+
+/* Is it a closed body whose faces are all wound alike? Then a line of sight meets them alternately from both sides,
+ * wherever the body does not cross itself. */
+static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
+{
+    const uint8_t *is = scene->surface->edge_is + scene->solid[body].edge;
+    uint32_t count = scene->solid[body + 1].edge - scene->solid[body].edge;
+    return scene->surface->kind[body] == ROBERTS_CLOSED && is[0] == EDGE_TURNED_1 &&
+           memcmp(is, is + 1, (count - 1) * sizeof *is) == 0;
+}
+
+/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, those faces wait
+ * that turn the other side to the viewer than the nearest one does. */
 static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
+    double nearest[] = {[VIEW_FRONT] = -INFINITY, [VIEW_BACK] = -INFINITY, [VIEW_EDGE_ON] = -INFINITY};
+    uint32_t faces[] = {[VIEW_EDGE_ON] = 0};
     for (uint32_t face = first; face < end; face++) {
-        uint32_t turned[SEEN_TURNED], count;
+        uint32_t count = scene->face_start[face + 1] - scene->face_start[face];
         int facing = seen_either_face(fronts->seen, face);
-        tile->faces += facing == VIEW_FRONT;
-        tile->back += facing == VIEW_BACK;
-        tile->edge_on += facing == VIEW_EDGE_ON;
+        faces[facing]++;
+        nearest[facing] = greater(nearest[facing], fronts->P[scene->corner[scene->face_start[face]]].z);
+        tile->most_corners = facing != VIEW_EDGE_ON && count > tile->most_corners ? count : tile->most_corners;
+    }
+    tile->faces += faces[VIEW_FRONT];
+    tile->back += faces[VIEW_BACK];
+    tile->edge_on += faces[VIEW_EDGE_ON];
+    if (fronts->late && is_wound_alike(scene, body))
+        fronts->late[body] = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
+    for (uint32_t face = first; face < end; face++) {
+        int facing = fronts->seen->facing[face];
         if (facing == VIEW_EDGE_ON)
             continue;
-        const uint32_t *corner = seen_corners(fronts->seen, face, &count, turned);
-        tile->most_corners = count > tile->most_corners ? count : tile->most_corners;
-        hide_bounds own = bounds_of(fronts, corner, count);
-        fronts->front_box[to] = hide_box_around(&own);
-        fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+        front_set_face(fronts, to, body, face);
         cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
-        to++;
+        to += !fronts->late || facing != fronts->late[body];
     }
     tile->surface = to;
 }
