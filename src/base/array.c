@@ -63,7 +63,7 @@ void *alloc_zeroed(size_t count, size_t size)
  * moved. */
 static void *enlarge(void *array, size_t old, size_t bytes)
 {
-    if (old >= 2 * LARGE_PAGE || bytes < LARGE_PAGE)
+    if (old >= 2 * LARGE_PAGE || bytes < 2 * LARGE_PAGE)
         return in_large_pages(realloc(array, bytes), bytes);
     void *larger = in_large_pages(malloc(bytes), bytes);
     if (larger && old > 0)

@@ -132,15 +132,18 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
 static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
-    const scene_solid *own = &scene->solid[w->body];
-    if (!classify(w, scene, e, line))
-        return false;
-    *line = (seen_line){.edge = line->edge,
-                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
-                        .own = seen_own_of(scene, w->body, e),
-                        .class = line->class};
-    w->surviving++;
-    return true;
+    uint8_t is = scene->surface->edge_is[e];
+    bool joins = w->all && !(is & EDGE_CUT) && seen_joins_faces(w->facing, edge, is);
+    line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are drawn */
+    bool is_line = joins || classify(w, scene, e, line);
+    line->v[0] = w->vertex + edge->v[0];
+    line->v[1] = w->vertex + edge->v[1];
+    line->end = NULL;
+    line->own = seen_own_of(scene, w->body, e);
+    line->taken = 0;
+    line->piece = NULL;
+    w->surviving += is_line;
+    return is_line;
 }
 
 /* Would an edge of a convex body that the near plane has completely removed be a line? Sets its class. */

@@ -232,6 +232,7 @@ typedef struct seen_walk {
     uint32_t edge, end; /* edges of seen.source: the next one; the end */
     uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
     bool slow;          /* the body is not convex, the near plane has clipped the scene, or there is a union */
+    bool passing;       /* seen_pass_flat() may be called */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* pointers to the body's first in seen.scene: */
@@ -239,7 +240,6 @@ typedef struct seen_walk {
     const unsigned char *facing;
     const plane *plane; /* of a convex body */
     uint32_t vertex;
-    bool passing; /* seen_pass_flat() may be called */
 } seen_walk;
 
 /* Begins a walk. The body's points must be mapped and its faces classified, unless the near plane has removed all of
