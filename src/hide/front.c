@@ -337,17 +337,41 @@ static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *fron
                              .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
 }
 
+/* Rounds as hide_box_around() does. */
+BITS_INLINE hide_box box_of_face(const hide_fronts *fronts, uint32_t face)
+{
+    const uint32_t *start = fronts->scene->face_start + face, *corner = fronts->scene->corner + start[0];
+    const roberts_vec3 *p = &fronts->P[corner[0]];
+    two low = two_of(p->x, p->y), high = low, ulp = two_all(0x1p-23);
+    double far = p->z, near = far;
+    for (uint32_t i = 1; i < start[1] - start[0]; i++) {
+        p = &fronts->P[corner[i]];
+        two q = two_of(p->x, p->y);
+        low = two_lesser(low, q);
+        high = two_greater(high, q);
+        far = lesser(far, p->z);
+        near = greater(near, p->z);
+    }
+    hide_box box = {.z0 = hide_float_below(far), .z1 = hide_float_above(near)};
+    two_part_floats(&box.x0, &box.y0, two_sub(low, two_mul(two_abs(low), ulp)));
+    two_part_floats(&box.x1, &box.y1, two_add(high, two_mul(two_abs(high), ulp)));
+    return box;
+}
+
 hide_box front_box_of_face(const hide_fronts *fronts, uint32_t face)
 {
-    const uint32_t *start = fronts->scene->face_start + face;
-    hide_bounds own = bounds_of(fronts, fronts->scene->corner + start[0], start[1] - start[0]);
-    return hide_box_around(&own);
+    return box_of_face(fronts, face);
+}
+
+BITS_INLINE void set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
+{
+    fronts->front_box[to] = box_of_face(fronts, face);
+    fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
 }
 
 void front_set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
 {
-    fronts->front_box[to] = front_box_of_face(fronts, face);
-    fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+    set_face(fronts, to, body, face);
 }
 
 /* Is it a closed body whose faces are all wound alike? Then a line of sight meets them alternately from both sides,
@@ -368,25 +392,27 @@ static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
     double nearest[] = {[VIEW_FRONT] = -INFINITY, [VIEW_BACK] = -INFINITY, [VIEW_EDGE_ON] = -INFINITY};
     uint32_t faces[] = {[VIEW_EDGE_ON] = 0};
+    int late = VIEW_EDGE_ON;
     for (uint32_t face = first; face < end; face++) {
-        uint32_t count = scene->face_start[face + 1] - scene->face_start[face];
+        const uint32_t *start = scene->face_start + face;
         int facing = seen_either_face(fronts->seen, face);
         faces[facing]++;
-        nearest[facing] = greater(nearest[facing], fronts->P[scene->corner[scene->face_start[face]]].z);
-        tile->most_corners = facing != VIEW_EDGE_ON && count > tile->most_corners ? count : tile->most_corners;
+        nearest[facing] = greater(nearest[facing], fronts->P[scene->corner[start[0]]].z);
+        if (start[1] - start[0] > tile->most_corners && facing != VIEW_EDGE_ON)
+            tile->most_corners = start[1] - start[0];
     }
     tile->faces += faces[VIEW_FRONT];
     tile->back += faces[VIEW_BACK];
     tile->edge_on += faces[VIEW_EDGE_ON];
     if (fronts->late && is_wound_alike(scene, body))
-        fronts->late[body] = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
+        fronts->late[body] = late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
     for (uint32_t face = first; face < end; face++) {
         int facing = fronts->seen->facing[face];
-        if (facing == VIEW_EDGE_ON)
+        if (facing == VIEW_EDGE_ON || (facing == late && !fronts->cover.depth))
             continue;
-        front_set_face(fronts, to, body, face);
+        set_face(fronts, to, body, face);
         cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
-        to += !fronts->late || facing != fronts->late[body];
+        to += facing != late;
     }
     tile->surface = to;
 }

@@ -47,12 +47,9 @@ static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 /* Records a fold in all cells of a box. */
 static void fold_box(const layers *l, const hide_box *box, double loose)
 {
-    const scan_frame *s = &l->grid->frame;
-    double m = s->margin + loose;
-    uint32_t right = scan_column(s, (double)box->x1 + m);
-    uint32_t low = scan_row(s, (double)box->y0 - m), high = scan_row(s, (double)box->y1 + m);
-    for (uint32_t i = scan_column(s, (double)box->x0 - m); i <= right; i++)
-        for (uint32_t j = low; j <= high; j++)
+    objet_range in = objet_range_of(&l->grid->frame, box, l->grid->frame.margin + loose);
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
             fold_cell(l, i, j, box->z1);
 }
 
@@ -209,12 +206,10 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
 static bool is_before_sheets(const layers *l, const hide_box *box)
 {
     const scan_frame *s = &l->grid->frame;
-    double m = s->margin;
-    uint32_t right = scan_column(s, (double)box->x1 + m);
-    uint32_t low = scan_row(s, (double)box->y0 - m), high = scan_row(s, (double)box->y1 + m);
+    objet_range in = objet_range_of(s, box, s->margin);
     bool before = false;
-    for (uint32_t i = scan_column(s, (double)box->x0 - m); i <= right; i++)
-        for (uint32_t j = low; j <= high; j++)
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
             if (box->z1 < l->grid->sheet.depth[(size_t)i * s->ny + j])
                 fold_cell(l, i, j, box->z1);
             else

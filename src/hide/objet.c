@@ -47,40 +47,47 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Counts the front in every cell that it touches or, with `fill`, lists it there. If its box meets at most two columns
- * and two rows, the front is listed in all their cells. */
-static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
+/* Counts the front in a cell or, with `fill`, lists it there. */
+BITS_INLINE void list_in_cell(const filling *job, uint32_t index, uint32_t column, uint32_t row, bool fill)
 {
     objet *grid = job->grid;
-    const hide_fronts *fronts = job->fronts;
-    scan_frame wider = grid->frame;
-    const scan_frame *f = &wider;
-    const hide_box *box = &fronts->front_box[index];
-    wider.margin += hide_loose(fronts, index);
-    double m = f->margin;
-    uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
-    uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
-    bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
-    if (!small) {
-        uint32_t turned[SEEN_TURNED];
-        hide_face outline = hide_outline(fronts, index, turned);
-        scan_polygon(s, f, fronts->P, outline.corner, outline.count);
-        first = s->first;
-        last = s->last;
+    const hide_box *box = &job->fronts->front_box[index];
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    if (job->late && box->z1 < grid->sheet.depth[cell])
+        return;
+    uint32_t at = count_one(&job->place[cell], job->threads == 1);
+    if (fill)
+        grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(objet_place(grid, box), column, row))};
+}
+
+/* The same for every cell that the front touches, column by column. */
+static BITS_RARE void list_scanned(const filling *job, uint32_t index, bool fill)
+{
+    uint32_t turned[SEEN_TURNED], low, high;
+    scan *s = &job->lister[thread_self()].s;
+    scan_frame wider = job->grid->frame;
+    hide_face outline = hide_outline(job->fronts, index, turned);
+    wider.margin += hide_loose(job->fronts, index);
+    scan_polygon(s, &wider, job->fronts->P, outline.corner, outline.count);
+    for (uint32_t i = s->first; i <= s->last; i++) {
+        scan_touched(s, &wider, i, &low, &high);
+        for (uint32_t j = low; j <= high; j++)
+            list_in_cell(job, index, i, j, fill);
     }
-    four place = objet_place(grid, box);
-    for (uint32_t i = first; i <= last; i++) {
-        if (!small)
-            scan_touched(s, f, i, &low, &high);
-        for (uint32_t j = low; j <= high; j++) {
-            size_t cell = (size_t)i * f->ny + j;
-            if (job->late && box->z1 < grid->sheet.depth[cell])
-                continue;
-            uint32_t at = count_one(&job->place[cell], alone);
-            if (fill)
-                grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(place, i, j))};
-        }
+}
+
+/* The same. If the front's box meets at most two columns and two rows, all their cells are taken. */
+BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
+{
+    const scan_frame *f = &job->grid->frame;
+    objet_range in = objet_range_of(f, &job->fronts->front_box[index], f->margin + hide_loose(job->fronts, index));
+    if (in.right - in.left > 1 || in.high - in.low > 1) {
+        list_scanned(job, index, fill);
+        return;
     }
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
+            list_in_cell(job, index, i, j, fill);
 }
 
 /* Counts all fronts, or lists them, in any order. The lists are sorted later. */
@@ -92,7 +99,7 @@ static void list_all(const filling *job, bool fill)
 #endif
     for (uint32_t k = job->first; k < fronts->front_count; k++)
         if (fronts->front[k].listed)
-            list_front(job, k, &job->lister[thread_self()].s, fill);
+            list_front(job, k, fill);
 }
 
 /* Makes room for this many entries. False: no memory. */

@@ -56,6 +56,23 @@ typedef struct objet_walk {
 roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
 
+/* Columns and rows. */
+typedef struct objet_range {
+    uint32_t left, right, low, high;
+} objet_range;
+
+/* Returns the columns and rows that a box touches, if it is widened by m on all sides. */
+BITS_INLINE objet_range objet_range_of(const scan_frame *f, const hide_box *box, double m)
+{
+    two x = two_of((double)box->x0 - m, (double)box->x1 + m), y = two_of((double)box->y0 - m, (double)box->y1 + m);
+    double left, right, low, high;
+    x = two_mul(two_sub(x, two_all(f->x0)), two_all(f->per_dx)); /* as scan_column() and scan_row() do */
+    y = two_mul(two_sub(y, two_all(f->y0)), two_all(f->per_dy));
+    two_part(&left, &right, two_lesser(two_greater(x, two_all(0.0)), two_all(f->last_x)));
+    two_part(&low, &high, two_lesser(two_greater(y, two_all(0.0)), two_all(f->last_y)));
+    return (objet_range){(uint32_t)left, (uint32_t)right, (uint32_t)low, (uint32_t)high};
+}
+
 /* Returns a box in 256ths of cells, counted from cell (0, 0), as lanes x0, x1, y0, y1. */
 static inline four objet_place(const objet *grid, const hide_box *box)
 {

@@ -232,8 +232,7 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     plain_answer answer = plain_edges_find(&w->edges, s);
     w->first[s] = first;
     w->count[s] = (uint32_t)w->edges.count - first;
-    for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
-        w->open[s] = is_odd(&w->edges, e);
+    w->open[s] = !w->edges.paired;
     return answer;
 }
 

@@ -291,12 +291,16 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
 
 void seen_pass_flat(seen_walk *w)
 {
-    const scene_surface *surface = w->of->scene->surface;
-    const scene_edge *edge = scene_edge_stored(w->of->scene, w->body, w->edge);
+    const roberts_scene *scene = w->of->scene;
+    const scene_edge *edge = scene_edge_stored(scene, w->body, w->edge);
+    const uint8_t *is = scene->surface->edge_is, *bend = scene->surface->bend;
     uint8_t crease = scene_bend_code(crease_of(w->of, w->body));
-    for (; w->edge < w->end; w->edge++, edge++)
-        if (surface->bend[w->edge] >= crease || !seen_joins_faces(w->facing, edge, surface->edge_is[w->edge]))
-            return;
+    uint32_t e = w->edge;
+    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e])) {
+        e++;
+        edge++;
+    }
+    w->edge = e;
 }
 
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)

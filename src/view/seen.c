@@ -99,15 +99,11 @@ scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32
     return shape;
 }
 
-int seen_either_face(seen *s, uint32_t face)
+int seen_any_face(seen *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
-    int facing = VIEW_UNKNOWN;
-    if (!scene->face_plane)
-        facing = view_facing_of_triangle(&s->view, scene->corner + first, s->P);
-    if (facing == VIEW_UNKNOWN)
-        facing = view_facing(&s->view, scene, face, view_plane(&s->view, scene, face, NULL), s->P);
+    int facing = view_facing(&s->view, scene, face, view_plane(&s->view, scene, face, NULL), s->P);
     s->facing[face] = (unsigned char)facing;
     for (uint32_t i = 0; facing == VIEW_BACK && end - first > SEEN_TURNED && i < end - first; i++)
         s->turned[first + i] = scene->corner[end - 1 - i];

@@ -119,7 +119,20 @@ static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_
 }
 
 /* Finds the facing of a face of any other body that is mapped, and turns its corners toward the viewer. */
-int seen_either_face(seen *s, uint32_t face);
+int seen_any_face(seen *s, uint32_t face);
+
+/* The same. The facing of nearly all faces of a mesh is plain. */
+static inline int seen_either_face(seen *s, uint32_t face)
+{
+    const roberts_scene *scene = s->scene;
+    int facing = VIEW_UNKNOWN;
+    if (!scene->face_plane)
+        facing = view_facing_of_triangle(&s->view, scene->corner + scene->face_start[face], s->P);
+    if (facing == VIEW_UNKNOWN)
+        return seen_any_face(s, face);
+    s->facing[face] = (unsigned char)facing;
+    return facing;
+}
 
 /* Fills `out` with such a face, turned toward the viewer, and returns its shape in the model. turned: as in
  * seen_corners(). */
@@ -271,9 +284,8 @@ static inline bool seen_joins_faces(const unsigned char *facing, const scene_edg
 {
     if (edge->f[1] == ROBERTS_NONE || is & EDGE_MANY)
         return false;
-    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
-    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
-    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
+    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]], turned = (is / EDGE_TURNED_0 ^ is / EDGE_TURNED_1) & 1;
+    return (f != VIEW_EDGE_ON) & (g != VIEW_EDGE_ON) & ((f == g) == turned); /* few branches: most edges come here */
 }
 
 /* Returns the class of an edge of a convex body from the facing of its two faces. fronts: how many of them are
