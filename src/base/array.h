@@ -1,4 +1,5 @@
-/* array.h - memory for arrays: counted allocation, and growth by doubling, both safe against overflow. */
+/* array.h - memory for arrays: counted allocation, and growth by doubling, both safe against overflow. Large arrays lie
+ * in large pages of memory, if the system has them. */
 #ifndef ROBERTS_BASE_ARRAY_H
 #define ROBERTS_BASE_ARRAY_H
 
@@ -8,6 +9,9 @@
 /* Allocates `count` elements of `size` bytes, not initialised. NULL: no memory, or the product overflows; never NULL
  * for a count of 0. Release with free(). */
 void *alloc_array(size_t count, size_t size);
+
+/* Allocates the same for an array of which large parts may never be written; these parts cost no memory. */
+void *alloc_sparse(size_t count, size_t size);
 
 /* Allocates the same, zeroed. */
 void *alloc_zeroed(size_t count, size_t size);

@@ -1,9 +1,17 @@
 /* main.c - the program: reads the options, calls the library, writes. A client of roberts.h like any other. */
+/* for MADV_HUGEPAGE */
+#define _DEFAULT_SOURCE /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+#endif
 
 #include "cli/batch.h"
 #include "cli/help.h"
@@ -38,11 +46,29 @@ static void hold_streams(void)
             (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* gets the least free number */
 }
 
+/* Large arrays of the library lie in large pages of memory (base/array.c). This gives smaller ones such pages to share:
+ * a heap of HEAP bytes, which cost nothing until they are written. Arrays beyond ARRAY bytes stay outside, so that they
+ * can grow without being copied. */
+static void prepare_heap(void)
+{
+#if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
+    enum { HEAP = 31 << 20, ARRAY = 4 << 20 };
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 32 << 20);
+    char *heap = malloc(HEAP);
+    if (heap)
+        madvise(heap - (size_t)heap % (size_t)sysconf(_SC_PAGESIZE), HEAP, MADV_HUGEPAGE);
+    free(heap);
+    mallopt(M_MMAP_THRESHOLD, ARRAY);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     cli_options options;
     picture_result result;
     hold_streams();
+    prepare_heap();
     signals_prepare();
     int status = options_parse(&option_table_all, argc, argv, &options);
     if (status != EXIT_DONE)

@@ -140,47 +140,62 @@ BITS_INLINE void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
         l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
-/* (Q - P) x (X - P) in the picture: > 0 if X is left of P -> Q. */
-static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
+/* Do line and face plainly lie beside one another in the picture? They do if both ends of the line lie outside one side
+ * of the face, or all corners on one side of the line. They may share a corner: they touch only there. Most faces of a
+ * surface that a line meets are of this kind, and their planes need not be computed. */
+BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32_t face)
 {
-    return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
-}
-
-/* Does the line begin or end at a corner of the face, and plainly leave the face there? Most faces of a surface that a
- * line meets are of this kind. */
-static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, uint32_t front)
-{
-    uint32_t turned[SEEN_TURNED];
-    const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
-    uint32_t at = F->count;
-    for (uint32_t i = 0; i < F->count; i++)
-        if (F->corner[i] == e->a || F->corner[i] == e->b) { /* never ROBERTS_NONE */
-            if (at < F->count)
+    const roberts_scene *scene = fronts->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[face],
+                   *end = scene->corner + scene->face_start[face + 1];
+    const double plain = fronts->space.plain, turn = fronts->seen->facing[face] == VIEW_BACK ? -1.0 : 1.0;
+    const two X = two_of(e->A.x, e->B.x), Y = two_of(e->A.y, e->B.y), least = two_all(-plain);
+    uint32_t last = end[-1];
+    two px = two_sub(two_all(fronts->P[last].x), X), py = two_sub(two_all(fronts->P[last].y), Y);
+    for (const uint32_t *c = corner; c < end; last = *c++) {
+        two qx = two_sub(two_all(fronts->P[*c].x), X), qy = two_sub(two_all(fronts->P[*c].y), Y);
+        two left = two_mul(two_sub(two_mul(px, qy), two_mul(py, qx)), two_all(turn));
+        unsigned out = two_at_most(left, least);
+        uint32_t other = out == 1 ? e->b : e->a; /* ROBERTS_NONE is no corner */
+        if (out == 3 || (out != 0 && (*c == other || last == other)))
+            return true;
+        px = qx;
+        py = qy;
+    }
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, low = INFINITY, high = -INFINITY;
+    bool shared = false;
+    for (const uint32_t *c = corner; c < end; c++) {
+        if (*c == e->a || *c == e->b) {
+            if (shared)
                 return false;
-            at = i;
+            shared = true;
+            continue;
         }
-    if (at == F->count)
-        return false;
-    roberts_vec3 before = fronts->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = fronts->P[F->corner[at]];
-    roberts_vec3 after = fronts->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
-    return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
+        double left = dx * (fronts->P[*c].y - e->A.y) - dy * (fronts->P[*c].x - e->A.x);
+        low = lesser(low, left);
+        high = greater(high, left);
+    }
+    return low > plain || high < -plain;
 }
 
-/* Removes from `bits` the lines that own the front, and those that only touch a face of a surface at a corner. Bit i
- * stands for line first[i]. */
-static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits, uint32_t index)
+/* Does the line not meet a front because it lies in it, or plainly beside a face of a surface? */
+BITS_INLINE bool is_left_out(const hide_fronts *fronts, const hide_line *line, const hide_front *front)
+{
+    return seen_owns(fronts->scene, &line->is.own, hide_key(fronts, front)) ||
+           (front->kind == HIDE_SURFACE_FACE && is_beside(fronts, &line->e, front->piece));
+}
+
+/* Removes from `bits` the lines that are left out. Bit i stands for line first[i]. */
+static BITS_PER_PROCESSOR BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits,
+                                                          uint32_t index)
 {
     const hide_front *front = &w->fronts->front[index];
-    uint64_t left = bits;
-    uint32_t key = hide_key(w->fronts, front);
-    bool surface = front->kind == HIDE_SURFACE_FACE;
-    for (; bits; bits &= bits - 1) {
-        const hide_line *line = first + bits_trailing_zeros(bits);
-        if (seen_owns(w->fronts->scene, &line->is.own, key) ||
-            (surface && leaves_at_corner(w->fronts, &line->e, index)))
-            left &= ~(bits & -bits);
-    }
-    return left;
+    if (bits == 1)
+        return !is_left_out(w->fronts, first, front);
+    for (uint64_t rest = bits; rest; rest &= rest - 1)
+        if (is_left_out(w->fronts, first + bits_trailing_zeros(rest), front))
+            bits &= ~(rest & -rest);
+    return bits;
 }
 
 /* Tests lines against a front that may be nearer somewhere. Bit i of `bits` stands for line first[i]. The lines lie

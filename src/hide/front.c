@@ -2,6 +2,7 @@
 #include "hide/front.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "hide/refine.h"
@@ -336,26 +337,82 @@ static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *fron
                              .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
 }
 
-/* Makes each face of a body that is not convex a front, unless it is edge-on. */
+/* Rounds as hide_box_around() does. */
+BITS_INLINE hide_box box_of_face(const hide_fronts *fronts, uint32_t face)
+{
+    const uint32_t *start = fronts->scene->face_start + face, *corner = fronts->scene->corner + start[0];
+    const roberts_vec3 *p = &fronts->P[corner[0]];
+    two low = two_of(p->x, p->y), high = low, ulp = two_all(0x1p-23);
+    double far = p->z, near = far;
+    for (uint32_t i = 1; i < start[1] - start[0]; i++) {
+        p = &fronts->P[corner[i]];
+        two q = two_of(p->x, p->y);
+        low = two_lesser(low, q);
+        high = two_greater(high, q);
+        far = lesser(far, p->z);
+        near = greater(near, p->z);
+    }
+    hide_box box = {.z0 = hide_float_below(far), .z1 = hide_float_above(near)};
+    two_part_floats(&box.x0, &box.y0, two_sub(low, two_mul(two_abs(low), ulp)));
+    two_part_floats(&box.x1, &box.y1, two_add(high, two_mul(two_abs(high), ulp)));
+    return box;
+}
+
+hide_box front_box_of_face(const hide_fronts *fronts, uint32_t face)
+{
+    return box_of_face(fronts, face);
+}
+
+BITS_INLINE void set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
+{
+    fronts->front_box[to] = box_of_face(fronts, face);
+    fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+}
+
+void front_set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
+{
+    set_face(fronts, to, body, face);
+}
+
+/* Is it a closed body whose faces are all wound alike? Then a line of sight meets them alternately from both sides,
+ * wherever the body does not cross itself. */
+static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
+{
+    const uint8_t *is = scene->surface->edge_is + scene->solid[body].edge;
+    uint32_t count = scene->solid[body + 1].edge - scene->solid[body].edge;
+    return scene->surface->kind[body] == ROBERTS_CLOSED && is[0] == EDGE_TURNED_1 &&
+           memcmp(is, is + 1, (count - 1) * sizeof *is) == 0;
+}
+
+/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, those faces wait
+ * that turn the other side to the viewer than the nearest one does. */
 static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
+    double nearest[] = {[VIEW_FRONT] = -INFINITY, [VIEW_BACK] = -INFINITY, [VIEW_EDGE_ON] = -INFINITY};
+    uint32_t faces[] = {[VIEW_EDGE_ON] = 0};
+    int late = VIEW_EDGE_ON;
     for (uint32_t face = first; face < end; face++) {
-        uint32_t turned[SEEN_TURNED], count;
+        const uint32_t *start = scene->face_start + face;
         int facing = seen_either_face(fronts->seen, face);
-        tile->faces += facing == VIEW_FRONT;
-        tile->back += facing == VIEW_BACK;
-        tile->edge_on += facing == VIEW_EDGE_ON;
-        if (facing == VIEW_EDGE_ON)
+        faces[facing]++;
+        nearest[facing] = greater(nearest[facing], fronts->P[scene->corner[start[0]]].z);
+        if (start[1] - start[0] > tile->most_corners && facing != VIEW_EDGE_ON)
+            tile->most_corners = start[1] - start[0];
+    }
+    tile->faces += faces[VIEW_FRONT];
+    tile->back += faces[VIEW_BACK];
+    tile->edge_on += faces[VIEW_EDGE_ON];
+    if (fronts->late && is_wound_alike(scene, body))
+        fronts->late[body] = late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
+    for (uint32_t face = first; face < end; face++) {
+        int facing = fronts->seen->facing[face];
+        if (facing == VIEW_EDGE_ON || (facing == late && !fronts->cover.depth))
             continue;
-        const uint32_t *corner = seen_corners(fronts->seen, face, &count, turned);
-        tile->most_corners = count > tile->most_corners ? count : tile->most_corners;
-        hide_bounds own = bounds_of(fronts, corner, count);
-        fronts->front_box[to] = hide_box_around(&own);
-        fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
+        set_face(fronts, to, body, face);
         cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
-        to++;
+        to += facing != late;
     }
     tile->surface = to;
 }

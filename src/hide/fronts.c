@@ -29,6 +29,7 @@ typedef struct build {
     front_scratch *scratch; /* [threads] */
     int threads;
     bool looked_up; /* hide_seen_at() will be called */
+    bool may_wait;  /* see hide_fronts.late */
 } build;
 
 enum { POINTS_AT_ONCE = 64 };
@@ -480,19 +481,22 @@ static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
 }
 
 /* Only a part of most arrays is ever written. The rest costs no memory, because it is never touched. */
-static bool alloc_fronts(hide_fronts *fronts)
+static bool alloc_fronts(build *b)
 {
+    hide_fronts *fronts = b->fronts;
     const roberts_scene *scene = fronts->scene;
     uint32_t other_faces;
     count_convex(fronts, &other_faces);
     fronts->room = (size_t)fronts->convex_count + other_faces;
     fronts->box = alloc_array(scene->solid_count, sizeof *fronts->box);
     fronts->culled = alloc_zeroed(scene->solid_count, sizeof *fronts->culled);
-    fronts->face = alloc_array(scene->face_count - other_faces, sizeof *fronts->face);
+    fronts->face = alloc_sparse(scene->face_count - other_faces, sizeof *fronts->face);
     fronts->whole = alloc_array(fronts->convex_count, sizeof *fronts->whole);
     fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
     fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
-    fronts->outline = alloc_array(scene->vertex_count, sizeof *fronts->outline);
+    fronts->outline = alloc_sparse(scene->vertex_count, sizeof *fronts->outline);
+    if (b->may_wait && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
+        return false;
     return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
            fronts->outline;
 }
@@ -537,13 +541,14 @@ static bool begin_covers(hide_fronts *fronts, scan_frame frame, int threads)
 bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up)
 {
     const roberts_scene *scene = s->scene;
-    bool cull = !options->keep_hidden;
+    bool cull = !options->keep_hidden, mesh = scene->surface && scene->surface->bend && !s->clip.clipped;
     build b = {.fronts = fronts,
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
-               .looked_up = looked_up};
+               .looked_up = looked_up,
+               .may_wait = cull && mesh && !looked_up};
     *fronts = (hide_fronts){.seen = s, .scene = scene};
     scan_frame frame = {0};
-    bool done = seen_begin_points(s) && alloc_fronts(fronts) && box_solids(fronts, b.threads);
+    bool done = seen_begin_points(s) && alloc_fronts(&b) && box_solids(fronts, b.threads);
     if (done) {
         set_space(fronts);
         if (cull)
@@ -567,6 +572,7 @@ void hide_fronts_free(hide_fronts *fronts)
 {
     free(fronts->box);
     free(fronts->culled);
+    free(fronts->late);
     free(fronts->face);
     free(fronts->whole);
     free(fronts->front);

@@ -55,6 +55,8 @@ typedef struct hide_fronts {
     hide_space space;
     hide_box *box;           /* [solid_count]; NULL after hide_fronts_drop_boxes() */
     unsigned char *culled;   /* [solid_count] 1: hidden, or the near plane has left nothing of it */
+    unsigned char *late;     /* [solid_count] facing of those faces of a body that are no fronts yet; 0: all are. See
+                                layers_add_late(). NULL: no face waits */
     hide_face *face;         /* faces of whole fronts, front by front; there may be unused entries between fronts */
     hide_whole_front *whole; /* [whole_count] */
     hide_front *front;       /* [front_count] whole fronts come first */

@@ -80,7 +80,7 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
 
 static roberts_status list_fronts(hide_job *job)
 {
-    const hide_fronts *fronts = &job->fronts;
+    hide_fronts *fronts = &job->fronts;
     double depth;
     cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
                          hide_margin(&fronts->space)};

@@ -8,9 +8,12 @@
 #include "base/array.h"
 #include "base/bits.h"
 #include "base/threads.h"
+#include "hide/front.h"
 
-/* Edges that a thread takes at a time. With fewer edges than WORTH_A_THREAD for each, another thread does not pay. */
+/* Edges and faces that a thread takes at a time. With fewer edges than WORTH_A_THREAD for each, another thread does not
+ * pay. */
 #define EDGES_AT_ONCE 4096
+#define FACES_AT_ONCE 4096
 #define WORTH_A_THREAD 8192
 /* Where in a cell its sheets are counted, as fractions of its size. Regular meshes have no edges there. */
 #define ACROSS_CELL 0.43709
@@ -44,12 +47,9 @@ static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 /* Records a fold in all cells of a box. */
 static void fold_box(const layers *l, const hide_box *box, double loose)
 {
-    const scan_frame *s = &l->grid->frame;
-    double m = s->margin + loose;
-    uint32_t right = scan_column(s, (double)box->x1 + m);
-    uint32_t low = scan_row(s, (double)box->y0 - m), high = scan_row(s, (double)box->y1 + m);
-    for (uint32_t i = scan_column(s, (double)box->x0 - m); i <= right; i++)
-        for (uint32_t j = low; j <= high; j++)
+    objet_range in = objet_range_of(&l->grid->frame, box, l->grid->frame.margin + loose);
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
             fold_cell(l, i, j, box->z1);
 }
 
@@ -161,6 +161,7 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
         return;
     float fold = of_rank(atomic_load_explicit(&l->fold[cell], memory_order_relaxed));
     set_sheet(grid, cell, -INFINITY, INFINITY);
+    grid->apart[cell] = 0;
     double x = s->x0 + (column + ACROSS_CELL) * s->dx, y = s->y0 + (row + UP_CELL) * s->dy;
     hide_bounds point = {{x, y, 0.0}, {x, y, 0.0}};
     hide_box about = hide_box_around(&point);
@@ -194,6 +195,89 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
         set_sheet(grid, cell, (double)at.depth - slack, fold);
 }
 
+/* ---- faces that wait ------------------------------------------------------------------------------------------- */
+
+/* Of a closed mesh, half of the faces lie behind the others. A sheet hides most of these in all cells that they touch,
+ * so they hide nothing that it does not hide, and no line in which they cross another face is seen. They never become
+ * fronts. */
+
+/* Is the box nowhere hidden by a sheet in some cell that it touches? Where it is hidden, its depth becomes that of a
+ * fold: lines are not in the sheet if they are as deep. */
+static bool is_before_sheets(const layers *l, const hide_box *box)
+{
+    const scan_frame *s = &l->grid->frame;
+    objet_range in = objet_range_of(s, box, s->margin);
+    bool before = false;
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
+            if (box->z1 < l->grid->sheet.depth[(size_t)i * s->ny + j])
+                fold_cell(l, i, j, box->z1);
+            else
+                before = true;
+    return before;
+}
+
+/* Lists those of the faces first..end-1 that wait and are not hidden. False: no memory. */
+static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t end)
+{
+    const roberts_scene *scene = l->fronts->scene;
+    const unsigned char *facing = l->fronts->seen->facing;
+    for (uint32_t face = first, body = scene_body_of_face(scene, first); face < end; body++) {
+        uint32_t last = scene->solid[body + 1].face < end ? scene->solid[body + 1].face : end;
+        unsigned char late = l->fronts->culled[body] ? VIEW_UNKNOWN : l->fronts->late[body];
+        for (; face < last; face++) {
+            if (late == VIEW_UNKNOWN || facing[face] != late)
+                continue;
+            hide_box box = front_box_of_face(l->fronts, face);
+            if (!is_before_sheets(l, &box))
+                continue;
+            if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
+                return false;
+            to->item[to->count++] = (hide_front){.solid = body, .piece = face};
+        }
+    }
+    return true;
+}
+
+/* Each thread takes the parts that follow one another, so that the order does not depend on the threads. */
+bool layers_add_late(layers *l, hide_fronts *fronts)
+{
+    uint32_t count = fronts->scene->face_count, parts = count / FACES_AT_ONCE + 1;
+    bool lost = false;
+    if (!(l->late = alloc_zeroed((size_t)l->threads, sizeof *l->late)))
+        return false;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(l->threads) reduction(|| : lost)
+#endif
+    for (uint32_t p = 0; p < parts; p++) {
+        uint32_t first = p * FACES_AT_ONCE, left = count - first;
+        lost = lost ||
+               !list_late(l, &l->late[thread_self()], first, first + (left < FACES_AT_ONCE ? left : FACES_AT_ONCE));
+    }
+    for (int i = 0; i < l->threads && !lost; i++)
+        for (size_t k = 0; k < l->late[i].count; k++)
+            front_set_face(fronts, fronts->front_count++, l->late[i].item[k].solid, l->late[i].item[k].piece);
+    return !lost;
+}
+
+/* A sheet that was found before is still one. */
+void layers_find_again(const layers *l, uint32_t column, uint32_t row)
+{
+    float *depth = &l->grid->sheet.depth[(size_t)column * l->grid->frame.ny + row], before = *depth;
+    layers_find(l, column, row);
+    *depth = before > *depth ? before : *depth;
+}
+
+void layers_end_late(const layers *l)
+{
+    for (size_t c = 0, cells = scan_cells(&l->grid->frame); c < cells; c++) {
+        float fold = of_rank(atomic_load_explicit(&l->fold[c], memory_order_relaxed));
+        l->grid->below[c] = fold > l->grid->below[c] ? fold : l->grid->below[c];
+    }
+}
+
+/* ---- all of it ------------------------------------------------------------------------------------------------- */
+
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
 {
     const roberts_scene *scene = fronts->scene;
@@ -218,6 +302,9 @@ void layers_end(layers *l)
 {
     for (int i = 0; l->walk && i < l->threads; i++)
         free(l->walk[i].item);
+    for (int i = 0; l->late && i < l->threads; i++)
+        free(l->late[i].item);
+    free(l->late);
     free(l->walk);
     free(l->fold);
     *l = (layers){0};

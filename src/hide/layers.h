@@ -15,12 +15,19 @@
 
 #include "hide/objet.h"
 
+/* Faces that become fronts late. */
+typedef struct late_faces {
+    hide_front *item;
+    size_t count, room;
+} late_faces;
+
 /* The search for sheets. */
 typedef struct layers {
     objet *grid;
     const hide_fronts *fronts;
     atomic_uint *fold; /* [cells] rank of the nearest depth of anything that is no sheet; NULL: no sheets are sought */
     objet_walk *walk;  /* [threads] */
+    late_faces *late;  /* [threads] */
     int threads;
 } layers;
 
@@ -31,5 +38,15 @@ void layers_end(layers *l);
 
 /* Finds the sheets of a cell whose list is complete and in order. */
 void layers_find(const layers *l, uint32_t column, uint32_t row);
+
+/* Makes those faces fronts that wait (hide_fronts.late), unless sheets hide them in all cells that they may touch. They
+ * follow the other fronts. No list may have them where the sheet known so far hides them. False: no memory. */
+bool layers_add_late(layers *l, hide_fronts *fronts);
+
+/* Finds the sheets of a cell again, when its list has got such fronts. */
+void layers_find_again(const layers *l, uint32_t column, uint32_t row);
+
+/* Takes into account what sheets have kept out of the lists. */
+void layers_end_late(const layers *l);
 
 #endif

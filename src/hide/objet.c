@@ -27,7 +27,10 @@ typedef struct lister {
 typedef struct filling {
     objet *grid;
     const hide_fronts *fronts;
-    lister *lister; /* [threads] */
+    uint32_t first;  /* front that is listed, and those behind it */
+    bool late;       /* where sheets are nearer, fronts are not listed */
+    uint32_t *place; /* [cells] first counts, then the places of the next entries */
+    lister *lister;  /* [threads] */
     int threads;
 } filling;
 
@@ -44,38 +47,47 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return before;
 }
 
-/* Counts the front in every cell that it touches or, with `fill`, lists it there. If its box meets at most two columns
- * and two rows, the front is listed in all their cells. */
-static void list_front(const filling *job, uint32_t index, scan *s, bool fill)
+/* Counts the front in a cell or, with `fill`, lists it there. */
+BITS_INLINE void list_in_cell(const filling *job, uint32_t index, uint32_t column, uint32_t row, bool fill)
 {
     objet *grid = job->grid;
-    const hide_fronts *fronts = job->fronts;
-    scan_frame wider = grid->frame;
-    const scan_frame *f = &wider;
-    const hide_box *box = &fronts->front_box[index];
-    wider.margin += hide_loose(fronts, index);
-    double m = f->margin;
-    uint32_t first = scan_column(f, (double)box->x0 - m), last = scan_column(f, (double)box->x1 + m);
-    uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
-    bool small = last - first < 2 && high - low < 2, alone = job->threads == 1;
-    if (!small) {
-        uint32_t turned[SEEN_TURNED];
-        hide_face outline = hide_outline(fronts, index, turned);
-        scan_polygon(s, f, fronts->P, outline.corner, outline.count);
-        first = s->first;
-        last = s->last;
+    const hide_box *box = &job->fronts->front_box[index];
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    if (job->late && box->z1 < grid->sheet.depth[cell])
+        return;
+    uint32_t at = count_one(&job->place[cell], job->threads == 1);
+    if (fill)
+        grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(objet_place(grid, box), column, row))};
+}
+
+/* The same for every cell that the front touches, column by column. */
+static BITS_RARE void list_scanned(const filling *job, uint32_t index, bool fill)
+{
+    uint32_t turned[SEEN_TURNED], low, high;
+    scan *s = &job->lister[thread_self()].s;
+    scan_frame wider = job->grid->frame;
+    hide_face outline = hide_outline(job->fronts, index, turned);
+    wider.margin += hide_loose(job->fronts, index);
+    scan_polygon(s, &wider, job->fronts->P, outline.corner, outline.count);
+    for (uint32_t i = s->first; i <= s->last; i++) {
+        scan_touched(s, &wider, i, &low, &high);
+        for (uint32_t j = low; j <= high; j++)
+            list_in_cell(job, index, i, j, fill);
     }
-    four place = objet_place(grid, box);
-    for (uint32_t i = first; i <= last; i++) {
-        if (!small)
-            scan_touched(s, f, i, &low, &high);
-        for (uint32_t j = low; j <= high; j++) {
-            size_t cell = (size_t)i * f->ny + j;
-            uint32_t at = count_one(&grid->start[cell], alone);
-            if (fill)
-                grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(place, i, j))};
-        }
+}
+
+/* The same. If the front's box meets at most two columns and two rows, all their cells are taken. */
+BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
+{
+    const scan_frame *f = &job->grid->frame;
+    objet_range in = objet_range_of(f, &job->fronts->front_box[index], f->margin + hide_loose(job->fronts, index));
+    if (in.right - in.left > 1 || in.high - in.low > 1) {
+        list_scanned(job, index, fill);
+        return;
     }
+    for (uint32_t i = in.left; i <= in.right; i++)
+        for (uint32_t j = in.low; j <= in.high; j++)
+            list_in_cell(job, index, i, j, fill);
 }
 
 /* Counts all fronts, or lists them, in any order. The lists are sorted later. */
@@ -85,9 +97,18 @@ static void list_all(const filling *job, bool fill)
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(job->threads)
 #endif
-    for (uint32_t k = 0; k < fronts->front_count; k++)
+    for (uint32_t k = job->first; k < fronts->front_count; k++)
         if (fronts->front[k].listed)
-            list_front(job, k, &job->lister[thread_self()].s, fill);
+            list_front(job, k, fill);
+}
+
+/* Makes room for this many entries. False: no memory. */
+static bool make_room(objet *grid, size_t count)
+{
+    if (count > UINT32_MAX || !array_reserve(&grid->entry, &grid->room, count + OBJET_SPARE, sizeof *grid->entry))
+        return false;
+    memset(grid->entry + count, 0, OBJET_SPARE * sizeof *grid->entry);
+    return true;
 }
 
 /* Replaces counts by places: start[cell] becomes the first place of the cell's list. False: no memory. */
@@ -101,10 +122,7 @@ static bool sum_counts(objet *grid)
         grid->start[c] = (uint32_t)total;
         total += count;
     }
-    grid->entry = alloc_array((size_t)grid->start[cells] + OBJET_SPARE, sizeof *grid->entry);
-    if (grid->entry)
-        memset(grid->entry + grid->start[cells], 0, OBJET_SPARE * sizeof *grid->entry);
-    return grid->entry != NULL;
+    return make_room(grid, total);
 }
 
 /* Moves each start back. Filling has moved it to the end of its list, where the next list starts. */
@@ -135,7 +153,14 @@ static bool sort_list(const filling *job, size_t cell, lister *own)
     return true;
 }
 
-/* Sorts all lists, and finds the sheets of each cell while its fronts are in the cache. False: no memory. */
+/* Has the list of a cell got fronts that are listed now? They are at its end. */
+static bool has_news(const filling *job, size_t cell)
+{
+    const uint32_t *start = job->grid->start + cell;
+    return start[0] < start[1] && job->grid->entry[start[1] - 1].front >= job->first;
+}
+
+/* Sorts all new lists, and finds the sheets of each cell while its fronts are in the cache. False: no memory. */
 static bool sort_lists(const filling *job, const layers *sheets)
 {
     const scan_frame *f = &job->grid->frame;
@@ -145,11 +170,59 @@ static bool sort_lists(const filling *job, const layers *sheets)
 #endif
     for (uint32_t i = 0; i < f->nx; i++)
         for (uint32_t j = 0; j < f->ny && !lost; j++) {
-            lost = !sort_list(job, (size_t)i * f->ny + j, &job->lister[thread_self()]);
-            if (!lost)
+            size_t cell = (size_t)i * f->ny + j;
+            if (job->late && !has_news(job, cell))
+                continue;
+            lost = !sort_list(job, cell, &job->lister[thread_self()]);
+            if (!lost && job->late)
+                layers_find_again(sheets, i, j);
+            else if (!lost)
                 layers_find(sheets, i, j);
         }
     return !lost;
+}
+
+/* Moves the lists so that each gets room for as many more entries as `place` counts, and sets `place` to where these
+ * begin. False: no memory. */
+static bool spread_lists(const filling *job)
+{
+    objet *grid = job->grid;
+    size_t cells = scan_cells(&grid->frame), more = 0;
+    for (size_t c = 0; c < cells; c++)
+        more += job->place[c];
+    uint32_t end = grid->start[cells], shift = (uint32_t)more;
+    if (!make_room(grid, end + more))
+        return false;
+    grid->start[cells] = end + shift;
+    for (size_t c = cells; c-- > 0;) {
+        uint32_t begin = grid->start[c], count = end - begin;
+        shift -= job->place[c];
+        grid->start[c] = begin + shift;
+        memmove(grid->entry + begin + shift, grid->entry + begin, count * sizeof *grid->entry);
+        job->place[c] = begin + shift + count;
+        end = begin;
+    }
+    return true;
+}
+
+/* Lists the faces that wait. False: no memory. */
+static bool list_late(filling *job, layers *sheets, hide_fronts *fronts)
+{
+    job->late = true;
+    job->first = fronts->front_count;
+    job->place = alloc_zeroed(scan_cells(&job->grid->frame), sizeof *job->place);
+    bool done = job->place && layers_add_late(sheets, fronts);
+    if (done) {
+        list_all(job, false);
+        done = spread_lists(job);
+    }
+    if (done) {
+        list_all(job, true);
+        done = sort_lists(job, sheets);
+        layers_end_late(sheets);
+    }
+    free(job->place);
+    return done;
 }
 
 /* Fills `next`, beginning at the end of each list. False: no memory. */
@@ -229,16 +302,17 @@ static void free_listers(filling *job)
     free(job->lister);
 }
 
-roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads)
+roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, uint32_t threads)
 {
-    filling job = {grid, fronts, NULL, threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
+    filling job = {
+        .grid = grid, .fronts = fronts, .threads = threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
     layers sheets = {0};
     *grid = (objet){.frame = frame};
     for (int i = 0; i < 4; i++) {
         grid->from[i] = (float)(i < 2 ? frame.x0 : frame.y0);
         grid->per[i] = (float)(256.0 * (i < 2 ? frame.per_dx : frame.per_dy));
     }
-    grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
+    job.place = grid->start = alloc_zeroed(scan_cells(&frame) + 1, sizeof *grid->start);
     bool done = grid->start && alloc_listers(&job);
     if (done) {
         list_all(&job, false);
@@ -247,8 +321,8 @@ roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame fr
     if (done) {
         list_all(&job, true);
         restore_starts(grid);
-        done = layers_begin(&sheets, grid, fronts, threads) && sort_lists(&job, &sheets) && link_lists(grid, fronts) &&
-               plant_trees(&job);
+        done = layers_begin(&sheets, grid, fronts, threads) && sort_lists(&job, &sheets) &&
+               (!fronts->late || list_late(&job, &sheets, fronts)) && link_lists(grid, fronts) && plant_trees(&job);
     }
     layers_end(&sheets);
     free_listers(&job);

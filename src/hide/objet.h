@@ -27,6 +27,7 @@ typedef struct objet {
     float per[4];       /* 256ths of a cell in a view unit, likewise */
     uint32_t *start;    /* [nx * ny + 1] cell c lists entry[start[c]] .. entry[start[c + 1] - 1] */
     objet_entry *entry; /* [start[nx * ny] + OBJET_SPARE] */
+    size_t room;        /* of `entry` */
     /* For each entry, the first later entry of another solid, or the end of the list. So the lines of a convex solid
      * pass over all of its own faces at once: a fan of very many triangles lists all of them in the cell of its tip.
      * NULL: no convex solid is listed face by face. */
@@ -50,10 +51,27 @@ typedef struct objet_walk {
     size_t count, room;
 } objet_walk;
 
-/* Lists all fronts in the cells of `frame`, and finds the cells that sheets fill. threads: upper bound; 0: as many as
- * there are. They do not change the result. Returns ROBERTS_OK or _NO_MEMORY. */
-roberts_status objet_build(objet *grid, const hide_fronts *fronts, scan_frame frame, uint32_t threads);
+/* Lists all fronts in the cells of `frame`, and finds the cells that sheets fill. Faces that wait become fronts.
+ * threads: upper bound; 0: as many as there are. They do not change the result. Returns ROBERTS_OK or _NO_MEMORY. */
+roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
+
+/* Columns and rows. */
+typedef struct objet_range {
+    uint32_t left, right, low, high;
+} objet_range;
+
+/* Returns the columns and rows that a box touches, if it is widened by m on all sides. */
+BITS_INLINE objet_range objet_range_of(const scan_frame *f, const hide_box *box, double m)
+{
+    two x = two_of((double)box->x0 - m, (double)box->x1 + m), y = two_of((double)box->y0 - m, (double)box->y1 + m);
+    double left, right, low, high;
+    x = two_mul(two_sub(x, two_all(f->x0)), two_all(f->per_dx)); /* as scan_column() and scan_row() do */
+    y = two_mul(two_sub(y, two_all(f->y0)), two_all(f->per_dy));
+    two_part(&left, &right, two_lesser(two_greater(x, two_all(0.0)), two_all(f->last_x)));
+    two_part(&low, &high, two_lesser(two_greater(y, two_all(0.0)), two_all(f->last_y)));
+    return (objet_range){(uint32_t)left, (uint32_t)right, (uint32_t)low, (uint32_t)high};
+}
 
 /* Returns a box in 256ths of cells, counted from cell (0, 0), as lanes x0, x1, y0, y1. */
 static inline four objet_place(const objet *grid, const hide_box *box)

@@ -430,7 +430,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         fit_planes(a, b);
         if (!body_edges_store(&list, scene, b))
             goto done;
-        scene->surface->smooth[b] = body_smooth(scene, b, NULL);
+        scene->surface->smooth[b] = body_smooth(scene, b);
     }
     if (!rename_all(a))
         goto done;

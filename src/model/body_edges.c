@@ -195,41 +195,34 @@ void body_edges_free(body_edges *list)
 
 /* ---- curved surfaces ------------------------------------------------------------------------------------------- */
 
-/* Returns the bend between the two faces of an edge: the squared distance of their unit normals. */
-static inline double bend_of(const roberts_scene *scene, const scene_solid *own, uint32_t edge)
+void body_count_bend(bend_count *count, double bend)
 {
-    const scene_edge *e = &scene->edge[own->stored + (edge - own->edge)];
-    uint8_t is = scene->surface->edge_is[edge];
-    plane F = scene_plane(scene, own->face + e->f[0]), G = scene_plane(scene, own->face + e->f[1]);
-    double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
-    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
-    return a * a + b * b + c * c;
+    count->much += bend > FLAT_BEND && !(bend < LITTLE_BEND);
+    count->little += bend > FLAT_BEND && bend < LITTLE_BEND;
+}
+
+bool body_is_smooth(const bend_count *count, uint32_t faces)
+{
+    return faces > SMOOTH_FACES && count->little > 0 && count->little >= count->much;
 }
 
 /* Counts edges until the rest cannot change the result. */
-bool body_smooth(const roberts_scene *scene, uint32_t b, uint8_t *code)
+bool body_smooth(const roberts_scene *scene, uint32_t b)
 {
     const scene_solid *own = &scene->solid[b];
-    uint32_t much = 0, little = 0;
-    bool large = own[1].face - own->face > SMOOTH_FACES;
-    if (!large && !code)
-        return false;
-    for (uint32_t e = own->edge; e < own[1].edge; e++) {
+    const scene_edge *edge = scene->edge + own->stored;
+    uint32_t faces = own[1].face - own->face;
+    bend_count count = {0};
+    for (uint32_t e = own->edge; e < own[1].edge && faces > SMOOTH_FACES; e++, edge++) {
         uint32_t left = own[1].edge - e;
-        if (code)
-            code[e] = 0;
-        else if (little >= much + (uint64_t)left || much > little + (uint64_t)left)
+        uint8_t is = scene->surface->edge_is[e];
+        if (count.little >= count.much + (uint64_t)left || count.much > count.little + (uint64_t)left)
             break;
-        if (scene->surface->edge_is[e] & (EDGE_MANY | EDGE_CUT) ||
-            scene->edge[own->stored + (e - own->edge)].f[1] == ROBERTS_NONE)
-            continue;
-        double bend = bend_of(scene, own, e);
-        if (code)
-            code[e] = scene_bend_code(bend);
-        much += bend > FLAT_BEND && !(bend < LITTLE_BEND);
-        little += bend > FLAT_BEND && bend < LITTLE_BEND;
+        if (!(is & (EDGE_MANY | EDGE_CUT)) && edge->f[1] != ROBERTS_NONE)
+            body_count_bend(&count, body_bend(scene_plane(scene, own->face + edge->f[0]),
+                                              scene_plane(scene, own->face + edge->f[1]), is));
     }
-    return large && little > 0 && little >= much;
+    return body_is_smooth(&count, faces);
 }
 
 /* ---- wires beside convex solids -------------------------------------------------------------------------------- */

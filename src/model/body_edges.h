@@ -30,10 +30,28 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b);
 
 void body_edges_free(body_edges *list);
 
-/* Is body b a curved surface? It is if it has more than 500 faces and at least half of its bent edges are bent only
- * slightly. Requires the body's planes and edges. code: NULL; or [edge_count], to be filled with the
- * scene_bend_code() of all edges of the body that have two faces. */
-bool body_smooth(const roberts_scene *scene, uint32_t b, uint8_t *code);
+/* How many edges of a body are bent, and how many of these only slightly. */
+typedef struct bend_count {
+    uint32_t much, little;
+} bend_count;
+
+/* Returns the bend between two faces, the squared distance of their unit normals; is: flags of their edge. */
+static inline double body_bend(plane F, plane G, uint8_t is)
+{
+    double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
+    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
+    return a * a + b * b + c * c;
+}
+
+/* Counts one edge with two faces. */
+void body_count_bend(bend_count *count, double bend);
+
+/* Is a body of so many faces a curved surface? It is if it has more than 500 faces and at least half of its bent edges
+ * are bent only slightly. */
+bool body_is_smooth(const bend_count *count, uint32_t faces);
+
+/* The same for body b of a scene that has planes and edges. */
+bool body_smooth(const roberts_scene *scene, uint32_t b);
 
 /* Does the mesh have wires, that is, elements of two corners that are not edges of the scene? `scene` holds the convex
  * solids of the mesh; all remaining elements have one or two corners. False: no memory. */

@@ -99,6 +99,9 @@ typedef struct plain_work {
     uint32_t *first;   /* [solids] where each has them */
     uint32_t *count;   /* [solids] how many */
     uint8_t *open;     /* [solids] 1: some edge has not two faces */
+    /* meshes only: */
+    uint8_t *bend;      /* see scene_surface.bend */
+    bend_count *smooth; /* [solids] */
 } plain_work;
 
 /* Stores the plane of a face as bodies.c does: its normal points to the side from which the corners run clockwise. */
@@ -229,8 +232,7 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     plain_answer answer = plain_edges_find(&w->edges, s);
     w->first[s] = first;
     w->count[s] = (uint32_t)w->edges.count - first;
-    for (uint32_t e = first; e < w->edges.count && !w->open[s]; e++)
-        w->open[s] = is_odd(&w->edges, e);
+    w->open[s] = !w->edges.paired;
     return answer;
 }
 
@@ -433,7 +435,7 @@ static bool is_triangle_mesh(const plain_work *w)
     return scene->corner_count == 3 * (size_t)scene->face_count;
 }
 
-/* Frees the planes, which can be computed again. Only the bends of the edges are kept. */
+/* Frees the planes, which can be computed again. */
 static void drop_planes(roberts_scene *scene)
 {
     free(scene->face_plane);
@@ -441,6 +443,58 @@ static void drop_planes(roberts_scene *scene)
     free(scene->face_width);
     scene->face_plane = NULL;
     scene->face_deviation = scene->face_width = NULL;
+}
+
+/* Returns the number of edges of solid s. */
+static uint32_t edges_of(const plain_work *w, uint32_t s)
+{
+    return w->count[s] > 0 ? w->count[s] : scene_corners(w->scene, s) / 2;
+}
+
+/* Finds the bends at the edges of solid s, which begin at bend[0]. False: a face is too narrow. */
+static BITS_PER_PROCESSOR bool take_bends(plain_work *w, uint32_t s, uint8_t *bend)
+{
+    const roberts_scene *scene = w->scene;
+    bool own = w->count[s] > 0;
+    const scene_edge *edge = own ? w->edges.edge + w->first[s] : scene->edge + scene->solid[s].stored;
+    uint32_t first = scene->solid[s].face;
+    for (uint32_t e = 0, count = edges_of(w, s); e < count; e++) {
+        bool paired = edge[e].f[1] != ROBERTS_NONE;
+        uint8_t is = own ? w->edges.is[w->first[s] + e] : EDGE_TURNED_1;
+        two_shapes found;
+        if (!measure_triangles(scene, first + edge[e].f[0], first + edge[e].f[paired], w->rules.touching, &found))
+            return false;
+        bend[e] = 0;
+        if (!paired || is & EDGE_MANY)
+            continue;
+        double own_bend = body_bend(found.F, found.G, is);
+        bend[e] = scene_bend_code(own_bend);
+        body_count_bend(&w->smooth[s], own_bend);
+    }
+    for (uint32_t f = first; w->edges.many_count > 0 && f < scene->solid[s + 1].face; f++) {
+        two_shapes found;
+        if (!measure_triangles(scene, f, f, w->rules.touching, &found))
+            return false;
+    }
+    return true;
+}
+
+/* Finds the bends at all edges, in place of the planes. */
+static plain_answer take_mesh(plain_work *w)
+{
+    size_t count = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; s++)
+        count += edges_of(w, s);
+    w->bend = alloc_array(count, sizeof *w->bend);
+    w->smooth = alloc_zeroed(w->scene->solid_count, sizeof *w->smooth);
+    if (!w->bend || !w->smooth)
+        return PLAIN_NO_MEMORY;
+    drop_planes(w->scene);
+    count = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; count += edges_of(w, s++))
+        if (!take_bends(w, s, w->bend + count))
+            return PLAIN_NO;
+    return PLAIN_YES;
 }
 
 /* Numbers the edges, and fills the arrays that only scenes with such bodies have. */
@@ -451,14 +505,13 @@ static bool fill_surface(plain_work *w)
     uint64_t sum = 0;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         scene->solid[s].edge = (uint32_t)sum;
-        sum += w->count[s] > 0 ? w->count[s] : scene_corners(scene, s) / 2;
+        sum += edges_of(w, s);
         if (sum >= ROBERTS_NONE)
             return false;
     }
     scene->solid[scene->solid_count].edge = scene->edge_count = (uint32_t)sum;
     if (!to || !(to->kind = alloc_zeroed(scene->solid_count, 1)) ||
-        !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)) ||
-        (is_triangle_mesh(w) && !(to->bend = alloc_array(scene->edge_count, sizeof *to->bend))))
+        !(to->smooth = alloc_zeroed(scene->solid_count, 1)) || !(to->edge_is = alloc_zeroed(scene->edge_count, 1)))
         return false;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         to->kind[s] = ROBERTS_CONVEX;
@@ -470,11 +523,12 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        to->smooth[s] = body_smooth(scene, s, to->bend);
+        to->smooth[s] = w->bend ? body_is_smooth(&w->smooth[s], scene->solid[s + 1].face - scene->solid[s].face)
+                                : body_smooth(scene, s);
     }
     join_many(w);
-    if (to->bend)
-        drop_planes(scene);
+    to->bend = w->bend;
+    w->bend = NULL;
     return true;
 }
 
@@ -503,7 +557,10 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
         answer = are_apart(&w);
     if (answer == PLAIN_YES)
         answer = are_clear(&w);
-    for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++)
+    bool mesh = answer == PLAIN_YES && is_triangle_mesh(&w);
+    if (mesh)
+        answer = take_mesh(&w);
+    for (uint32_t s = 0; answer == PLAIN_YES && !mesh && s < scene->solid_count; s++)
         if (mark[s])
             answer = take_faces(&w, s);
     if (answer == PLAIN_YES && !(join_edges(&w) && fill_surface(&w)))
@@ -513,5 +570,7 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
     free(w.first);
     free(w.count);
     free(w.open);
+    free(w.bend);
+    free(w.smooth);
     return answer;
 }

@@ -110,6 +110,8 @@ static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge,
                 return PLAIN_NO;
             e->f[1] = f - first;
             ++*paired;
+            if (p->parent[f - first] == p->parent[e->f[0]])
+                continue;
             uint32_t a = sets_root(p->parent, f - first), b = sets_root(p->parent, e->f[0]);
             *sets -= a != b;
             p->parent[a < b ? b : a] = a < b ? a : b;
@@ -173,6 +175,7 @@ static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
     if (!*alike)
         return PLAIN_NO;
     note_sides(p->edge + p->count, p->is + p->count, count, paired < count);
+    p->paired = paired == count;
     p->count += count;
     return PLAIN_YES;
 }
@@ -276,6 +279,7 @@ static plain_answer find_sorted(plain_edges *p, uint32_t s)
     bool odd = false, crowded = false;
     if (!sort_sides(p, s) || !make_room(p, scene_corners(scene, s)))
         return PLAIN_NO_MEMORY;
+    p->paired = true;
     for (uint32_t f = 0; f < faces; f++)
         p->parent[f] = f;
     for (uint32_t v = 0, i = 0, to; v < vertices; v++)
@@ -285,6 +289,7 @@ static plain_answer find_sorted(plain_edges *p, uint32_t s)
             plain_answer answer = add_edge(p, s, v, p->half + i, to - i);
             if (answer != PLAIN_YES)
                 return answer;
+            p->paired = p->paired && to - i == 2;
             odd = odd || (to - i) % 2;
             crowded = crowded || to - i > 2;
             for (uint32_t k = i + 1; k < to; k++) {

@@ -14,6 +14,7 @@ typedef struct plain_edges {
     scene_many *many; /* [many_count] edges with more than two faces, by their places in `edge` */
     uint32_t *many_face;
     size_t count, many_count, many_faces;
+    bool paired; /* all edges that were found last have two faces */
     /* scratch */
     uint32_t *start;    /* [vertices of a body] where the edges end of which this is the smaller vertex */
     uint32_t *parent;   /* [faces of a body] sets of faces that edges connect */

@@ -131,15 +131,18 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
 static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
 {
     const roberts_scene *scene = w->of->scene;
-    const scene_solid *own = &scene->solid[w->body];
-    if (!classify(w, scene, e, line))
-        return false;
-    *line = (seen_line){.edge = line->edge,
-                        .v = {own->vertex + edge->v[0], own->vertex + edge->v[1]},
-                        .own = seen_own_of(scene, w->body, e),
-                        .class = line->class};
-    w->surviving++;
-    return true;
+    uint8_t is = scene->surface->edge_is[e];
+    bool joins = w->all && !(is & EDGE_CUT) && seen_joins_faces(w->facing, edge, is);
+    line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are drawn */
+    bool is_line = joins || classify(w, scene, e, line);
+    line->v[0] = w->vertex + edge->v[0];
+    line->v[1] = w->vertex + edge->v[1];
+    line->end = NULL;
+    line->own = seen_own_of(scene, w->body, e);
+    line->taken = 0;
+    line->piece = NULL;
+    w->surviving += is_line;
+    return is_line;
 }
 
 /* Would an edge of a convex body that the near plane has completely removed be a line? Sets its class. */
@@ -287,6 +290,20 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line)
     return w->of->edges.first ? united_line(w, edge, line) : lone_line(w, edge, line);
 }
 
+void seen_pass_flat(seen_walk *w)
+{
+    const roberts_scene *scene = w->of->scene;
+    const scene_edge *edge = scene_edge_stored(scene, w->body, w->edge);
+    const uint8_t *is = scene->surface->edge_is, *bend = scene->surface->bend;
+    uint8_t crease = scene_bend_code(crease_of(w->of, w->body));
+    uint32_t e = w->edge;
+    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e])) {
+        e++;
+        edge++;
+    }
+    w->edge = e;
+}
+
 seen_walk seen_walk_slowly(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene, *source = s->source;
@@ -302,7 +319,9 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .stored = scene->edge + own->stored,
                    .facing = s->facing + own->face,
                    .plane = scene->face_plane ? scene->face_plane + own->face : NULL,
-                   .vertex = own->vertex};
+                   .vertex = own->vertex,
+                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->clip.clipped &&
+                              !s->edges.first};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;
     /* edges of a cap are no lines, but they are counted; they come last */

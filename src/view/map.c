@@ -31,9 +31,6 @@
 #define OBLIQUE_MOST 1000.0
 /* If the sine of the angle between `up` and the line of sight is at most this, they count as parallel. */
 #define PARALLEL 1e-9
-/* A triangle is plainly front or back if its picture is wider than the sum of these. */
-#define PLAIN_EPSILONS 4.0
-#define PLAIN_ROUNDINGS 64.0
 /* If the cosine of the angle between an axis of the picture and the line of sight is at most this, it is rounding, and
  * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
@@ -136,12 +133,6 @@ BITS_PER_PROCESSOR void view_points(const view *v, const roberts_vec3 *P, size_t
         out[i] = view_point(v, P[i]);
 }
 
-/* Is this a parallel view along dir? Then the map only rotates, and changes the unit. */
-static inline bool at_right_angles(const view *v)
-{
-    return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
-}
-
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
 {
     return view_plane_of(v, scene->centre, scene_plane(scene, face), stretch);
@@ -153,7 +144,7 @@ plane view_plane_of(const view *v, roberts_vec3 centre, plane F, double *stretch
     plane G = {vec3_dot(v->right, n), vec3_dot(v->up, n), vec3_dot(v->dir, n), F.d * v->per_unit};
     if (stretch)
         *stretch = 1.0;
-    if (at_right_angles(v))
+    if (view_at_right_angles(v))
         return G; /* a rotation keeps the normal's length */
     G.c += v->oblique.x * G.a + v->oblique.y * G.b;
     if (v->perspective) { /* c' = c + d / D is the eye's distance from the plane, as a fraction of D */
@@ -201,19 +192,6 @@ static inline double wide_enough(const view *v)
     return 4.0 * v->epsilon * v->unit;
 }
 
-/* Twice the signed area of a triangle's picture is also |n| c, for the normal n and its part c toward the viewer. If it
- * exceeds the bound here, neither rounding nor epsilon matters: c has its sign, and the picture is wider than epsilon.
- */
-int view_facing_of_triangle(const view *v, const uint32_t corner[3], const roberts_vec3 *P)
-{
-    roberts_vec3 A = P[corner[0]], AB = vec3_sub(P[corner[1]], A), AC = vec3_sub(P[corner[2]], A);
-    double twice = AB.x * AC.y - AB.y * AC.x;
-    double size = fabs(AB.x) + fabs(AB.y) + fabs(AB.z) + fabs(AC.x) + fabs(AC.y) + fabs(AC.z);
-    if (!at_right_angles(v) || !(fabs(twice) > (PLAIN_EPSILONS * v->epsilon + PLAIN_ROUNDINGS * v->rounding) * size))
-        return VIEW_UNKNOWN;
-    return twice > 0.0 ? VIEW_FRONT : VIEW_BACK;
-}
-
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P)
 {
     double shrunk = 1.0; /* in perspective, a face also shrinks with distance, at most by this factor */
@@ -234,7 +212,7 @@ int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane 
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
               double *stretch)
 {
-    if (at_right_angles(v)) {
+    if (view_at_right_angles(v)) {
         const plane *G = &scene->face_plane[face];
         double c = vec3_dot(v->dir, (roberts_vec3){G->a, G->b, G->c}), least = wide_enough(v);
         double wide = c * scene_width(scene, face);
@@ -455,7 +433,7 @@ static void set_tolerances(view *v, const roberts_scene *scene, double epsilon)
         raw = fmax(raw, fmax(vec3_largest(v->viewpoint), vec3_largest(v->origin)) / v->unit);
     v->rounding = v->across_rounding = ROUNDINGS * 0.5 * DBL_EPSILON * v->extent;
     v->across = v->extent;
-    if (at_right_angles(v))
+    if (view_at_right_angles(v))
         set_across(v, scene);
     if (v->perspective) {
         set_across_from_eye(v, scene, reach.across);

@@ -25,13 +25,15 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. */
+/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. Of meshes nearly all is
+ * mapped. */
 bool seen_begin_points(seen *s)
 {
-    s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);
+    s->P = s->scene->surface ? alloc_array(s->scene->vertex_count, sizeof *s->P)
+                             : alloc_sparse(s->scene->vertex_count, sizeof *s->P);
     s->facing = alloc_zeroed(s->scene->face_count, sizeof *s->facing);
     if (s->scene->surface)
-        s->turned = alloc_array(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
+        s->turned = alloc_sparse(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
     return s->P && s->facing && (s->turned || !s->scene->surface);
 }
 
@@ -105,15 +107,11 @@ scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32
     return shape;
 }
 
-int seen_either_face(seen *s, uint32_t face)
+int seen_any_face(seen *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
     uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
-    int facing = VIEW_UNKNOWN;
-    if (!scene->face_plane)
-        facing = view_facing_of_triangle(&s->view, scene->corner + first, s->P);
-    if (facing == VIEW_UNKNOWN)
-        facing = view_facing(&s->view, scene, face, view_plane(&s->view, scene, face, NULL), s->P);
+    int facing = view_facing(&s->view, scene, face, view_plane(&s->view, scene, face, NULL), s->P);
     s->facing[face] = (unsigned char)facing;
     for (uint32_t i = 0; facing == VIEW_BACK && end - first > SEEN_TURNED && i < end - first; i++)
         s->turned[first + i] = scene->corner[end - 1 - i];

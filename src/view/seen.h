@@ -124,7 +124,20 @@ static inline const uint32_t *seen_corners(const seen *s, uint32_t face, uint32_
 }
 
 /* Finds the facing of a face of any other body that is mapped, and turns its corners toward the viewer. */
-int seen_either_face(seen *s, uint32_t face);
+int seen_any_face(seen *s, uint32_t face);
+
+/* The same. The facing of nearly all faces of a mesh is plain. */
+static inline int seen_either_face(seen *s, uint32_t face)
+{
+    const roberts_scene *scene = s->scene;
+    int facing = VIEW_UNKNOWN;
+    if (!scene->face_plane)
+        facing = view_facing_of_triangle(&s->view, scene->corner + scene->face_start[face], s->P);
+    if (facing == VIEW_UNKNOWN)
+        return seen_any_face(s, face);
+    s->facing[face] = (unsigned char)facing;
+    return facing;
+}
 
 /* Fills `out` with such a face, turned toward the viewer, and returns its shape in the model. turned: as in
  * seen_corners(). */
@@ -236,9 +249,10 @@ typedef struct seen_walk {
     uint32_t body;
     uint32_t edge, end; /* edges of seen.source: the next one; the end */
     uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
-    bool slow;          /* the body is not convex, the near plane has clipped the scene, there is a union, or rules.rest holds */
-    bool hidden, all;   /* as in seen_rules */
-    size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
+    bool slow; /* the body is not convex, the near plane has clipped the scene, there is a union, or rules.rest holds */
+    bool passing;     /* seen_pass_flat() may be called */
+    bool hidden, all; /* as in seen_rules */
+    size_t surviving; /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* pointers to the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
@@ -275,9 +289,8 @@ static inline bool seen_joins_faces(const unsigned char *facing, const scene_edg
 {
     if (edge->f[1] == ROBERTS_NONE || is & EDGE_MANY)
         return false;
-    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]];
-    bool turned = ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0);
-    return f != VIEW_EDGE_ON && g != VIEW_EDGE_ON && (f == g) == turned;
+    unsigned f = facing[edge->f[0]], g = facing[edge->f[1]], turned = (is / EDGE_TURNED_0 ^ is / EDGE_TURNED_1) & 1;
+    return (f != VIEW_EDGE_ON) & (g != VIEW_EDGE_ON) & ((f == g) == turned); /* few branches: most edges come here */
 }
 
 /* Returns the class of an edge of a convex body from the facing of its two faces. fronts: how many of them are
@@ -332,6 +345,9 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
 /* Is the edge of seen.scene left out because its faces are flat, or nearly flat, to one another? Its body is mapped. */
 bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge);
 
+/* Passes edges of a mesh that are certainly no lines. Most edges of a fine mesh are of this kind. */
+void seen_pass_flat(seen_walk *w);
+
 /* Finds the line of edge `edge` of the walk's body. False: the edge is not a line. */
 bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 
@@ -339,6 +355,11 @@ bool seen_slow_line(seen_walk *w, uint32_t edge, seen_line *line);
 BITS_INLINE bool seen_next(seen_walk *w, seen_line *line, bool slow)
 {
     while (w->edge < w->end) {
+        if (slow && w->passing) {
+            seen_pass_flat(w);
+            if (w->edge == w->end)
+                return false;
+        }
         line->edge = w->edge++;
         if (slow ? seen_slow_line(w, line->edge, line) : seen_solid_line(w, w->stored++, line))
             return true;

@@ -74,9 +74,32 @@ plane view_plane_of(const view *v, roberts_vec3 centre, plane F, double *stretch
  * points of all vertices of the scene; F: the plane of the face in view space. */
 int view_facing(const view *v, const roberts_scene *scene, uint32_t face, plane F, const roberts_vec3 *P);
 
+/* Is this a parallel view along dir? Then the map only rotates, and changes the unit. */
+static inline bool view_at_right_angles(const view *v)
+{
+    return !v->perspective && v->oblique.x == 0.0 && v->oblique.y == 0.0;
+}
+
+/* A triangle is plainly front or back if its picture is wider than the sum of these. */
+#define PLAIN_EPSILONS 4.0
+#define PLAIN_ROUNDINGS 64.0
+
 /* Returns the facing of a triangle whose plane follows from its corners alone, if that is plain from its picture. It is
- * that of view_facing(). VIEW_UNKNOWN: it is not. */
-int view_facing_of_triangle(const view *v, const uint32_t corner[3], const roberts_vec3 *P);
+ * that of view_facing(). VIEW_UNKNOWN: it is not.
+ *
+ * Twice the signed area of a triangle's picture is also |n| c, for the normal n and its part c toward the viewer. If it
+ * exceeds the bound here, neither rounding nor epsilon matters: c has its sign, and the picture is wider than epsilon.
+ */
+static inline int view_facing_of_triangle(const view *v, const uint32_t corner[3], const roberts_vec3 *P)
+{
+    roberts_vec3 A = P[corner[0]], AB = vec3_sub(P[corner[1]], A), AC = vec3_sub(P[corner[2]], A);
+    double twice = AB.x * AC.y - AB.y * AC.x;
+    double size = fabs(AB.x) + fabs(AB.y) + fabs(AB.z) + fabs(AC.x) + fabs(AC.y) + fabs(AC.z);
+    if (!(fabs(twice) > (PLAIN_EPSILONS * v->epsilon + PLAIN_ROUNDINGS * v->rounding) * size) ||
+        !view_at_right_angles(v))
+        return VIEW_UNKNOWN;
+    return twice > 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
 
 /* Returns the facing of a face and, if it is front, sets its plane and stretch. */
 int view_face(const view *v, const roberts_scene *scene, uint32_t face, const roberts_vec3 *P, plane *F,
