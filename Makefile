@@ -283,7 +283,8 @@ $(TEST_BIN): $(BUILD)/libroberts.a
 	$(Q)$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
 # Tests that make allocations fail: tests/support/memory.h
-$(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
+$(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
+    -Wl,--wrap=posix_memalign,--wrap=free
 
 # The fuzzers: libFuzzer has main() and calls a function with a fixed name, which the linker maps to ours.
 fuzzers: $(FUZZER)

@@ -68,7 +68,6 @@ int main(int argc, char **argv)
     cli_options options;
     picture_result result;
     hold_streams();
-    prepare_heap();
     signals_prepare();
     int status = options_parse(&option_table_all, argc, argv, &options);
     if (status != EXIT_DONE)
@@ -79,6 +78,8 @@ int main(int argc, char **argv)
         puts("roberts " ROBERTS_VERSION);
     if (options.help || options.version)
         return finish_output();
+    if (!(options.limit_memory > 0.0)) /* it counts the heap too */
+        prepare_heap();
     options.scene.warnings.warn = options.quiet ? NULL : message_warning;
     options.scene.warnings.context = options.log = stderr;
     options.draw.temporary = signals_temporary;

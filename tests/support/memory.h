@@ -1,11 +1,13 @@
 /* memory.h - makes one allocation after the other fail. For test programs named test_memory_*: only these are linked
- * such that malloc(), calloc(), realloc() and free() of our own code come here. Include it in one file only.
+ * such that malloc(), calloc(), realloc(), posix_memalign() and free() of our own code come here. Include it in one
+ * file only.
  *
  * memory_fail(n), call, failed = memory_failed(), memory_fail(0): for n = 1, 2, ... until nothing failed. Where
  * something did, expect ROBERTS_NO_MEMORY and no block left over (memory_blocks). */
 #ifndef ROBERTS_TESTS_MEMORY_H
 #define ROBERTS_TESTS_MEMORY_H
 
+#include <errno.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -15,10 +17,12 @@ void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
 void *__real_realloc(void *block, size_t size);
 void __real_free(void *block);
+int __real_posix_memalign(void **block, size_t alignment, size_t size);
 void *__wrap_malloc(size_t size);
 void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *block, size_t size);
 void __wrap_free(void *block);
+int __wrap_posix_memalign(void **block, size_t alignment, size_t size);
 
 static size_t memory_calls, memory_failing; /* number of calls so far; the one that fails, 0: none */
 static size_t memory_blocks;                /* number of blocks not yet freed */
@@ -55,6 +59,13 @@ void __wrap_free(void *block)
 {
     memory_blocks -= block != NULL;
     __real_free(block);
+}
+
+int __wrap_posix_memalign(void **block, size_t alignment, size_t size)
+{
+    int status = memory_allows(size) ? __real_posix_memalign(block, alignment, size) : ENOMEM;
+    memory_blocks += status == 0;
+    return status;
 }
 
 /* NOLINTEND(bugprone-reserved-identifier) */

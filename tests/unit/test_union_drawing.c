@@ -434,6 +434,52 @@ static void test_star_bodies(void **state)
     }
 }
 
+/* An L whose ends are one face each, or four triangles, and a leg that stands along a cut between two of these. */
+static void put_leg_on_cut(model *m, bool cut)
+{
+    static const double at[9][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {.2, .2}, {.8, .2}, {.8, .8}};
+    static const uint32_t triangle[4][3] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 4}, {0, 4, 5}};
+    for (uint32_t z = 0; z < 2; z++)
+        for (uint32_t i = 0; i < 6; i++)
+            model_vertex(m, (roberts_vec3){at[i][0], at[i][1], z});
+    for (uint32_t z = 1; z < 3; z++)
+        for (uint32_t i = 6; i < 9; i++)
+            model_vertex(m, (roberts_vec3){at[i][0], at[i][1], z});
+    for (uint32_t k = 0; k < 4 && cut; k++) {
+        const uint32_t *t = triangle[k];
+        model_face(m, (uint32_t[]){t[2], t[1], t[0]}, 3);
+        model_face(m, (uint32_t[]){t[0] + 6, t[1] + 6, t[2] + 6}, 3);
+    }
+    if (!cut) {
+        model_face(m, (uint32_t[]){5, 4, 3, 2, 1, 0}, 6);
+        model_face(m, (uint32_t[]){6, 7, 8, 9, 10, 11}, 6);
+    }
+    for (uint32_t i = 0; i < 6; i++)
+        model_face(m, (uint32_t[]){i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6}, 4);
+    model_face(m, (uint32_t[]){14, 13, 12}, 3);
+    model_face(m, (uint32_t[]){15, 16, 17}, 3);
+    for (uint32_t i = 0; i < 3; i++)
+        model_face(m, (uint32_t[]){12 + i, 12 + (i + 1) % 3, 15 + (i + 1) % 3, 15 + i}, 4);
+}
+
+/* With the leg, a flat edge is a line. */
+static void test_leg_on_cut(void **state)
+{
+    roberts_camera camera = {.dir = {-0.5, 0.31, 0.6}};
+    likeness how = {1e-8, false};
+    model whole = {0}, cut = {0};
+    (void)state;
+    put_leg_on_cut(&whole, false);
+    put_leg_on_cut(&cut, true);
+    roberts_drawing of = draw_mesh(&cut.mesh, &camera, 0.0, true), by = draw_mesh(&whole.mesh, &camera, 0.0, true);
+    check_covered(&of, &by, &how, "cut");
+    check_covered(&by, &of, &how, "whole");
+    roberts_drawing_free(&of);
+    roberts_drawing_free(&by);
+    model_free(&whole);
+    model_free(&cut);
+}
+
 /* Threads, cells and the order in which the bodies come change no line. */
 static void test_same_result(void **state)
 {
@@ -473,6 +519,6 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_random_cells),
                                        cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_star_bodies),
-                                       cmocka_unit_test(test_same_result)};
+                                       cmocka_unit_test(test_leg_on_cut),    cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
