@@ -20,7 +20,7 @@
 #include "model/face_pieces.h"
 
 enum {
-    FEW = 16, /* lines in a box that are compared with one another */
+    FEW = 24, /* lines in a box that are compared with one another */
     CELLS_PER_LINE = 1,
     IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all lines are compared */
 };
