@@ -146,9 +146,35 @@ static double left_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 X)
     return (Q.x - P.x) * (X.y - P.y) - (Q.y - P.y) * (X.x - P.x);
 }
 
-/* Does the line begin or end at a corner of the face, and plainly leave the face there? Most faces of a surface that a
- * line meets are of this kind. */
-static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, uint32_t front)
+/* Does the line that begins or ends at corner `at` of the face plainly leave the face there? */
+static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, const hide_face *F, uint32_t at)
+{
+    roberts_vec3 before = fronts->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = fronts->P[F->corner[at]];
+    roberts_vec3 after = fronts->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
+    return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
+}
+
+/* Is the line plainly outside one side of the face, or the face plainly on one side of the line? */
+static bool is_beside_face(const hide_fronts *fronts, const hide_edge *e, const hide_face *F)
+{
+    const double plain = fronts->space.plain;
+    bool left = true, right = true;
+    roberts_vec3 P = fronts->P[F->corner[F->count - 1]];
+    for (uint32_t i = 0; i < F->count; i++) {
+        roberts_vec3 Q = fronts->P[F->corner[i]];
+        double of_line = left_of(e->A, e->B, Q);
+        left = left && of_line > plain;
+        right = right && of_line < -plain;
+        if (left_of(P, Q, e->A) < -plain && left_of(P, Q, e->B) < -plain)
+            return true;
+        P = Q;
+    }
+    return left || right;
+}
+
+/* Does the line plainly miss the face in the picture? Most faces of a surface that a line meets are of this kind, and
+ * many of them share a corner with it. */
+static bool misses_face(const hide_fronts *fronts, const hide_edge *e, uint32_t front)
 {
     uint32_t turned[SEEN_TURNED];
     const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
@@ -159,15 +185,13 @@ static bool leaves_at_corner(const hide_fronts *fronts, const hide_edge *e, uint
                 return false;
             at = i;
         }
-    if (at == F->count)
-        return false;
-    roberts_vec3 before = fronts->P[F->corner[at > 0 ? at - 1 : F->count - 1]], V = fronts->P[F->corner[at]];
-    roberts_vec3 after = fronts->P[F->corner[at + 1 < F->count ? at + 1 : 0]], X = F->corner[at] == e->a ? e->B : e->A;
-    return left_of(V, after, X) < -fronts->space.plain || left_of(V, X, before) < -fronts->space.plain;
+    if (at < F->count)
+        return leaves_at_corner(fronts, e, F, at);
+    return F->count <= FAST_CORNERS && is_beside_face(fronts, e, F);
 }
 
-/* Removes from `bits` the lines that own the front, and those that only touch a face of a surface at a corner. Bit i
- * stands for line first[i]. */
+/* Removes from `bits` the lines that own the front, and those that plainly miss a face of a surface. Bit i stands for
+ * line first[i]. */
 static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *first, uint64_t bits, uint32_t index)
 {
     const hide_front *front = &w->fronts->front[index];
@@ -176,8 +200,7 @@ static BITS_RARE uint64_t not_left_out(const hide_worker *w, const hide_line *fi
     bool surface = front->kind == HIDE_SURFACE_FACE;
     for (; bits; bits &= bits - 1) {
         const hide_line *line = first + bits_trailing_zeros(bits);
-        if (seen_owns(w->fronts->scene, &line->is.own, key) ||
-            (surface && leaves_at_corner(w->fronts, &line->e, index)))
+        if (seen_owns(w->fronts->scene, &line->is.own, key) || (surface && misses_face(w->fronts, &line->e, index)))
             left &= ~(bits & -bits);
     }
     return left;
