@@ -20,7 +20,7 @@
 #include "base/orient.h"
 
 enum {
-    FEW = 16, /* lines in a box that are compared with one another */
+    FEW = 24, /* lines in a box that are compared with one another */
     CELLS_PER_LINE = 1,
     IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all lines are compared */
 };
@@ -313,7 +313,7 @@ static void visit(map_search *s, size_t first, size_t end, map_box box, int idle
 
 /* ---- the grid -------------------------------------------------------------------------------------------------- */
 
-static map_item item_of(const map_search *s, uint32_t line)
+static inline map_item item_of(const map_search *s, uint32_t line)
 {
     const roberts_vec2 A = s->m->node[s->m->line[line][0]], B = s->m->node[s->m->line[line][1]];
     const double r = 0.5 * s->margin;

@@ -500,50 +500,37 @@ static uint32_t cell_above(const cell_sweep *s, uint32_t line)
     return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s, line));
 }
 
-/* The next line that ends at a node, upward; ROBERTS_NONE: there is none. left: how many half-edges of the star are
- * left to look at; those on the left side go downward. */
-static uint32_t next_ended(const cell_sweep *s, uint32_t node, uint32_t *left)
-{
-    const map_stars *stars = &s->c->stars;
-    while (*left > 0) {
-        uint32_t half = stars->half[stars->start[node] + --*left];
-        if (rightward(s, half >> 1) != half)
-            return half >> 1;
-    }
-    return ROBERTS_NONE;
-}
-
 /* Removes the lines that end at a node from the order, and inserts those that begin there. Each takes the place of one
- * that ends, as long as there are any. */
+ * that ends, as long as there are any. Counter-clockwise from the right, a star has lines that begin and go upward,
+ * lines that end, and lines that begin and go downward. */
 static void pass_node(cell_sweep *s, uint32_t node)
 {
-    const map_stars *stars = &s->c->stars;
     const planar_map *m = s->m;
-    uint32_t left = stars->start[node + 1] - stars->start[node];
-    uint32_t below, ended = next_ended(s, node, &left); /* the first one of them is the lowest */
-    if (ended != ROBERTS_NONE) {
-        below = s->order.place[ended].near[0];
+    const uint32_t *half = s->c->stars.half, first = s->c->stars.start[node], end = s->c->stars.start[node + 1];
+    uint32_t down = end, ends = first, below;
+    while (down > first && rightward(s, half[down - 1] >> 1) == half[down - 1] &&
+           m->node[map_from(m, half[down - 1] ^ 1)].y < m->node[node].y)
+        down--;
+    while (ends < down && rightward(s, half[ends] >> 1) == half[ends])
+        ends++;
+    uint32_t left = down - ends; /* of those that end; the lowest comes last */
+    if (left > 0) {
+        below = s->order.place[half[down - 1] >> 1].near[0];
     } else {
         below = line_below(s, node);
         if (s->outer[node] != ROBERTS_NONE)
             s->c->cell[s->outer[node]] = cell_above(s, below);
     }
-    /* From the lowest to the highest: counter-clockwise from straight down on. */
-    for (int lower = 1; lower >= 0; lower--)
-        for (uint32_t k = stars->start[node]; k < stars->start[node + 1]; k++) {
-            uint32_t half = stars->half[k], line = half >> 1;
-            if (rightward(s, line) != half || (m->node[map_from(m, half ^ 1)].y < m->node[node].y) != lower)
-                continue;
-            if (ended != ROBERTS_NONE) {
-                sweep_order_replace(&s->order, ended, line);
-                ended = next_ended(s, node, &left);
-            } else {
-                sweep_order_insert(&s->order, line, below);
-            }
-            below = line;
-        }
-    for (; ended != ROBERTS_NONE; ended = next_ended(s, node, &left))
-        sweep_order_remove(&s->order, ended);
+    for (uint32_t i = 0; i < end - down + ends - first; i++) { /* from the lowest to the highest */
+        const uint32_t line = half[i < end - down ? down + i : first + i - (end - down)] >> 1;
+        if (left > 0)
+            sweep_order_replace(&s->order, half[ends + --left] >> 1, line);
+        else
+            sweep_order_insert(&s->order, line, below);
+        below = line;
+    }
+    while (left > 0)
+        sweep_order_remove(&s->order, half[ends + --left] >> 1);
 }
 
 /* Gives each cycle its cell. False: no memory. */

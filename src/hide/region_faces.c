@@ -118,11 +118,11 @@ static double weight(const view *v, roberts_vec3 P)
     return 1.0 - vec3_dot(v->dir, vec3_sub(P, v->origin)) * v->per_unit * v->inverse_distance;
 }
 
-/* The derivative of the picture of P + h u by h. */
-static roberts_vec2 moves(const view *v, roberts_vec3 P, roberts_vec3 u)
+/* The derivative by h of the picture of P + h u. p: the view point of P; w: the weight of P, by which p is divided. */
+static roberts_vec2 moves(const view *v, roberts_vec3 p, double w, roberts_vec3 u)
 {
-    const roberts_vec3 q = to_viewer(v, u), p = view_point(v, P); /* p is divided by the weight */
-    const double w = weight(v, P), toward = q.z * v->inverse_distance;
+    const roberts_vec3 q = to_viewer(v, u);
+    const double toward = q.z * v->inverse_distance;
     return (roberts_vec2){(q.x - v->oblique.x * q.z + p.x * toward) / w, (q.y - v->oblique.y * q.z + p.y * toward) / w};
 }
 
@@ -162,12 +162,15 @@ void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_regi
     const double length = vec3_length(inward);
     const roberts_vec3 n = vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / length, inward);
     roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / (length * length), inward));
-    if (weight(v, foot) < nearest_foot)
+    double w = weight(v, foot);
+    if (w < nearest_foot) {
         foot = s->scene->point[s->scene->corner[s->scene->face_start[face]]];
+        w = weight(v, foot);
+    }
     const roberts_vec3 steep = steepest(n, upright), p = view_point(v, foot);
     region->normal = to_viewer(v, n);
-    region->steep = moves(v, foot, steep);
-    region->level = moves(v, foot, vec3_cross(steep, n));
+    region->steep = moves(v, p, w, steep);
+    region->level = moves(v, p, w, vec3_cross(steep, n));
     region->foot = (roberts_vec2){p.x * v->unit, p.y * v->unit};
 }
 

@@ -105,64 +105,77 @@ static int compare_doubles(const void *pa, const void *pb)
     return (a > b) - (a < b);
 }
 
-/* Numbers of one thread. */
+/* A side of a cell. */
+typedef struct cell_side {
+    roberts_vec2 P, Q;
+} cell_side;
+
+/* The sides of a cell, and numbers. One for each thread. */
 typedef struct region_scratch {
+    cell_side *side; /* [count] */
     double *item;
-    size_t room;
+    size_t count, side_room, room;
     char apart[THREADS_APART];
 } region_scratch;
 
-/* The middle and the width of the widest stretch of a cell at height y. Width 0: there is none. False: no memory. */
-static bool widest_at(const region_work *w, uint32_t cell, double y, region_scratch *scratch, double *x, double *width)
+static bool take_sides(const region_work *w, uint32_t cell, region_scratch *scratch)
 {
-    size_t count = 0, first = w->start[cell], end = w->start[cell + 1];
-    *width = 0.0;
-    for (size_t k = first; k < end; k++) {
-        roberts_vec2 P = corner_of(w, w->half[k]), Q = corner_of(w, w->half[k] ^ 1);
-        if ((P.y <= y) == (Q.y <= y))
-            continue;
-        if (!array_reserve(&scratch->item, &scratch->room, count + 1, sizeof *scratch->item))
-            return false;
-        scratch->item[count++] = P.x + (y - P.y) / (Q.y - P.y) * (Q.x - P.x);
+    const uint32_t first = w->start[cell], count = w->start[cell + 1] - first;
+    if (!array_reserve(&scratch->side, &scratch->side_room, count, sizeof *scratch->side) ||
+        !array_reserve(&scratch->item, &scratch->room, count, sizeof *scratch->item))
+        return false;
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t half = w->half[first + k];
+        scratch->side[k] = (cell_side){corner_of(w, half), corner_of(w, half ^ 1)};
     }
-    if (count <= 32) {
-        SORT_FEW(double, scratch->item, count, *a > *b);
-    } else {
-        qsort(scratch->item, count, sizeof *scratch->item, compare_doubles);
-    }
-    for (size_t k = 0; k + 1 < count; k += 2)
-        if (scratch->item[k + 1] - scratch->item[k] > *width) {
-            *width = scratch->item[k + 1] - scratch->item[k];
-            *x = scratch->item[k] + ASIDE * *width;
-        }
+    scratch->count = count;
     return true;
 }
 
+/* The middle and the width of the widest stretch of a cell at height y. Width 0: there is none. */
+static double widest_at(region_scratch *scratch, double y, double *x)
+{
+    size_t count = 0;
+    double width = 0.0, *item = scratch->item;
+    for (const cell_side *s = scratch->side; s < scratch->side + scratch->count; s++)
+        if ((s->P.y <= y) != (s->Q.y <= y))
+            item[count++] = s->P.x + (y - s->P.y) / (s->Q.y - s->P.y) * (s->Q.x - s->P.x);
+    if (count <= 32) {
+        SORT_FEW(double, item, count, *a > *b);
+    } else {
+        qsort(item, count, sizeof *item, compare_doubles);
+    }
+    for (size_t k = 0; k + 1 < count; k += 2)
+        if (item[k + 1] - item[k] > width) {
+            width = item[k + 1] - item[k];
+            *x = item[k] + ASIDE * width;
+        }
+    return width;
+}
+
 /* A point well inside a cell, but not in its middle. In the middle there may be a line along which another face touches
- * the visible one from behind. False: no memory. */
-static bool point_inside(const region_work *w, uint32_t cell, region_scratch *scratch, roberts_vec2 *inside)
+ * the visible one from behind. */
+static roberts_vec2 point_inside(region_scratch *scratch)
 {
     static const double heights[] = {0.4871, 0.2303, 0.7519}; /* parts of the cell's height */
-    uint32_t first = w->start[cell], end = w->start[cell + 1];
+    const cell_side *side = scratch->side;
+    const size_t count = scratch->count;
+    const roberts_vec2 A = side[0].P, B = side[1].P, C = side[count - 1].P;
     double low = INFINITY, high = -INFINITY, most = 0.0;
-    for (uint32_t k = first; k < end; k++) {
-        roberts_vec2 P = corner_of(w, w->half[k]);
-        low = lesser(low, P.y);
-        high = greater(high, P.y);
+    for (size_t k = 0; k < count; k++) {
+        low = lesser(low, side[k].P.y);
+        high = greater(high, side[k].P.y);
     }
-    roberts_vec2 A = corner_of(w, w->half[first]), B = corner_of(w, w->half[first + 1]);
-    roberts_vec2 C = corner_of(w, w->half[end - 1]);
-    *inside = (roberts_vec2){0.3127 * A.x + 0.3681 * B.x + 0.3192 * C.x, 0.3127 * A.y + 0.3681 * B.y + 0.3192 * C.y};
-    for (size_t i = 0; end - first > 3 && i < sizeof heights / sizeof heights[0]; i++) {
-        double y = low + heights[i] * (high - low), x = 0.0, width;
-        if (!widest_at(w, cell, y, scratch, &x, &width))
-            return false;
+    roberts_vec2 inside = {0.3127 * A.x + 0.3681 * B.x + 0.3192 * C.x, 0.3127 * A.y + 0.3681 * B.y + 0.3192 * C.y};
+    for (size_t i = 0; count > 3 && i < sizeof heights / sizeof heights[0]; i++) {
+        const double y = low + heights[i] * (high - low);
+        double x = 0.0, width = widest_at(scratch, y, &x);
         if (width > most) {
             most = width;
-            *inside = (roberts_vec2){x, y};
+            inside = (roberts_vec2){x, y};
         }
     }
-    return true;
+    return inside;
 }
 
 /* The first piece of a face of the input, or of a body's cap. */
@@ -185,11 +198,11 @@ static bool look_into(const region_work *w, uint32_t cell, region_scratch *scrat
 {
     const hide_fronts *fronts = &w->job->fronts;
     const roberts_scene *scene = fronts->scene;
-    roberts_vec2 inside;
     plane F;
     *sight = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
-    if (!point_inside(w, cell, scratch, &inside))
+    if (!take_sides(w, cell, scratch))
         return false;
+    const roberts_vec2 inside = point_inside(scratch);
     uint32_t face = hide_face_seen_at(fronts, &w->job->grid, inside.x, inside.y, &F);
     if (face == ROBERTS_NONE)
         return true;
@@ -199,8 +212,8 @@ static bool look_into(const region_work *w, uint32_t cell, region_scratch *scrat
         low = lesser(low, fronts->P[scene->corner[k]].z);
         high = greater(high, fronts->P[scene->corner[k]].z);
     }
-    for (uint32_t k = w->start[cell]; k < w->start[cell + 1]; k++) {
-        roberts_vec2 P = corner_of(w, w->half[k]);
+    for (size_t k = 0; k < scratch->count; k++) {
+        const roberts_vec2 P = scratch->side[k].P;
         double z = (F.a * P.x + F.b * P.y + F.d) / -F.c;
         z = z < low ? low : z > high ? high : z;
         sight->z_min = lesser(sight->z_min, z);
@@ -226,8 +239,10 @@ static bool look_into_all(region_work *w)
 #endif
     for (uint32_t c = 1; c < count; c++)
         lost = lost || !look_into(w, c, &scratches[thread_self()], &w->sight[c]);
-    for (int i = 0; i < threads; i++)
+    for (int i = 0; i < threads; i++) {
+        free(scratches[i].side);
         free(scratches[i].item);
+    }
     free(scratches);
     return !lost;
 }

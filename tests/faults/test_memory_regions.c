@@ -41,6 +41,7 @@ static roberts_scene *make_scene(void)
 }
 
 static bool merges; /* are neighbours in one plane merged? */
+static bool lines;  /* are lines found too, so few that the edges that are left out are hidden afterwards? */
 
 static void survives(const roberts_camera *camera, size_t least)
 {
@@ -48,17 +49,21 @@ static void survives(const roberts_camera *camera, size_t least)
     roberts_hide_options options = roberts_hide_options_default();
     options.threads = 1;
     options.merge_regions = merges;
+    options.crease_degrees = lines ? 100 : options.crease_degrees;
     size_t before = memory_blocks, failures = 0;
     for (size_t n = 1;; n++) {
         roberts_error error = {0};
         roberts_region_list regions;
+        roberts_drawing drawing = {0};
         memory_fail(n);
-        roberts_status status = roberts_regions(scene, camera, &options, &regions, &error);
+        roberts_status status = lines ? roberts_hide_with_regions(scene, camera, &options, &drawing, &regions, &error)
+                                      : roberts_regions(scene, camera, &options, &regions, &error);
         if (status == ROBERTS_OK)
             status = roberts_regions_save(&regions, NULL, "/dev/null", &error);
         bool failed = memory_failed();
         memory_fail(0);
         roberts_regions_free(&regions);
+        roberts_drawing_free(&drawing);
         assert_int_equal(memory_blocks, before);
         if (!failed) {
             assert_int_equal(status, ROBERTS_OK);
@@ -131,6 +136,20 @@ static void test_from_above(void **state)
     survives(&(roberts_camera){.dir = {0.1, 0.2, 1}}, 60);
 }
 
+static void test_with_lines(void **state)
+{
+    (void)state;
+    lines = true;
+    survives(&(roberts_camera){.dir = {0.1, 0.2, 1}}, 60);
+    survives(&(roberts_camera){.projection = ROBERTS_PERSPECTIVE,
+                               .eye = {-3, 0, 4.5},
+                               .look_at = {20, 3, 0},
+                               .has_look_at = true,
+                               .near_distance = 4},
+             60);
+    lines = false;
+}
+
 static void test_near_plane(void **state)
 {
     (void)state;
@@ -145,6 +164,7 @@ static void test_near_plane(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_from_above), cmocka_unit_test(test_fills),
-                                       cmocka_unit_test(test_merged), cmocka_unit_test(test_near_plane)};
+                                       cmocka_unit_test(test_merged), cmocka_unit_test(test_with_lines),
+                                       cmocka_unit_test(test_near_plane)};
     return cmocka_run_group_tests_name("memory, regions", tests, NULL, NULL);
 }

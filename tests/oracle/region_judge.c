@@ -280,6 +280,18 @@ static bool has_face(const roberts_mesh *mesh)
     return false;
 }
 
+/* Finds the regions alone, or together with the lines that are drawn. */
+static roberts_status find_regions(const roberts_scene *scene, const roberts_camera *camera, bool alone,
+                                   roberts_region_list *list, roberts_error *error)
+{
+    roberts_drawing drawing;
+    if (alone)
+        return roberts_regions(scene, camera, NULL, list, error);
+    roberts_status status = roberts_hide_with_regions(scene, camera, NULL, &drawing, list, error);
+    roberts_drawing_free(&drawing);
+    return status;
+}
+
 bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *truth, roberts_region_list *list,
                        region_total *total, FILE *out)
 {
@@ -302,7 +314,7 @@ bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *
     options.all_edges = true;
     if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
         roberts_hide(built, &camera, &options, &drawing, &error) != ROBERTS_OK ||
-        roberts_regions(built, &camera, NULL, list, &error) != ROBERTS_OK) {
+        find_regions(built, &camera, total->scenes % 2 == 0, list, &error) != ROBERTS_OK) {
         fprintf(out, "%s: the program refuses: %s\n", name, error.message);
         ++*(has_face(&scene->mesh) ? &total->disagreements : &total->refused);
     } else if ((rank = ranks_of(scene, built, &drawing)) != NULL) {

@@ -357,6 +357,48 @@ static void check_points(const found *f, const roberts_region_list *l, const rob
     }
 }
 
+static bool is_same_segment(const roberts_segment *a, const roberts_segment *b)
+{
+    return a->solid == b->solid && a->edge == b->edge && a->v0 == b->v0 && a->v1 == b->v1 && a->by == b->by &&
+           a->t0 == b->t0 && a->t1 == b->t1 && a->p0.x == b->p0.x && a->p0.y == b->p0.y && a->p1.x == b->p1.x &&
+           a->p1.y == b->p1.y && a->state == b->state && a->line == b->line;
+}
+
+/* roberts_hide_with_regions() gives the segments of roberts_hide(), and the regions of roberts_regions(), whichever
+ * lines are drawn. */
+static void check_both(const char *name, const roberts_scene *scene, const roberts_camera *camera, size_t turn)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_region_list l, both;
+    roberts_drawing d, with;
+    options.crease_auto = turn % 3 == 0;
+    options.crease_degrees = turn % 3 == 1 ? 100 : 0.1;
+    options.all_edges = turn % 3 == 2;
+    options.keep_hidden = turn % 5 == 4;
+    options.unite = turn % 7 == 6;
+    assert_int_equal(roberts_hide(scene, camera, &options, &d, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_regions(scene, camera, &options, &l, NULL), ROBERTS_OK);
+    assert_int_equal(roberts_hide_with_regions(scene, camera, &options, &with, &both, NULL), ROBERTS_OK);
+    if (with.count != d.count || with.surviving_edges != d.surviving_edges || with.drawn_edges != d.drawn_edges)
+        fail_msg("%s: %zu segments with regions, %zu without", name, with.count, d.count);
+    for (size_t i = 0; i < d.count; i++)
+        if (!is_same_segment(&d.segment[i], &with.segment[i]))
+            fail_msg("%s: segment %zu differs with regions", name, i);
+    if (both.count != l.count || both.ring_count != l.ring_count || both.corner_count != l.corner_count)
+        fail_msg("%s: %zu regions of %zu rings and %zu corners with the lines, %zu of %zu and %zu alone", name,
+                 both.count, both.ring_count, both.corner_count, l.count, l.ring_count, l.corner_count);
+    for (size_t i = 0; i < l.count; i++)
+        if (both.region[i].solid != l.region[i].solid || both.region[i].face != l.region[i].face)
+            fail_msg("%s: region %zu is of another face with the lines", name, i);
+    for (size_t i = 0; i < l.corner_count; i++)
+        if (hypot(both.corner[i].x - l.corner[i].x, both.corner[i].y - l.corner[i].y) > 1e-12)
+            fail_msg("%s: corner %zu differs with the lines", name, i);
+    roberts_drawing_free(&d);
+    roberts_drawing_free(&with);
+    roberts_regions_free(&l);
+    roberts_regions_free(&both);
+}
+
 /* All checks but that of the shadow. Returns the sum of all areas. crossings: lines may cross where faces touch. */
 static double check_scene(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool crossings,
                           rng *r, tally *t)
@@ -378,6 +420,7 @@ static double check_scene(const char *name, const roberts_scene *scene, const ro
     if (!t->opened)
         check_borders(name, &l, &d);
     check_points(&(found){name, scene, camera}, &l, &d, r, t);
+    check_both(name, scene, camera, t->regions);
     t->regions += l.count;
     t->rings += l.ring_count;
     roberts_drawing_free(&d);
@@ -666,6 +709,9 @@ static void test_refused(void **state)
     assert_int_equal(roberts_regions(scene, &camera, NULL, &l, &error), ROBERTS_BAD_VIEW);
     assert_int_equal(l.count, 0);
     assert_int_equal(roberts_regions(scene, &(roberts_camera){0}, NULL, &l, &error), ROBERTS_BAD_VIEW);
+    roberts_drawing d;
+    assert_int_equal(roberts_hide_with_regions(scene, &camera, NULL, &d, &l, &error), ROBERTS_BAD_VIEW);
+    assert_true(l.count == 0 && d.count == 0 && !l.region && !d.segment);
     roberts_regions_free(&l);
     roberts_regions_free(NULL);
     roberts_scene_free(scene);
