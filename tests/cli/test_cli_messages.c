@@ -1,19 +1,14 @@
 /* Messages of the program: the file and the fault in it, options without effect, empty drawings. */
 /* for a terminal of our own: posix_openpt() */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
 #include <math.h>
 #include <sys/resource.h>
 
 #include "program.h"
 #include "roberts.h"
 #include "sanitized.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- which file ---- */
 

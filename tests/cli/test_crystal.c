@@ -1,12 +1,6 @@
 /* test_crystal.c - tools/crystal: the forms of all crystal classes, crystals whose corners are known, and messages. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "program.h"
+#include "testing.h"
 
 static int use_crystal(void)
 {

@@ -4,18 +4,12 @@
 #include <cairo.h>
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "temporary.h"
+#include "testing.h"
 
 enum { LARGEST = 100000 /* bytes of a picture */, README_ROOM = 1 << 17, DRAWN_WITH = CAIRO_VERSION_ENCODE(1, 16, 0) };
 

@@ -1,17 +1,11 @@
 /* test_install.c - `make install` into a folder, and three clients built against the installed files, as a user would:
  * by pkg-config, with the shared and with the static library. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
-#include "skip.h"
+#include "testing.h"
 
 static char root[256]; /* everything goes here, below the build folder */
 

@@ -1,18 +1,11 @@
 /* The manual page and the completions have the options of --help, and the README names no other ones. */
 #include <ctype.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
-#include "skip.h"
+#include "testing.h"
 
 enum { TEXT = 1 << 17, OPTIONS = 200 };
 

@@ -1,18 +1,12 @@
 /* test_python.c - the Python package: tests/python/test_roberts.py with the shared library that was just built, and the
  * package as `make install-python` puts it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "sanitized.h"
-#include "skip.h"
 #include "temporary.h"
+#include "testing.h"
 
 static const char *build_folder(void)
 {

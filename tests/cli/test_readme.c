@@ -8,22 +8,15 @@
  * are those that call `make`, which runs this test. */
 #include <ctype.h>
 #include <glob.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "sanitized.h"
 #include "temporary.h"
-#include "skip.h"
+#include "testing.h"
 
 /* Runs a shell command and gives its exit status. */
 static int shell(const char *command)

@@ -2,21 +2,16 @@
  * with our own, which Cairo draws without the file. A program that is not installed is skipped. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <cairo.h>
-#include <cmocka.h>
 
 #include "drawing.h"
 #include "temporary.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- two pictures beside each other ---- */
 

@@ -1,18 +1,13 @@
 /* test_same_bytes.c - the program gives the same bytes whatever the threads and the grid, and however often it is run.
  * The scene has enough solids for seven threads to share. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 enum { SIDE = 56, RUNS = 12 };

@@ -1,16 +1,11 @@
 /* The report of --verify on a wrong drawing. The program never makes one, so its function is called with a spoiled
  * drawing. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "build_scene.h"
 #include "cli/report.h"
+#include "testing.h"
 
 /* A cube of side 2 under a plate that hides all of it from above. */
 static roberts_scene *make_scene(void)

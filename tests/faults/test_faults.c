@@ -1,12 +1,7 @@
 /* test_faults.c - malicious input, and its cost. Each run has a limit on processor time and, unless a sanitizer needs
  * more, on memory, which must not grow with declared counts. Other faults are tested where they occur: test_cli.c,
  * test_save.c, test_memory_*.c; tests/README.md lists all. */
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,9 +9,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "sanitized.h"
+#include "testing.h"
 
 /* Seconds of processor time; with the sanitizers things take some ten times as long. */
 enum { SECONDS = SANITIZED ? 60 : 8, MEGABYTE = 1 << 20 };

@@ -1,21 +1,16 @@
 /* test_memory_draw.c - saving with each allocation of ours failing in turn: a status, no crash, no leak, the old file
  * unchanged and nothing beside it. (Cairo's own allocations are not reached from here.) */
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "build_scene.h"
 #include "drawing.h"
 #include "memory.h"
 #include "temporary.h"
+#include "testing.h"
 
 /* A scene with vertices whose distance is seen in true length. */
 static roberts_scene *tetrahedron(void)

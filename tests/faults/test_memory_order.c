@@ -1,19 +1,14 @@
 /* test_memory_order.c - scenes so large that solids scattered in the picture, or behind one another, are hidden in an
  * order other than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by
  * any number of threads; and memory that fails. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "hide/schedule.h"
 #include "hide/cells.h"
 #include "memory.h"
 #include "roberts.h"
+#include "testing.h"
 
 enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 12 };
 

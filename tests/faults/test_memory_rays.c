@@ -1,15 +1,10 @@
 /* test_memory_rays.c - checking and picking with each allocation failing in turn: a status, no crash, no leak. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "memory.h"
 #include "roberts.h"
+#include "testing.h"
 
 /* Twelve overlapping octahedra; from the near eye some are cut. `open`: without one face each. */
 static roberts_scene *make_scene(bool open)

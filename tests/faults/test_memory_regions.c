@@ -1,15 +1,10 @@
 /* test_memory_regions.c - finding and saving visible regions with each allocation of ours failing in turn: a status, no
  * crash, no leak. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 #include "memory.h"
 #include "roberts.h"
+#include "testing.h"
 
 /* Pyramids side by side and over one another, so that all steps have something to do: lines that cross, several groups
  * of lines, holes. */

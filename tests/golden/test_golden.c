@@ -1,16 +1,12 @@
 /* test_golden.c - the visible segments of every scene of models/, kept as text in tests/golden/: the program against
  * the golden, and the golden against the exact oracle. `make goldens` writes them anew. */
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
 #include "oracle/golden.h"
+#include "testing.h"
 
 /* Folders of bodies that are not convex: test_mesh_oracle.c compares their drawings with the exact oracle. */
 static bool left_out(const char *folder)

@@ -2,19 +2,14 @@
  * crossed in another way; the judge against tables that are wrong on purpose. test_mesh_oracle.c compares the
  * library with them. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/cross_judge.h"
 #include "oracle/mesh_families.h"
 #include "oracle/shapes.h"
+#include "testing.h"
 
 /* ---- by hand ---- */
 

@@ -1,20 +1,14 @@
 /* test_mesh_oracle.c - bodies of any kind: the mesh oracle against cases worked out by hand; then the library
  * against the oracle on scenes of each family (more: make check-long) and on published models. */
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
 #include "oracle/judge.h"
 #include "oracle/mesh_families.h"
-#include "skip.h"
+#include "testing.h"
 
 enum {
     EDGES_OF_EACH = 50000 / 36, /* and intersection lines, of each family */

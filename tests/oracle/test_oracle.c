@@ -1,16 +1,12 @@
 /* test_oracle.c - the oracle against cases worked out by hand, against itself without intervals of doubles and against
  * plain rays; then the program against the oracle on some scenes of each family (more: make check-long). */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/judge.h"
-#include "skip.h"
+#include "testing.h"
 
 static const char *build_folder(void)
 {

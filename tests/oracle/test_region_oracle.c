@@ -1,18 +1,13 @@
 /* test_region_oracle.c - visible regions: the region oracle against areas worked out by hand; the judge against wrong
  * tables; then the library against the oracle on scenes of each family. (More: build/tests/oracle/region_compare.) */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/mesh_families.h"
 #include "oracle/region_judge.h"
+#include "testing.h"
 
 enum { SEEDS = 8 /* scenes of each family */, WRONG_SEEDS = 2, FACES = 4 };
 

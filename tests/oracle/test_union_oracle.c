@@ -1,20 +1,15 @@
 /* test_union_oracle.c - lines of bodies that are drawn as one: the oracle against cases worked out by hand and against
  * cells of a grid; the judge against tables that are wrong on purpose. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "oracle/mesh_families.h"
 #include "oracle/shapes.h"
 #include "oracle/union_judge.h"
 #include "oracle/voxels.h"
+#include "testing.h"
 
 /* ---- by hand ---- */
 

@@ -1,5 +1,5 @@
 /* program.h - runs the program from outside, each test in a folder of its own: exit status, messages, files. Include it
- * in one file only, after the headers of cmocka.
+ * in one file only.
  *
  *     Use IN_FOLDER(test) in the list of tests, and call program_find() first; then run("--view top models/table.off"),
  *     and look at `last`. */
@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "temporary.h"
+#include "testing.h"
 
 enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
 

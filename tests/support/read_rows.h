@@ -8,6 +8,7 @@
 #include "roberts.h"
 #include "same_complaint.h"
 #include "same_mesh.h"
+#include "testing.h"
 
 /* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". A colour follows what it colours, in the same word: "(1,0,0)",
  * in thirds. A last part "float32" means that coordinates are 32-bit floats. */

@@ -1,9 +1,9 @@
-/* same_scene.h - compares the solids of two scenes to the last bit; where edges are stored may differ. Include it after
- * the headers of cmocka. */
+/* same_scene.h - compares the solids of two scenes to the last bit; where edges are stored may differ. */
 #ifndef ROBERTS_TESTS_SAME_SCENE_H
 #define ROBERTS_TESTS_SAME_SCENE_H
 
 #include "model/scene.h"
+#include "testing.h"
 
 static inline void expect_same_scene(const roberts_scene *a, const roberts_scene *b)
 {

@@ -1,17 +1,12 @@
 /* test_bodies.c - bodies that are not convex: their kinds, the classes of their lines, and what hides them. The mesh
  * oracle compares whole pictures with exact numbers. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "roberts.h"
+#include "testing.h"
 
 typedef struct body_case {
     const char *name, *text; /* OFF */

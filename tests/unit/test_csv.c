@@ -3,18 +3,13 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/output.h"
 #include "drawing.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- numbers ---- */
 

@@ -2,19 +2,14 @@
  * the touching distance. The model is tests/fuzz/seeds/house.*: a box and the roof on it. */
 #include <fcntl.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read/mesh.h"
 #include "roberts.h"
+#include "testing.h"
 
 static const struct format {
     const char *path;

@@ -1,19 +1,14 @@
 /* test_hull.c - convex hulls that replace anything that is no convex solid. Hulls of points with small whole
  * coordinates are compared with exact integer arithmetic, all others by counts, drawings and messages. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
 #include "same_scene.h"
 #include "scenes.h"
+#include "testing.h"
 
 #include "program.h"
 #include "whole.h"

@@ -2,17 +2,13 @@
  */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "testing.h"
 
 static const double pages[][2] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
 

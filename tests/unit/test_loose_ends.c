@@ -3,19 +3,13 @@
  * no face is edge-on. */
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
 #include "loose_ends.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- by hand ---- */
 

@@ -2,19 +2,15 @@
  * the known table, the scenes for tests 1 to 4 against their own comments, solids that stand on one another exactly. */
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "mesh_corners.h"
 #include "model/scene.h"
+#include "testing.h"
 #include "whole_file.h"
 
 /* How far lengths, distances and planes may be off, as a part of the solid's circumradius or a similar length:

@@ -1,17 +1,12 @@
 /* test_obj.c - Wavefront OBJ: all forms of corners, groups, colours from .mtl files, what is skipped and what is
  * refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "read/obj.h"
 #include "read_rows.h"
 #include "temporary.h"
+#include "testing.h"
 
 #define THREE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define THREE_TEXT "0,0,0 1,0,0 0,1,0"

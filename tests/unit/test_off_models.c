@@ -1,18 +1,11 @@
 /* test_off_models.c - published models, compared with what another reader found in them and listed in INDEX.md: numbers
  * of vertices, faces, thin faces and colours. Skipped if the models are not there. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "roberts.h"
-#include "skip.h"
+#include "testing.h"
 
 enum { LINE = 4096 };
 

@@ -5,20 +5,14 @@
  * Threads are those of POSIX, which the thread sanitizer knows (make test-threads). */
 #include <dirent.h>
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "read/off.h"
 #include "same_mesh.h"
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 /* ---- threads --------------------------------------------------------------------------------------------------- */

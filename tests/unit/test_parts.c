@@ -1,21 +1,16 @@
 /* test_parts.c - a drawing that is joined from parts has the same bytes as that of one run, and join refuses parts that
  * do not belong together. */
 #include <glob.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "part/plan.h"
 #include "rng.h"
 #include "roberts.h"
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 enum { PARTS_MOST = 7, NAME = TEMPORARY_ROOM + 32 };

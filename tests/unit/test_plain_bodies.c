@@ -3,18 +3,13 @@
  * Each mesh is built twice: as it is, and with a reversed copy of its first face. A face that repeats an earlier one
  * has no effect, but its body is not plain. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "model/plain_bodies.h"
 #include "model/scene.h"
 #include "read/mesh.h"
+#include "testing.h"
 
 static void add_face(roberts_mesh *mesh, size_t count, const uint32_t *corner)
 {

@@ -1,15 +1,10 @@
 /* test_ply.c - PLY as text and in both byte orders: which data are used, skipped or refused, and where. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read_rows.h"
+#include "testing.h"
 
 #define VERTICES(n) "element vertex " n "\nproperty float x\nproperty float y\nproperty float z\n"
 #define FACES(n) "element face " n "\nproperty list uchar int vertex_indices\n"

@@ -2,17 +2,13 @@
  * rays, special positions by table. */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "base/vec.h"
 #include "rng.h"
 #include "roberts.h"
+#include "testing.h"
 
 #define FRONT ROBERTS_FACING_FRONT
 #define BACK ROBERTS_FACING_BACK

@@ -3,19 +3,13 @@
  * Meshes are given as OFF text or made by small helpers. Whatever is accepted is checked by check_scene(), which tests
  * the invariants of scene.h and computes everything in other ways than src/. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
 #include "scenes.h"
-#include "skip.h"
+#include "testing.h"
 
 /* Anything that is no convex solid is refused. */
 static const roberts_scene_options only_solids = {.solids = true};

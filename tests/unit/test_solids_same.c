@@ -1,18 +1,13 @@
 /* test_solids_same.c - solids built by several threads, or from a mesh that is taken over, give the same scene. If
  * there are several faults, the first one is reported. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
 #include "same_scene.h"
 #include "scenes.h"
+#include "testing.h"
 
 enum { CUBES = 6000 }; /* enough for seven threads to have something to do */
 

@@ -1,18 +1,12 @@
 /* The star polyhedra and other bodies that are not convex in models/, against known properties: counts, regular faces,
  * Euler characteristic, volume, borders. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "mesh_corners.h"
+#include "testing.h"
 
 /* How much lengths may differ and count as equal, as a part of either: coordinates are rounded to 1e-16, and some are
  * sums of a few terms. */

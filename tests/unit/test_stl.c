@@ -1,15 +1,10 @@
 /* test_stl.c - STL as text and binary: what is read, welded and refused, and where. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read_rows.h"
+#include "testing.h"
 
 #define FACET(a, b, c)                                                                                                 \
     "facet normal 0 0 1\n outer loop\n vertex " a "\n vertex " b "\n vertex " c "\n endloop\nendfacet\n"

@@ -2,17 +2,13 @@
  * travels little. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "testing.h"
 
 enum { SIDE = 100 }; /* of the page, mm; here a model unit is one mm, and 0,0 the lower left corner */
 

@@ -1,17 +1,12 @@
 /* test_threads.c - several threads call the library at once, each with its own work, and all with one scene: every call
  * gives the same result as alone. `make test-threads` runs it under the thread sanitizer. */
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "roberts.h"
+#include "testing.h"
 
 enum { THREADS = 6, ROUNDS = 3 };
 

@@ -1,18 +1,14 @@
 /* Title blocks and dimensions: their texts; nothing collides on pages from A4 to A0. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/dimensions.h"
 #include "drawing.h"
 #include "sheet_views.h"
+#include "testing.h"
 
 static const roberts_field fields[] = {{"author", "É. Dvořák"},
                                        {"number", "R-17"},

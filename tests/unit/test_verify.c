@@ -1,19 +1,15 @@
 /* test_verify.c - the second opinion on drawings: none contradicts correct drawings, and some always contradicts
  * spoiled ones; picking by table; the tree of boxes, compared with testing every box. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "base/vec.h"
 #include "build_scene.h"
 #include "ray/tree.h"
 #include "rng.h"
 #include "roberts.h"
+#include "testing.h"
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
 
