@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "folders.h"
 #include "temporary.h"
 #include "testing.h"
 
@@ -18,11 +19,9 @@ static const char committed[] = "models/gallery"; /* those drawn now are in `tem
 static int set_up(void **state)
 {
     char command[4096];
-    const char *build = getenv("ROBERTS_BUILD");
     if (temporary_make(state) != 0)
         return -1;
-    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh '%s'", build ? build : "build",
-             temporary);
+    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh '%s'", build_folder(), temporary);
     return system(command); /* NOLINT(cert-env33-c): the gallery's commands are shell commands */
 }
 

@@ -4,15 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "folders.h"
 #include "sanitized.h"
 #include "temporary.h"
 #include "testing.h"
-
-static const char *build_folder(void)
-{
-    const char *build = getenv("ROBERTS_BUILD");
-    return build && *build ? build : "build";
-}
 
 /* Runs a shell command with the folder of the build as $BUILD, the temporary one as $HERE, and a Python as $python: the
  * first one in the path or, if that lacks numpy, the system's. */

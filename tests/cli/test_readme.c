@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "folders.h"
 #include "sanitized.h"
 #include "temporary.h"
 #include "testing.h"
@@ -36,10 +37,9 @@ static int link_in(const char *top, const char *target, const char *name)
 static int set_up(void **state)
 {
     char top[2048];
-    const char *build = getenv("ROBERTS_BUILD");
     if (!getcwd(top, sizeof top) || temporary_make(state) != 0)
         return -1;
-    return link_in(top, build ? build : "build", "build") || link_in(top, "include", "include") ||
+    return link_in(top, build_folder(), "build") || link_in(top, "include", "include") ||
            link_in(top, "models", "models");
 }
 
@@ -677,7 +677,6 @@ static void test_pages(void **state)
 /* The program draws the figures. Another version of Cairo may write the same path differently. */
 static void test_figures(void **state)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     char command[1024];
     (void)state;
     if (shell("pkg-config --modversion cairo | grep -q '^1[.]16[.]'") != 0) {
@@ -685,7 +684,7 @@ static void test_figures(void **state)
     }
     snprintf(command, sizeof command,
              "ROBERTS_BUILD='%s' tools/draw-figures.sh '%s/figures' && diff -r '%s/figures' models/figures >&2",
-             build ? build : "build", temporary, temporary);
+             build_folder(), temporary, temporary);
     assert_int_equal(shell(command), 0);
 }
 

@@ -417,13 +417,11 @@ static roberts_drawing filled_drawing(const char *model, roberts_region_list *re
     char name[100];
     roberts_mesh mesh = {0};
     roberts_scene *scene;
-    roberts_camera camera;
-    roberts_drawing drawing;
     snprintf(name, sizeof name, "models/%s.off", model);
-    assert_true(roberts_camera_preset("iso", &camera));
+    roberts_camera camera = preset_camera("iso");
     assert_int_equal(roberts_mesh_read_file(&mesh, name, NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, NULL);
     assert_int_equal(roberts_regions(scene, &camera, NULL, regions, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);

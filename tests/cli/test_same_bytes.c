@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "folders.h"
 #include "temporary.h"
 #include "testing.h"
 #include "whole_file.h"
@@ -105,8 +106,7 @@ static int enter_folder(void **state)
 
 int main(void)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(runs)};
-    snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
+    snprintf(program, sizeof program, "%s/roberts", build_folder());
     return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, temporary_remove);
 }

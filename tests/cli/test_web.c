@@ -4,14 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "folders.h"
 #include "temporary.h"
 #include "testing.h"
-
-static const char *build_folder(void)
-{
-    const char *build = getenv("ROBERTS_BUILD");
-    return build && *build ? build : "build";
-}
 
 /* Runs a shell command with the folder of the build as $BUILD and the temporary one as $HERE. */
 static int shell(const char *command)

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "folders.h"
 #include "sanitized.h"
 #include "testing.h"
 
@@ -288,8 +289,7 @@ static void input(void **state)
 
 int main(void)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     const struct CMUnitTest tests[] = {cmocka_unit_test(input)};
-    snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
+    snprintf(program, sizeof program, "%s/roberts", build_folder());
     return cmocka_run_group_tests_name("faults", tests, NULL, NULL);
 }

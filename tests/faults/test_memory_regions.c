@@ -2,6 +2,7 @@
  * crash, no leak. */
 #include <stdlib.h>
 
+#include "build_scene.h"
 #include "memory.h"
 #include "roberts.h"
 #include "testing.h"
@@ -13,7 +14,6 @@ static roberts_scene *make_scene(void)
     static const uint32_t face[5][4] = {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
     static const double place[4][4] = {{0, 0, 0, 4}, {0, 0, 5, 1}, {20, 3, 0, 2}, {2, 2, 0, 4}}; /* x, y, z, size */
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
     for (uint32_t i = 0; i < 4; i++) {
         const double *p = place[i], s = p[3];
         const roberts_vec3 corner[5] = {{p[0] - s, p[1] - s, p[2]},
@@ -22,17 +22,15 @@ static roberts_scene *make_scene(void)
                                         {p[0] - s, p[1] + s, p[2]},
                                         {p[0], p[1], p[2] + s}};
         for (int k = 0; k < 5; k++)
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, corner[k], NULL, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, corner[k]);
         for (int f = 0; f < 5; f++) {
             uint32_t own[4];
             for (int k = 0; k < 4; k++)
                 own[k] = face[f][k] + 5 * i;
-            assert_int_equal(roberts_mesh_add_face(&mesh, own, f == 0 ? 4 : 3, NULL), ROBERTS_OK);
+            mesh_face(&mesh, own, f == 0 ? 4 : 3);
         }
     }
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 static bool merges; /* are neighbours in one plane merged? */
@@ -77,11 +75,10 @@ static void test_fills(void **state)
                              .look_at = {20, 3, 0},
                              .has_look_at = true,
                              .fov_degrees = 20};
-    roberts_drawing drawing;
     roberts_region_list regions;
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, NULL);
     assert_int_equal(roberts_regions(scene, &camera, NULL, &regions, NULL), ROBERTS_OK);
     assert_true(drawing.framed && regions.count > 3);
     drawing.regions = &regions;

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "oracle/golden.h"
+#include "folders.h"
 #include "testing.h"
 
 /* Folders of bodies that are not convex: test_mesh_oracle.c compares their drawings with the exact oracle. */
@@ -80,10 +81,9 @@ static void test_wrong_golden(void **state)
         {"wrong class", "1 8 9 0 0.25 crease\n"},
         {"not a segment", "1 8 9\n"},
     };
-    const char *build = getenv("ROBERTS_BUILD");
     char path[400], said[2000];
     (void)state;
-    snprintf(path, sizeof path, "%s/wrong-golden.txt", build ? build : "build");
+    snprintf(path, sizeof path, "%s/wrong-golden.txt", build_folder());
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         golden_total total = {0};
         FILE *file = fopen(path, "w"), *out = fmemopen(said, sizeof said, "w");

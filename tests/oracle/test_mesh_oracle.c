@@ -8,6 +8,7 @@
 
 #include "oracle/judge.h"
 #include "oracle/mesh_families.h"
+#include "folders.h"
 #include "testing.h"
 
 enum {
@@ -16,12 +17,6 @@ enum {
     FILES = 1000,
     NAME = 300,
 };
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- by hand ---- */
 
@@ -233,16 +228,15 @@ static void judge_folder(const char *path, mesh_total *total, size_t *refused)
 
 static void test_published_models(void **state)
 {
-    const char *shared = getenv("ROBERTS_SHARED");
     char path[NAME];
     mesh_total total = {0};
     size_t refused = 0;
     (void)state;
-    snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models", shared_folder());
     judge_folder(path, &total, &refused);
     if (total.scenes == 0)
         SKIP_BECAUSE("no models in %s", path);
-    snprintf(path, sizeof path, "%s/models/catalogue", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models/catalogue", shared_folder());
     judge_folder(path, &total, &refused);
     print_message(
         "note: %zu edges and %zu intersection lines of %zu published models compared with the exact oracle: %zu "

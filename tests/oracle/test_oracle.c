@@ -6,13 +6,9 @@
 #include <string.h>
 
 #include "oracle/judge.h"
+#include "folders.h"
+#include "make_mesh.h"
 #include "testing.h"
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- by hand --------------------------------------------------------------------------------------------------- */
 
@@ -21,11 +17,11 @@ static void add_solid(roberts_mesh *mesh, const roberts_vec3 *point, size_t poin
 {
     uint32_t face[8], first = (uint32_t)mesh->vertex_count;
     for (size_t i = 0; i < points; i++)
-        assert_int_equal(roberts_mesh_add_vertex(mesh, point[i], NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, point[i]);
     for (size_t f = 0; f < faces; f++) {
         for (size_t i = 0; i < corners; i++)
             face[i] = first + corner[f * corners + i];
-        assert_int_equal(roberts_mesh_add_face(mesh, face, corners, NULL), ROBERTS_OK);
+        mesh_face(mesh, face, corners);
     }
 }
 

@@ -7,15 +7,10 @@
 
 #include "oracle/mesh_families.h"
 #include "oracle/region_judge.h"
+#include "folders.h"
 #include "testing.h"
 
 enum { SEEDS = 8 /* scenes of each family */, WRONG_SEEDS = 2, FACES = 4 };
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- by hand ---- */
 

@@ -312,9 +312,8 @@ static void kinds_are_told_apart(void **state)
 {
     (void)state;
     const unsigned vertices = ROBERTS_LABEL_VERTICES, faces = ROBERTS_LABEL_FACES, bodies = ROBERTS_LABEL_BODIES;
-    roberts_camera camera;
     cube c;
-    assert_true(roberts_camera_preset("iso", &camera));
+    roberts_camera camera = preset_camera("iso");
     see_cube(&c, &camera);
     assert_int_equal(labels_with(&c, vertices | faces, 'v'), 7);
     assert_int_equal(labels_with(&c, vertices | faces, 'f'), 3);

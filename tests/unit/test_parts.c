@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "part/plan.h"
+#include "build_scene.h"
 #include "rng.h"
 #include "roberts.h"
 #include "temporary.h"
@@ -100,7 +101,6 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
 {
     roberts_mesh mesh = {.threads = 1};
     roberts_scene *scene = NULL;
-    roberts_drawing drawing;
     roberts_joined from_parts;
     roberts_error error = {0};
     char *const plans[] = {plan_path};
@@ -109,7 +109,7 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
     for (size_t i = 0; i < input->count; i++)
         assert_int_equal(roberts_mesh_read_file(&mesh, input->name[i], NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, &task->scene, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &task->camera, &task->hide, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &task->camera, &task->hide);
     const roberts_inputs from = parts % 2 ? *input : (roberts_inputs){1, plans};
     if (draw_parts(&from, task, parts, &error) != ROBERTS_OK || join(parts, task, &from_parts, &error) != ROBERTS_OK)
         fail_msg("%s in %u parts: %s", input->name[0], parts, error.message);

@@ -328,13 +328,12 @@ static double check_scene(const char *name, const roberts_scene *scene, const ro
                           rng *r, tally *t)
 {
     roberts_region_list l;
-    roberts_drawing d;
     roberts_error error = {0};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     if (roberts_regions(scene, camera, NULL, &l, &error) != ROBERTS_OK)
         fail_msg("%s: %s", name, error.message);
-    assert_int_equal(roberts_hide(scene, camera, &options, &d, NULL), ROBERTS_OK);
+    roberts_drawing d = drawing_of(scene, camera, &options);
     double sum = 0;
     for (size_t i = 0; i < l.count; i++)
         sum += l.region[i].area;
