@@ -25,19 +25,14 @@ static double anyhow(uint64_t n)
  * stands, row by row. */
 static roberts_scene *make_scene(const uint32_t *cell, double wide)
 {
-    static const uint32_t face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    static const unsigned char faces[] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3, 0};
     roberts_mesh mesh = {0};
     for (uint32_t i = 0; i < COUNT; i++) {
         double x = cell[i] % SIDE + anyhow(3 * cell[i] + 1), y = cell[i] / SIDE + anyhow(3 * cell[i] + 2);
         double z = 3.0 * anyhow(3 * cell[i] + 3);
         const roberts_vec3 point[4] = {
             {x, y, z}, {x + 1.5 * wide, y + 0.1, z}, {x + 0.2, y + 1.4 * wide, z}, {x + 0.5, y + 0.5, z + 1}};
-        for (int k = 0; k < 4; k++)
-            mesh_vertex(&mesh, point[k]);
-        for (int k = 0; k < 4; k++) {
-            uint32_t corner[3] = {4 * i + face[k][0], 4 * i + face[k][1], 4 * i + face[k][2]};
-            mesh_face(&mesh, corner, 3);
-        }
+        mesh_solid(&mesh, point, 4, faces);
     }
     return build_scene(&mesh);
 }

@@ -10,19 +10,16 @@
 /* Twelve overlapping octahedra; from the near eye some are cut. `open`: without one face each. */
 static roberts_scene *make_scene(bool open)
 {
-    static const uint32_t face[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    static const unsigned char faces[] = {3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 3,
+                                          2, 0, 5, 3, 1, 2, 5, 3, 3, 1, 5, 3, 0, 3, 5, 0};
+    static const unsigned char open_faces[] = {3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0,
+                                               4, 3, 2, 0, 5, 3, 1, 2, 5, 3, 3, 1, 5, 0};
     roberts_mesh mesh = {0};
     for (uint32_t i = 0; i < 12; i++) {
         double x = 0.7 * (i % 4), y = 0.6 * (i / 4), z = 0.3 * i;
         const roberts_vec3 point[6] = {{x + 1, y, z}, {x - 1, y, z}, {x, y + 1, z},
                                        {x, y - 1, z}, {x, y, z + 1}, {x, y, z - 1}};
-        for (int k = 0; k < 6; k++)
-            mesh_vertex(&mesh, point[k]);
-        for (int k = 0; k < (open ? 7 : 8); k++) {
-            uint32_t corner[3] = {6 * i + face[k][0], 6 * i + face[k][1], 6 * i + face[k][2]};
-            mesh_face(&mesh, corner, 3);
-        }
+        mesh_solid(&mesh, point, 6, open ? open_faces : faces);
     }
     return build_scene(&mesh);
 }
@@ -50,16 +47,11 @@ static void verifying(void **state)
             options.threads = 1;
             memory_fail(n);
             roberts_status status = roberts_verify(scene, camera, &drawing, &options, &found, &error);
-            bool failed = memory_failed();
-            memory_fail(0);
-            assert_int_equal(memory_blocks, before);
-            assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
-            if (!failed) {
+            if (!memory_try_failed(status, &error, before)) {
                 assert_true(found.contradictions > 50);
                 break;
             }
             assert_true(found.contradictions == 0);
-            assert_string_equal(error.message, "not enough memory");
             failures++;
         }
         assert_true(failures > 10);
@@ -79,15 +71,12 @@ static void picking(void **state)
             roberts_error error = {0};
             memory_fail(n);
             roberts_status status = roberts_pick(scene, &cameras[i % 2], 0.1, 0.1, &picked, &error);
-            bool failed = memory_failed();
-            memory_fail(0);
-            assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
-            assert_int_equal(picked.count > 0, !failed);
+            size_t count = picked.count;
             roberts_picked_free(&picked);
-            assert_int_equal(memory_blocks, before);
+            bool failed = memory_try_failed(status, &error, before);
+            assert_int_equal(count > 0, !failed);
             if (!failed)
                 break;
-            assert_string_equal(error.message, "not enough memory");
             failures++;
         }
         assert_true(failures >= 3);

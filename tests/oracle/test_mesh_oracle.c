@@ -9,6 +9,7 @@
 #include "oracle/judge.h"
 #include "oracle/mesh_families.h"
 #include "folders.h"
+#include "make_mesh.h"
 #include "testing.h"
 
 enum {
@@ -103,12 +104,11 @@ static void test_by_hand(void **state)
     const oracle_view top = {.z = 1};
     (void)state;
     for (size_t i = 0; i < sizeof hand_cases / sizeof hand_cases[0]; i++) {
-        roberts_mesh mesh = {0};
         mesh_truth truth;
         char text[1000];
         print_message("%s\n", hand_cases[i].name);
         snprintf(text, sizeof text, "OFF\n%s", hand_cases[i].off);
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "by hand", text, strlen(text), NULL, NULL), ROBERTS_OK);
+        roberts_mesh mesh = mesh_of_text(text);
         assert_true(mesh_truth_find(&mesh, &top, hand_cases[i].even_odd, &truth));
         assert_int_equal(truth.edge_count, hand_cases[i].edges);
         const mesh_edge *e = &truth.edge[0];

@@ -9,26 +9,14 @@
 #include "oracle/shapes.h"
 #include "oracle/union_judge.h"
 #include "oracle/voxels.h"
+#include "make_mesh.h"
 #include "testing.h"
 
 /* ---- by hand ---- */
 
 typedef struct block {
-    double low[3], high[3];
+    roberts_vec3 low, high;
 } block;
-
-static void add_block(roberts_mesh *mesh, const block *b)
-{
-    static const int face[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-    uint32_t n[8];
-    for (int i = 0; i < 8; i++) {
-        roberts_vec3 p = {i & 1 ? b->high[0] : b->low[0], i & 2 ? b->high[1] : b->low[1],
-                          i & 4 ? b->high[2] : b->low[2]};
-        assert_int_equal(roberts_mesh_add_vertex(mesh, p, &n[i], NULL), ROBERTS_OK);
-    }
-    for (int f = 0; f < 6; f++)
-        roberts_mesh_add_face(mesh, (uint32_t[]){n[face[f][0]], n[face[f][1]], n[face[f][2]], n[face[f][3]]}, 4, NULL);
-}
 
 /* Blocks seen from (1, 2, 4). How much is drawn of all places together, as outline and as crease; where several
  * bodies have a line in one place, each counts. */
@@ -67,7 +55,7 @@ static void test_by_hand(void **state)
         union_truth truth;
         double length[3] = {0};
         for (size_t k = 0; k < hand_cases[i].count; k++)
-            add_block(&mesh, &hand_cases[i].block[k]);
+            mesh_box(&mesh, hand_cases[i].block[k].low, hand_cases[i].block[k].high);
         if (!union_truth_find(&mesh, &view, &truth))
             fail_msg("%s: %s", hand_cases[i].name, truth.error);
         for (size_t k = 0; k < truth.line_count; k++) {

@@ -46,6 +46,12 @@ static inline void mesh_solid(roberts_mesh *mesh, const roberts_vec3 *point, siz
     }
 }
 
+static inline void mesh_tetrahedron(roberts_mesh *mesh, const roberts_vec3 point[4])
+{
+    static const unsigned char faces[] = {3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3, 0};
+    mesh_solid(mesh, point, 4, faces);
+}
+
 /* The faces of a solid whose vertex number has bit 0 for x, bit 1 for y, bit 2 for z: z least, z greatest, y least, y
  * greatest, x least, x greatest. */
 static const unsigned char mesh_cube_faces[] = {4, 0, 2, 3, 1, 4, 4, 5, 7, 6, 4, 0, 1, 5, 4, 4,

@@ -162,6 +162,12 @@ static inline void model_box(model *m, roberts_vec3 low, roberts_vec3 high)
               vec3_scale(0.5, vec3_add(low, high)));
 }
 
+static inline void model_tetrahedron(model *m, const roberts_vec3 point[4])
+{
+    mesh_tetrahedron(&m->mesh, point);
+    model_close_solid(m);
+}
+
 /* Maps every vertex p to map * p + offset. */
 static inline void model_map(model *m, mat3 map, roberts_vec3 offset)
 {

@@ -301,17 +301,6 @@ static void boxes_seen_obliquely(void **state)
 
 /* ---- solids that are no boxes ---------------------------------------------------------------------------------- */
 
-static void add_tetrahedron(model *m, const roberts_vec3 point[4])
-{
-    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
-    uint32_t first = (uint32_t)m->mesh.vertex_count;
-    for (int i = 0; i < 4; i++)
-        model_vertex(m, point[i]);
-    for (int f = 0; f < 4; f++)
-        model_face(m, (uint32_t[]){first + corner[f][0], first + corner[f][1], first + corner[f][2]}, 3);
-    model_close_solid(m);
-}
-
 /* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon (1.2e-9
  * to 1.7e-9) of the border's line for twelve and more of its hundred units. But the gap between them is far wider than
  * epsilon. */
@@ -352,7 +341,7 @@ static void borders_at_flat_angles(void **state)
             model m = {0};
             options.grid = grid;
             for (int k = 0; k < 3; k++)
-                add_tetrahedron(&m, table[i].solid[k]);
+                model_tetrahedron(&m, table[i].solid[k]);
             roberts_drawing drawing = model_draw(&m, &camera, &options);
             expect_edge(table[i].name, "top", &drawing, table[i].rows);
             roberts_drawing_free(&drawing);
@@ -380,7 +369,7 @@ static void pierced_planes_in_any_order(void **state)
             for (int f = 0; f < 6; f++)
                 model_face(&m, face[(first + step * f) % 6], 4);
             model_close_solid(&m);
-            add_tetrahedron(&m, edge);
+            model_tetrahedron(&m, edge);
             roberts_drawing drawing = model_draw(&m, &camera, &options);
             expect_edge("pierced", "top", &drawing, "8-9 v 0.5 h0");
             roberts_drawing_free(&drawing);
@@ -443,7 +432,7 @@ static void outlines_that_are_not_convex(void **state)
         for (size_t f = 0; table[i].face[f][1]; f++)
             model_face(&m, table[i].face[f], table[i].face[f][3] ? 4 : 3);
         model_close_solid(&m);
-        add_tetrahedron(
+        model_tetrahedron(
             &m, (roberts_vec3[]){{0.3, 1e-4, -0.2}, {0.4, 1e-4, -0.2}, {0.3, 2e-4, -0.2}, {0.32, 1.5e-4, -0.1}});
         roberts_drawing drawing = model_draw(&m, &camera, &options);
         assert_int_equal(drawing.edge_on_faces, table[i].edge_on);
@@ -477,7 +466,7 @@ static void face_with_a_dent(void **state)
     for (size_t f = 0; f < sizeof face / sizeof face[0]; f++)
         model_face(&m, face[f] + 1, face[f][0]);
     model_close_solid(&m);
-    add_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
+    model_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     for (size_t k = 0; k < drawing.count; k++) {
         const roberts_segment *s = &drawing.segment[k];
@@ -518,7 +507,7 @@ static void edges_that_end_in_a_sliver(void **state)
                            4);
             model_close_solid(&m);
         }
-        add_tetrahedron(&m, (roberts_vec3[]){edge[i][0], edge[i][1], {-1, 1, -2}, {-1, 2, -2}});
+        model_tetrahedron(&m, (roberts_vec3[]){edge[i][0], edge[i][1], {-1, 1, -2}, {-1, 2, -2}});
         roberts_drawing drawing = model_draw(&m, &camera, &options);
         expect_edge("three plates without a gap", "top", &drawing, "24-25 h0");
         roberts_drawing_free(&drawing);
@@ -534,8 +523,8 @@ static void edge_beyond_a_sharp_tip(void **state)
     model m = {0};
     (void)state;
     options.epsilon = 1e-3;
-    add_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
-    add_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
+    model_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
+    model_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     expect_edge("sharp tip", "top", &drawing, "4-5 v 1/2 h0");
     roberts_drawing_free(&drawing);
@@ -622,7 +611,7 @@ static void perspective_by_hand(void **state)
     (void)state;
     model_box(&m, (roberts_vec3){-1, -1, 4}, (roberts_vec3){1, 1, 5});
     model_box(&m, (roberts_vec3){-4, 0, -1}, (roberts_vec3){4, 1, 0});
-    add_tetrahedron(&m, ridge);
+    model_tetrahedron(&m, ridge);
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     expect_edge("perspective", "eye", &drawing, "12-13 v 1/4 h0 3/4 v");
     expect_edge("perspective", "eye", &drawing, "4-5 v");

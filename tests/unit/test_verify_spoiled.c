@@ -2,6 +2,7 @@
  * in the drawing as it was. */
 #include "roberts.h"
 #include "scenes.h"
+#include "segments.h"
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
 
@@ -205,12 +206,6 @@ typedef enum fault {
 
 static const char *const fault_names[FAULTS] = {"end off by 1e-3", "end off by 1e-4",  "end off by 1e-6", "wrong by",
                                                 "gap swallowed",   "hider overlooked", "left out"};
-
-static bool same_edge(const roberts_segment *a, const roberts_segment *b)
-{
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 &&
-           (a->v0 != ROBERTS_NONE || a->edge == b->edge); /* an edge, or an intersection */
-}
 
 static void drop_rows(roberts_drawing *drawing, size_t first, size_t count)
 {
