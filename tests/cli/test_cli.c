@@ -407,20 +407,24 @@ static const struct {
     {"", "<title>cube.off</title>"},
 };
 
-static void pages_and_pens(void **state)
+/* The file drawn with these arguments holds the text wanted; or, after an exclamation mark, does not. */
+static void expect_in_file(const char *arguments, const char *model, const char *wanted)
 {
     char line[300];
+    snprintf(line, sizeof line, "%s %s", arguments, model);
+    print_message("%s: %s\n", line, wanted);
+    assert_int_equal(run(line), 0);
+    if (*wanted == '!')
+        assert_null(strstr(last.out, wanted + 1));
+    else if (!strstr(last.out, wanted))
+        fail_msg("%s", last.out);
+}
+
+static void pages_and_pens(void **state)
+{
     (void)state;
-    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++) {
-        const char *wanted = page_cases[i].wanted;
-        snprintf(line, sizeof line, "%s models/platonic/cube.off", page_cases[i].arguments);
-        print_message("%s: %s\n", line, wanted);
-        assert_int_equal(run(line), 0);
-        if (*wanted == '!')
-            assert_null(strstr(last.out, wanted + 1));
-        else if (!strstr(last.out, wanted))
-            fail_msg("%s", last.out);
-    }
+    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++)
+        expect_in_file(page_cases[i].arguments, "models/platonic/cube.off", page_cases[i].wanted);
 }
 
 static const struct {
@@ -444,19 +448,10 @@ static const struct {
 /* A triangle, and a wire through its middle. */
 static void borders_and_wires(void **state)
 {
-    char line[300];
     (void)state;
     put("open.off", "OFF\n5 2 0\n0 0 0\n4 0 0\n4 4 0\n0 2 1\n4 2 1\n3 0 1 2\n2 3 4\n");
-    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++) {
-        const char *wanted = open_cases[i].wanted;
-        snprintf(line, sizeof line, "%s open.off", open_cases[i].arguments);
-        print_message("%s: %s\n", line, wanted);
-        assert_int_equal(run(line), 0);
-        if (*wanted == '!')
-            assert_null(strstr(last.out, wanted + 1));
-        else if (!strstr(last.out, wanted))
-            fail_msg("%s", last.out);
-    }
+    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++)
+        expect_in_file(open_cases[i].arguments, "open.off", open_cases[i].wanted);
 }
 
 /* A wire, which is face 0, and three faces about one edge. */
@@ -490,10 +485,7 @@ static void tables_name_class_and_faces(void **state)
 /* How often `what` occurs in the output. */
 static size_t count(const char *what)
 {
-    size_t found = 0;
-    for (const char *at = last.out; (at = strstr(at, what)); at++)
-        found++;
-    return found;
+    return (size_t)count_of(last.out, what);
 }
 
 static const struct {

@@ -100,12 +100,7 @@ static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
         cut[cuts++] = r->row[r->mine[i]].t0;
         cut[cuts++] = r->row[r->mine[i]].t1;
     }
-    for (size_t i = 1; i < cuts; i++)
-        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
-            double was = cut[k];
-            cut[k] = cut[k - 1];
-            cut[k - 1] = was;
-        }
+    qsort(cut, cuts, sizeof *cut, line_by_start);
     for (size_t i = 0; i + 1 < cuts; i++) {
         double t = 0.5 * (cut[i] + cut[i + 1]);
         bool known = false, mine_hides = false, theirs = false;

@@ -32,7 +32,7 @@ static inline double line_beside(roberts_vec3 a, roberts_vec3 b, roberts_vec3 X,
     return t;
 }
 
-/* Compares intervals, or other structs that begin with a double, for qsort(). */
+/* Compares numbers, intervals, or other structs that begin with a number, for qsort(). */
 static inline int line_by_start(const void *a, const void *b)
 {
     const double *p = (const double *)a, *q = (const double *)b;

@@ -136,12 +136,7 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
         cut[cuts++] = j->hidden[i].t0;
         cut[cuts++] = j->hidden[i].t1;
     }
-    for (size_t i = 1; i < cuts; i++)
-        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
-            double was = cut[k];
-            cut[k] = cut[k - 1];
-            cut[k - 1] = was;
-        }
+    qsort(cut, cuts, sizeof *cut, line_by_start);
     for (size_t i = 0; i + 1 < cuts; i++) {
         double t = 0.5 * (cut[i] + cut[i + 1]);
         bool mine = false, theirs = false;

@@ -326,17 +326,6 @@ static void check_equal(const known_solid *k, const char *what, double value, do
         fail_msg("%s: %s %.17g and %.17g", k->name, what, value, first);
 }
 
-/* Corners of the faces round vertex v as one number, whatever their order. */
-static size_t surroundings(const roberts_mesh *m, uint32_t v)
-{
-    size_t code = 1;
-    for (size_t f = 0; f < m->face_count; f++)
-        for (size_t i = 0; i < corner_count(m, f); i++)
-            if (corner(m, f, i) == v)
-                code *= corner_count(m, f) * corner_count(m, f) + 1;
-    return code;
-}
-
 /* Regular faces (equal sides, corners on a sphere, plane), the same around every vertex. */
 static void check_uniform(const known_solid *k, const roberts_mesh *m)
 {

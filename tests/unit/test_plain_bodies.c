@@ -9,6 +9,7 @@
 #include "model/plain_bodies.h"
 #include "model/scene.h"
 #include "read/mesh.h"
+#include "same_scene.h"
 #include "testing.h"
 
 static void add_face(roberts_mesh *mesh, size_t count, const uint32_t *corner)
@@ -220,17 +221,7 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
         assert_memory_equal(a->surface->many_face + p->first, b->surface->many_face + q->first,
                             (p->end - p->first) * sizeof *a->surface->many_face);
     }
-    for (uint32_t v = 0; v < a->vertex_count; v++)
-        assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
-    for (uint32_t f = 0; f < a->face_count; f++)
-        assert_int_equal(scene_face_number(a, f), scene_face_number(b, f));
-    assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
-    assert_memory_equal(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start);
-    assert_memory_equal(a->corner, b->corner, a->face_start[a->face_count] * sizeof *a->corner);
-    for (uint32_t f = 0; f < a->face_count; f++) {
-        scene_shape p = scene_shape_of(a, f), q = scene_shape_of(b, f);
-        assert_memory_equal(&p, &q, sizeof p);
-    }
+    expect_same_faces(a, b);
     check_bends(a);
 }
 
