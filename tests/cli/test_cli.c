@@ -646,7 +646,7 @@ static void turntable_keeps_scale_and_centre(void **state)
     assert_int_equal(count_of(last.err, " segments at 2:1; "), 2);
     assert_int_equal(run("-v --azimuth 0 --turntable 2 --scale 1:1234567 box.off -o in/t-%d.svg"), 0);
     assert_int_equal(count_of(last.err, " segments at 1:1234567; "), 2);
-    /* a frame, from which all keep 5 mm; but a field of view reaches to it */
+    /* everything keeps 5 mm from a frame, except a field of view, which reaches to it */
     assert_int_equal(run("--azimuth 0 --turntable 2 --frame --stats=json box.off -o in/t-%d.svg"), 0);
     assert_int_equal(count_of(last.err, "\"scale\":30,"), 2);
     assert_int_equal(run("--eye 13,1,1.5 --look-at 13,2,1.5 --fov 90 --turntable 2 --frame --stats=json box.off "

@@ -25,7 +25,7 @@ static int set_up(void **state)
     return system(command); /* NOLINT(cert-env33-c): the gallery's commands are shell commands */
 }
 
-/* The file's bytes, at most `room`; their number. 0: not there. */
+/* Reads at most `room` bytes of the file, and returns their number; 0: it is not there. */
 static size_t contents(const char *folder, const char *name, char *bytes, size_t room)
 {
     char path[600];

@@ -119,8 +119,8 @@ static void brings_manual_and_completions(void **state)
     run(command);
 }
 
-/* Root's installation renews the loader's cache; that of others, into DESTDIR, or where the loader never looks does
- * not. */
+/* An installation by root renews the loader's cache. One by others, into DESTDIR, or to where the loader never looks
+ * does not. */
 static void tells_the_loader(void **state)
 {
     static const struct {

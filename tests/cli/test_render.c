@@ -128,9 +128,8 @@ static roberts_draw_options options_of(size_t i)
     return options;
 }
 
-/* 8 x 11 inches at 192 dpi: two pixels for each of a browser's, of which there is a whole number. Browsers stretch an
- * SVG to whole ones, A4 (793.7 of them) by up to a third of one, which would be compared with our drawing as
- * a shift. */
+/* 8 x 11 inches at 192 dpi: a whole number of a browser's pixels, each of two by two. Browsers stretch an SVG to
+ * whole pixels: A4 (793.7 of them) by up to a third of one, which would look like a shift of our drawing. */
 static roberts_draw_options options_for_browser(size_t i)
 {
     roberts_draw_options options = options_of(i);
@@ -244,9 +243,9 @@ static cairo_surface_t *cut_picture(cairo_surface_t *all, size_t i, int magnific
                                                cairo_image_surface_get_format(all), width, height, stride);
 }
 
-/* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there is
- * no browser that does. A start of it takes longer than all pictures. The name of the program varies, and its home
- * folder must be writable. */
+/* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there
+ * is no browser that does. Starting it takes longer than drawing all pictures. The name of the program varies, and
+ * its home folder must be writable. */
 static cairo_surface_t *run_chromium(size_t count, int magnification)
 {
     char command[1200];
@@ -369,7 +368,7 @@ static void a_wrong_pen_is_seen(void **state)
 /* Seams end half of their width before the paper, so that they do not stick out. */
 static const double seam_mm = 0.4, mm_per_inch = 25.4;
 
-/* How many pixels from paper there may be a mixture. */
+/* How far from paper there may be a mixture of colours, in pixels. */
 static int pixels_near_paper(double dpi)
 {
     return 2 + (int)ceil(seam_mm / 2.0 * dpi / mm_per_inch);

@@ -126,7 +126,7 @@ static void feed_large_face(int pipe)
     fclose(file);
 }
 
-/* A pyramid, and its base has a million corners on a square, with a cube beside its tip or without. */
+/* A pyramid whose base has a million corners on a square; with a cube beside its tip, or without. */
 static void feed_pyramid(int pipe, int cubes)
 {
     enum { QUARTER = 250000, CORNERS = 4 * QUARTER };

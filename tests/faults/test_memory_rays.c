@@ -7,7 +7,7 @@
 #include "roberts.h"
 #include "testing.h"
 
-/* Twelve overlapping octahedra; from the near eye some are cut. `open`: without one face each. */
+/* Twelve overlapping octahedra; from the near eye some are cut. `open`: each lacks one face. */
 static roberts_scene *make_scene(bool open)
 {
     static const unsigned char faces[] = {3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 3,

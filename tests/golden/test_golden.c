@@ -69,7 +69,7 @@ static void test_models(void **state)
     assert_int_equal(o.failed, 0);
 }
 
-/* A golden that says something else is found out, whatever the program does: by the oracle. */
+/* The oracle notices a wrong golden, whatever the program does. */
 static void test_wrong_golden(void **state)
 {
     static const struct {

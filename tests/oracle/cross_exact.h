@@ -240,12 +240,12 @@ struct cross_finder {
         join_edges();
     }
 
-    /* "Each piece of an edge has the faces of all edges that lie on it": edges that have not two faces divide one
-     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two faces
-     * is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
+    /* "Each piece of an edge has the faces of all edges that lie on it": edges that do not have two faces divide one
+     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two
+     * faces is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
     void join_edges()
     {
-        std::set<uint32_t> ends; /* of edges that have not two faces */
+        std::set<uint32_t> ends; /* of edges that do not have two faces */
         for (const auto &[key, faces] : edges)
             if (faces.size() != 2)
                 ends.insert(key.begin(), key.end());

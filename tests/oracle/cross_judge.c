@@ -81,7 +81,8 @@ static double gaps(const rows_at_hand *r, size_t mine, bool *turns)
     return gap + fabs(1 - end);
 }
 
-/* The length that is visible in one and hidden in the other. Where things are not exact, the middles are asked. */
+/* The length that is visible in one and hidden in the other. If the scene is not exact, the oracle is asked about
+ * the middles. */
 static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
 {
     const oracle_interval *truth = r->c->truth->interval + l->first;

@@ -82,7 +82,7 @@ static size_t gaps(const golden_line *line, size_t count, oracle_interval *gap)
     return used;
 }
 
-/* How much of an edge the golden's lines for it have wrong. */
+/* How much of an edge is wrong in the golden. */
 static double wrong_part(const oracle_result *truth, const oracle_edge *e, const golden_line *line, size_t count,
                          oracle_interval *gap)
 {

@@ -415,7 +415,7 @@ static void test_triangles(void **state)
 
 /* ---- the judge ---- */
 
-/* Makes a right table wrong at row i, a place where it can be; false: this row cannot be made wrong so. */
+/* Makes a right table wrong at row i. False: this row cannot be made wrong in this way. */
 typedef bool mutate_fn(cross_row *row, size_t *count, size_t i);
 
 static bool drop_row(cross_row *row, size_t *count, size_t i)

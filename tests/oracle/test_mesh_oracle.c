@@ -127,7 +127,7 @@ static size_t compared(const mesh_total *total)
     return total->edges + total->lines;
 }
 
-/* Of each family some scenes, until they have had so many edges and lines. */
+/* Some scenes of each family, until so many of its edges and lines have been compared. */
 static void test_families(void **state)
 {
     mesh_total total = {0};

@@ -346,7 +346,7 @@ static void test_scenes_are_the_same(void **state)
 
 enum { EDGES_OF_EACH = 500 };
 
-/* Of each family some scenes, until they have had so many edges. */
+/* Some scenes of each family, until so many of its edges have been compared. */
 static void test_program(void **state)
 {
     judge_total total = {0};

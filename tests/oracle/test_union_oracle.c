@@ -36,8 +36,8 @@ static const struct {
      18,
      18 + 3},
     {"apart", 2, {{{0, 0, 0}, {2, 3, 4}}, {{5, 5, 5}, {7, 8, 9}}}, 36, 36},
-    /* Of the upper block's lower edges the near two are creases between its walls and the slab, the far two outlines:
-     * the other way about than of the block alone. */
+    /* Of the upper block's lower edges the near two are creases between its walls and the slab, the far two
+     * outlines. For the block alone it is the other way round. */
     {"a block on a slab", 2, {{{0, 0, 0}, {6, 6, 1}}, {{2, 2, 1}, {4, 4, 2}}}, 26 + 6 + 4, 26 + 6 + 4},
     {"three blocks, one of them across the seam of two",
      3,
@@ -73,7 +73,7 @@ static void test_by_hand(void **state)
 
 /* ---- against cells ---- */
 
-/* Of what class a place is drawn by the oracle; -1: it is not. */
+/* The class in which the oracle draws a place; -1: it does not draw it. */
 static int class_at(const union_truth *truth, roberts_vec3 X)
 {
     for (size_t i = 0; i < truth->line_count; i++) {
@@ -187,7 +187,7 @@ static const struct {
 
 enum { MUTATIONS = sizeof mutations / sizeof mutations[0] };
 
-/* Is the row long, and no other in the same place? Else a wrong one may be made good by others. */
+/* Is the row long, and no other in the same place? Otherwise other rows may make up for a wrong one. */
 static bool alone(const union_row *row, size_t count, size_t i)
 {
     roberts_vec3 p = row[i].p, d = {row[i].q.x - p.x, row[i].q.y - p.y, row[i].q.z - p.z};
@@ -206,7 +206,7 @@ static bool alone(const union_row *row, size_t count, size_t i)
     return true;
 }
 
-/* Is a row that of a line where faces cross, of which nothing need be in the table? */
+/* Is the row one of a line where faces cross, which need not be in the table? */
 static bool is_optional(const union_truth *truth, const union_row *row)
 {
     for (size_t i = 0; i < truth->line_count; i++) {

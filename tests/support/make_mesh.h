@@ -52,8 +52,8 @@ static inline void mesh_tetrahedron(roberts_mesh *mesh, const roberts_vec3 point
     mesh_solid(mesh, point, 4, faces);
 }
 
-/* The faces of a solid whose vertex number has bit 0 for x, bit 1 for y, bit 2 for z: z least, z greatest, y least, y
- * greatest, x least, x greatest. */
+/* The faces of a cube whose vertex numbers have bit 0 for x, bit 1 for y and bit 2 for z. In order: z least, z
+ * greatest, y least, y greatest, x least, x greatest. */
 static const unsigned char mesh_cube_faces[] = {4, 0, 2, 3, 1, 4, 4, 5, 7, 6, 4, 0, 1, 5, 4, 4,
                                                 2, 6, 7, 3, 4, 0, 4, 6, 2, 4, 1, 3, 7, 5, 0};
 

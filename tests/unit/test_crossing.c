@@ -431,7 +431,7 @@ static void lines_do_not_depend_on_grid_and_threads(void **state)
             roberts_hide_options options = roberts_hide_options_default();
             options.grid = grids[i];
             options.threads = threads[i];
-            options.keep_hidden = true; /* else lines wholly behind a cell's layers need not be found */
+            options.keep_hidden = true; /* otherwise lines wholly behind a cell's layers need not be found */
             roberts_drawing drawing = drawing_of(scene, &camera, &options);
             if (drawing.crossing_count <= 20)
                 fail_msg("kind %d, grid %u: %zu lines", kind, grids[i], drawing.crossing_count);

@@ -138,8 +138,7 @@ static const edge_case cases[] = {
      {1, 0, 1}},
 };
 
-/* The line of a case is drawn from end to end, with or without hidden lines, and no ray contradicts it.
- */
+/* The line of a case is drawn from end to end, with or without hidden lines, and no ray contradicts it. */
 static void edges_left_out_are_lines_where_they_should(void **state)
 {
     (void)state;

@@ -470,7 +470,7 @@ static void thin_plates(void **state)
 
 enum { FANS = 700, FAN_POINTS = 12 };
 
-/* Open fans of triangles; the last of each `every` lies in a plane, of 0 none. */
+/* Open fans of triangles. Of each `every` fans, the last one lies in a plane; 0: none does. */
 static void make_fans(roberts_mesh *mesh, uint32_t every)
 {
     rng r = {77};

@@ -37,7 +37,7 @@ static roberts_draw_options options_of(unsigned labels, size_t page, told *warni
     return options;
 }
 
-/* Whether a..b goes through the box: by the sides of it, apart from the code that is tested. */
+/* Whether a..b goes through the box, found from its sides and not by the code that is tested. */
 static bool goes_through(roberts_vec2 a, roberts_vec2 b, space_box box)
 {
     const roberts_vec2 corner[4] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};

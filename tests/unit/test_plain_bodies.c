@@ -95,7 +95,7 @@ static void turn_some(roberts_mesh *mesh, size_t first)
     }
 }
 
-/* Two faces more at the last edge of the last face. */
+/* Adds two faces at the last edge of the last face. */
 static void add_fins(roberts_mesh *mesh)
 {
     uint32_t a = mesh->corner[mesh->corner_count - 2], b = mesh->corner[mesh->corner_count - 1];

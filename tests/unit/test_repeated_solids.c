@@ -190,7 +190,7 @@ static void a_mesh_refused_is_wound_as_it_was(void **state)
         }
 }
 
-/* An open solid beside whole ones that are wound inward: what welding makes of the mesh must not see them turned. */
+/* An open solid beside whole ones that are wound inward: in the mesh that is welded, they must not be turned. */
 static void welding_starts_from_the_mesh(void **state)
 {
     (void)state;

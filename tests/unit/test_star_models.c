@@ -64,7 +64,7 @@ static edge_counts count_edges(const roberts_mesh *m)
     return counts;
 }
 
-/* How many rings the edges of one face form; each vertex on them is to have two. */
+/* How many rings the edges of one face form; each vertex on them must have two edges. */
 static size_t border_rings(const roberts_mesh *m)
 {
     size_t n = m->vertex_count, rings = 0, left = 0;

@@ -763,7 +763,7 @@ static void test_pick_agrees(void **state)
                 assert_true(picked.count && picked.hit[0].solid == row->solid);
                 seen++;
             } else if (camera.projection ==
-                       ROBERTS_ORTHOGRAPHIC) { /* else the middle of t is not that of the picture */
+                       ROBERTS_ORTHOGRAPHIC) { /* otherwise the middle of t is not that of the picture */
                 assert_true(picked.count && picked.hit[0].solid == row->by);
                 behind++;
             }
