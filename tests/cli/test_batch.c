@@ -1,12 +1,5 @@
 /* test_batch.c - many drawings in one run: lists, shards, updates, the manifest, limits, and files or runs that are
  * killed. Runs $ROBERTS_BUILD/roberts from the top folder. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <errno.h>
 #include <poll.h>
 #include <stdio.h>
@@ -15,7 +8,7 @@
 
 #include "program.h"
 #include "sanitized.h"
-#include "skip.h"
+#include "testing.h"
 
 static char rows[TEXT]; /* of the manifest */
 

@@ -6,11 +6,7 @@
 #include <fcntl.h>
 #include <math.h>
 #include <poll.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,10 +15,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "program.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- misuse ---- */
 
@@ -413,20 +407,24 @@ static const struct {
     {"", "<title>cube.off</title>"},
 };
 
-static void pages_and_pens(void **state)
+/* The file drawn with these arguments holds the text wanted; or, after an exclamation mark, does not. */
+static void expect_in_file(const char *arguments, const char *model, const char *wanted)
 {
     char line[300];
+    snprintf(line, sizeof line, "%s %s", arguments, model);
+    print_message("%s: %s\n", line, wanted);
+    assert_int_equal(run(line), 0);
+    if (*wanted == '!')
+        assert_null(strstr(last.out, wanted + 1));
+    else if (!strstr(last.out, wanted))
+        fail_msg("%s", last.out);
+}
+
+static void pages_and_pens(void **state)
+{
     (void)state;
-    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++) {
-        const char *wanted = page_cases[i].wanted;
-        snprintf(line, sizeof line, "%s models/platonic/cube.off", page_cases[i].arguments);
-        print_message("%s: %s\n", line, wanted);
-        assert_int_equal(run(line), 0);
-        if (*wanted == '!')
-            assert_null(strstr(last.out, wanted + 1));
-        else if (!strstr(last.out, wanted))
-            fail_msg("%s", last.out);
-    }
+    for (size_t i = 0; i < sizeof page_cases / sizeof page_cases[0]; i++)
+        expect_in_file(page_cases[i].arguments, "models/platonic/cube.off", page_cases[i].wanted);
 }
 
 static const struct {
@@ -450,19 +448,10 @@ static const struct {
 /* A triangle, and a wire through its middle. */
 static void borders_and_wires(void **state)
 {
-    char line[300];
     (void)state;
     put("open.off", "OFF\n5 2 0\n0 0 0\n4 0 0\n4 4 0\n0 2 1\n4 2 1\n3 0 1 2\n2 3 4\n");
-    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++) {
-        const char *wanted = open_cases[i].wanted;
-        snprintf(line, sizeof line, "%s open.off", open_cases[i].arguments);
-        print_message("%s: %s\n", line, wanted);
-        assert_int_equal(run(line), 0);
-        if (*wanted == '!')
-            assert_null(strstr(last.out, wanted + 1));
-        else if (!strstr(last.out, wanted))
-            fail_msg("%s", last.out);
-    }
+    for (size_t i = 0; i < sizeof open_cases / sizeof open_cases[0]; i++)
+        expect_in_file(open_cases[i].arguments, "open.off", open_cases[i].wanted);
 }
 
 /* A wire, which is face 0, and three faces about one edge. */
@@ -496,10 +485,7 @@ static void tables_name_class_and_faces(void **state)
 /* How often `what` occurs in the output. */
 static size_t count(const char *what)
 {
-    size_t found = 0;
-    for (const char *at = last.out; (at = strstr(at, what)); at++)
-        found++;
-    return found;
+    return (size_t)count_of(last.out, what);
 }
 
 static const struct {
@@ -660,7 +646,7 @@ static void turntable_keeps_scale_and_centre(void **state)
     assert_int_equal(count_of(last.err, " segments at 2:1; "), 2);
     assert_int_equal(run("-v --azimuth 0 --turntable 2 --scale 1:1234567 box.off -o in/t-%d.svg"), 0);
     assert_int_equal(count_of(last.err, " segments at 1:1234567; "), 2);
-    /* a frame, from which all keep 5 mm; but a field of view reaches to it */
+    /* everything keeps 5 mm from a frame, except a field of view, which reaches to it */
     assert_int_equal(run("--azimuth 0 --turntable 2 --frame --stats=json box.off -o in/t-%d.svg"), 0);
     assert_int_equal(count_of(last.err, "\"scale\":30,"), 2);
     assert_int_equal(run("--eye 13,1,1.5 --look-at 13,2,1.5 --fov 90 --turntable 2 --frame --stats=json box.off "

@@ -1,19 +1,14 @@
 /* Messages of the program: the file and the fault in it, options without effect, empty drawings. */
 /* for a terminal of our own: posix_openpt() */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
 #include <math.h>
 #include <sys/resource.h>
 
 #include "program.h"
 #include "roberts.h"
 #include "sanitized.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- which file ---- */
 
@@ -195,8 +190,8 @@ static void put_round(const char *path, int around, int rings, double depth)
     free(text);
 }
 
-/* With small faces any shape passes by some tolerance, which is not named: this one has a waist, of half its width. A
- * ball of as many faces, all but round, passes by a small one. */
+/* If its faces are small, any shape passes with some tolerance. It is not named for this one, which has a waist of
+ * half its width. A ball of as many faces, almost round, passes with a small one. */
 static void a_tolerance_that_passes_any_shape_is_not_named(void **state)
 {
     (void)state;
@@ -639,7 +634,7 @@ static void names_are_printed_plainly(void **state)
     assert_null(strchr(last.err, '\x07'));
 }
 
-/* No file opened later takes the number of a closed stream, and with it the messages. */
+/* A file opened later must not get the number of a closed stream: the messages would go to it. */
 static void closed_streams_stay_taken(void **state)
 {
     (void)state;

@@ -1,19 +1,13 @@
 /* test_cluster.c - tools/cluster/ draws a scene in parts by GNU parallel and by Slurm, on this machine, to the same
  * bytes as one run. One part dies and is run again. Slurm also draws many models by the script of models/many.md. Tests
  * of programs that are not installed are skipped. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "program.h"
-#include "skip.h"
+#include "testing.h"
 
 static int shell(const char *command)
 {

@@ -1,14 +1,7 @@
 /* test_converters.c - the commands named by refusals of other formats: each is run as printed, and its output is drawn.
  * A test is skipped if its converter is not installed. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "program.h"
-#include "skip.h"
+#include "testing.h"
 
 static bool has_command(const char *name)
 {

@@ -1,20 +1,6 @@
 /* test_crystal.c - tools/crystal: the forms of all crystal classes, crystals whose corners are known, and messages. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "program.h"
-
-static int use_crystal(void)
-{
-    const char *build = getenv("ROBERTS_BUILD");
-    snprintf(program, sizeof program, "%s%s%s/tools/crystal", build && build[0] == '/' ? "" : top,
-             build && build[0] == '/' ? "" : "/", build ? build : "build");
-    return access(program, X_OK);
-}
+#include "testing.h"
 
 /* The counts of the crystal that the text describes; all 0 if it is refused. */
 static void count(const char *text, unsigned counts[2])
@@ -148,7 +134,7 @@ int main(void)
         IN_FOLDER(axes_have_their_lengths),
         IN_FOLDER(wrong_lines_are_named),
     };
-    if (!program_find() || use_crystal() != 0)
+    if (!program_find_as("tools/crystal") || access(program, X_OK) != 0)
         return 1;
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

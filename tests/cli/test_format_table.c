@@ -1,15 +1,10 @@
 /* test_format_table.c - which option works with which format: the program agrees with the table of the manual page, and
  * every option about pages or tables is tried with every format. */
 #include <ctype.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 #include "cli/options.h"
 #include "program.h"
+#include "testing.h"
 
 enum { FORMATS = 10, TABLES = 2 /* of the formats; the last ones */, ROWS = 32 };
 

@@ -4,18 +4,13 @@
 #include <cairo.h>
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { LARGEST = 100000 /* bytes of a picture */, README_ROOM = 1 << 17, DRAWN_WITH = CAIRO_VERSION_ENCODE(1, 16, 0) };
 
@@ -24,15 +19,13 @@ static const char committed[] = "models/gallery"; /* those drawn now are in `tem
 static int set_up(void **state)
 {
     char command[4096];
-    const char *build = getenv("ROBERTS_BUILD");
     if (temporary_make(state) != 0)
         return -1;
-    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh '%s'", build ? build : "build",
-             temporary);
+    snprintf(command, sizeof command, "ROBERTS_BUILD='%s' tools/draw-gallery.sh '%s'", build_folder(), temporary);
     return system(command); /* NOLINT(cert-env33-c): the gallery's commands are shell commands */
 }
 
-/* The file's bytes, at most `room`; their number. 0: not there. */
+/* Reads at most `room` bytes of the file, and returns their number; 0: it is not there. */
 static size_t contents(const char *folder, const char *name, char *bytes, size_t room)
 {
     char path[600];

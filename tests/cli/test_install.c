@@ -1,17 +1,11 @@
 /* test_install.c - `make install` into a folder, and three clients built against the installed files, as a user would:
  * by pkg-config, with the shared and with the static library. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
-#include "skip.h"
+#include "testing.h"
 
 static char root[256]; /* everything goes here, below the build folder */
 
@@ -125,8 +119,8 @@ static void brings_manual_and_completions(void **state)
     run(command);
 }
 
-/* Root's installation renews the loader's cache; that of others, into DESTDIR, or where the loader never looks does
- * not. */
+/* An installation by root renews the loader's cache. One by others, into DESTDIR, or to where the loader never looks
+ * does not. */
 static void tells_the_loader(void **state)
 {
     static const struct {

@@ -1,18 +1,12 @@
 /* The manual page and the completions have the options of --help, and the README names no other ones. */
 #include <ctype.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
-#include "skip.h"
+#include "folders.h"
+#include "testing.h"
 
 enum { TEXT = 1 << 17, OPTIONS = 200 };
 
@@ -30,8 +24,7 @@ static void read_stream(FILE *stream, char text[TEXT])
 static const char *in_build(const char *name)
 {
     static char path[4096];
-    const char *build = getenv("ROBERTS_BUILD");
-    snprintf(path, sizeof path, "%s/%s", build ? build : "build", name);
+    snprintf(path, sizeof path, "%s/%s", build_folder(), name);
     return path;
 }
 
@@ -55,9 +48,8 @@ static size_t word_length(const char *word)
 static int set_up(void **state)
 {
     char command[4096];
-    const char *build = getenv("ROBERTS_BUILD");
     (void)state;
-    snprintf(command, sizeof command, "'%s/roberts' --help", build ? build : "build");
+    snprintf(command, sizeof command, "'%s/roberts' --help", build_folder());
     FILE *pipe = popen(command, "r");
     read_stream(pipe, help);
     if (pclose(pipe) != 0)
@@ -199,10 +191,9 @@ static void colors_are_listed(void **state)
 {
     static char said[TEXT], manual[TEXT];
     char command[4096];
-    const char *build = getenv("ROBERTS_BUILD");
     int count = 0;
     (void)state;
-    snprintf(command, sizeof command, "'%s/roberts' --background no-such-color 2>&1", build ? build : "build");
+    snprintf(command, sizeof command, "'%s/roberts' --background no-such-color 2>&1", build_folder());
     FILE *pipe = popen(command, "r");
     read_stream(pipe, said);
     assert_true(pclose(pipe) != 0);

@@ -1,16 +1,11 @@
 /* test_names.c - names for labels: read from a file, in order; errors are reported with their lines. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "cli/lists.h"
 #include "temporary.h"
+#include "testing.h"
 
 static roberts_status read_names(const char *text, name_list *n, roberts_error *error)
 {

@@ -1,19 +1,14 @@
 /* One table of options feeds parsing, --help, the manual page and the completions: one more row there is one more
  * option everywhere. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "cli/help.h"
 #include "cli/message.h"
 #include "cli/options.h"
 #include "cli/values.h"
+#include "testing.h"
 
 enum { TEXT = 1 << 16 };
 

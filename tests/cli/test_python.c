@@ -1,24 +1,13 @@
 /* test_python.c - the Python package: tests/python/test_roberts.py with the shared library that was just built, and the
  * package as `make install-python` puts it. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "sanitized.h"
-#include "skip.h"
 #include "temporary.h"
-
-static const char *build_folder(void)
-{
-    const char *build = getenv("ROBERTS_BUILD");
-    return build && *build ? build : "build";
-}
+#include "testing.h"
 
 /* Runs a shell command with the folder of the build as $BUILD, the temporary one as $HERE, and a Python as $python: the
  * first one in the path or, if that lacks numpy, the system's. */

@@ -8,22 +8,16 @@
  * are those that call `make`, which runs this test. */
 #include <ctype.h>
 #include <glob.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "sanitized.h"
 #include "temporary.h"
-#include "skip.h"
+#include "testing.h"
 
 /* Runs a shell command and gives its exit status. */
 static int shell(const char *command)
@@ -43,10 +37,9 @@ static int link_in(const char *top, const char *target, const char *name)
 static int set_up(void **state)
 {
     char top[2048];
-    const char *build = getenv("ROBERTS_BUILD");
     if (!getcwd(top, sizeof top) || temporary_make(state) != 0)
         return -1;
-    return link_in(top, build ? build : "build", "build") || link_in(top, "include", "include") ||
+    return link_in(top, build_folder(), "build") || link_in(top, "include", "include") ||
            link_in(top, "models", "models");
 }
 
@@ -684,7 +677,6 @@ static void test_pages(void **state)
 /* The program draws the figures. Another version of Cairo may write the same path differently. */
 static void test_figures(void **state)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     char command[1024];
     (void)state;
     if (shell("pkg-config --modversion cairo | grep -q '^1[.]16[.]'") != 0) {
@@ -692,7 +684,7 @@ static void test_figures(void **state)
     }
     snprintf(command, sizeof command,
              "ROBERTS_BUILD='%s' tools/draw-figures.sh '%s/figures' && diff -r '%s/figures' models/figures >&2",
-             build ? build : "build", temporary, temporary);
+             build_folder(), temporary, temporary);
     assert_int_equal(shell(command), 0);
 }
 

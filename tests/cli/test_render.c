@@ -2,21 +2,16 @@
  * with our own, which Cairo draws without the file. A program that is not installed is skipped. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <cairo.h>
-#include <cmocka.h>
 
 #include "drawing.h"
 #include "temporary.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- two pictures beside each other ---- */
 
@@ -133,9 +128,8 @@ static roberts_draw_options options_of(size_t i)
     return options;
 }
 
-/* 8 x 11 inches at 192 dpi: two pixels for each of a browser's, of which there is a whole number. Browsers stretch an
- * SVG to whole ones, A4 (793.7 of them) by up to a third of one, which would be compared with our drawing as
- * a shift. */
+/* 8 x 11 inches at 192 dpi: a whole number of a browser's pixels, each of two by two. Browsers stretch an SVG to
+ * whole pixels: A4 (793.7 of them) by up to a third of one, which would look like a shift of our drawing. */
 static roberts_draw_options options_for_browser(size_t i)
 {
     roberts_draw_options options = options_of(i);
@@ -249,9 +243,9 @@ static cairo_surface_t *cut_picture(cairo_surface_t *all, size_t i, int magnific
                                                cairo_image_surface_get_format(all), width, height, stride);
 }
 
-/* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there is
- * no browser that does. A start of it takes longer than all pictures. The name of the program varies, and its home
- * folder must be writable. */
+/* Draws 0.svg and those that follow into one image, with `magnification` pixels for each of a browser's. NULL: there
+ * is no browser that does. Starting it takes longer than drawing all pictures. The name of the program varies, and
+ * its home folder must be writable. */
 static cairo_surface_t *run_chromium(size_t count, int magnification)
 {
     char command[1200];
@@ -374,7 +368,7 @@ static void a_wrong_pen_is_seen(void **state)
 /* Seams end half of their width before the paper, so that they do not stick out. */
 static const double seam_mm = 0.4, mm_per_inch = 25.4;
 
-/* How many pixels from paper there may be a mixture. */
+/* How far from paper there may be a mixture of colours, in pixels. */
 static int pixels_near_paper(double dpi)
 {
     return 2 + (int)ceil(seam_mm / 2.0 * dpi / mm_per_inch);
@@ -422,13 +416,11 @@ static roberts_drawing filled_drawing(const char *model, roberts_region_list *re
     char name[100];
     roberts_mesh mesh = {0};
     roberts_scene *scene;
-    roberts_camera camera;
-    roberts_drawing drawing;
     snprintf(name, sizeof name, "models/%s.off", model);
-    assert_true(roberts_camera_preset("iso", &camera));
+    roberts_camera camera = preset_camera("iso");
     assert_int_equal(roberts_mesh_read_file(&mesh, name, NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, NULL);
     assert_int_equal(roberts_regions(scene, &camera, NULL, regions, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);

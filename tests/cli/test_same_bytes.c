@@ -1,18 +1,14 @@
 /* test_same_bytes.c - the program gives the same bytes whatever the threads and the grid, and however often it is run.
  * The scene has enough solids for seven threads to share. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 enum { SIDE = 56, RUNS = 12 };
@@ -110,8 +106,7 @@ static int enter_folder(void **state)
 
 int main(void)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(runs)};
-    snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
+    snprintf(program, sizeof program, "%s/roberts", build_folder());
     return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, temporary_remove);
 }

@@ -1,16 +1,11 @@
 /* The report of --verify on a wrong drawing. The program never makes one, so its function is called with a spoiled
  * drawing. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "build_scene.h"
 #include "cli/report.h"
+#include "testing.h"
 
 /* A cube of side 2 under a plate that hides all of it from above. */
 static roberts_scene *make_scene(void)
@@ -19,9 +14,7 @@ static roberts_scene *make_scene(void)
                               "-1 -1 3\n3 -1 3\n3 3 3\n-1 3 3\n-1 -1 4\n3 -1 4\n3 3 4\n-1 3 4\n"
                               "4 0 1 2 3\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
                               "4 8 9 10 11\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
-    roberts_mesh mesh = {0};
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "cube", off, sizeof off - 1, NULL, NULL), ROBERTS_OK);
-    return build_scene(&mesh);
+    return scene_of_text(off);
 }
 
 /* Verifies, and stores the messages in `text`. */

@@ -1,23 +1,12 @@
 /* test_web.c - what `make web` builds: the npm package in node (tests/web/npm.js), its types (tests/web/types.ts), and
  * the page in Chromium (tests/web/page.js). All are skipped if it has not been run. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "skip.h"
+#include "folders.h"
 #include "temporary.h"
-
-static const char *build_folder(void)
-{
-    const char *build = getenv("ROBERTS_BUILD");
-    return build && *build ? build : "build";
-}
+#include "testing.h"
 
 /* Runs a shell command with the folder of the build as $BUILD and the temporary one as $HERE. */
 static int shell(const char *command)

@@ -1,12 +1,5 @@
 /* test_batch_memory.c - lists, manifests and batches with each allocation of the process failing in turn: a status, no
  * leak, no crash, no incomplete row. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,8 +17,8 @@
 #include "cli/message.h"
 #include "cli/signals.h"
 #include "process_memory.h"
-#include "skip.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { NAMES = 2000 /* text and list grow several times */, FAILURES = 150 /* allocations of a batch that fail */ };
 

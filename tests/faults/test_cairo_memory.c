@@ -2,19 +2,12 @@
  * crash. Leaks inside Cairo are not checked: it keeps some blocks for later use. PNG is left out: Cairo 1.16 itself
  * crashes in cairo_stroke() if an allocation for filling an image fails. */
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
 #include "process_memory.h"
-#include "skip.h"
+#include "testing.h"
 
 static bool take(void *context, const void *bytes, size_t size)
 {

@@ -1,17 +1,10 @@
 /* test_fault_files.c - files that are not regular, or change or vanish while the program works; few open files, little
  * stack, little memory. tests/README.md lists all faults. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <stdio.h>
 
 #include "program.h"
 #include "sanitized.h"
-#include "skip.h"
+#include "testing.h"
 
 static const char cube_name[] = "models/platonic/cube.off";
 static char cube[TEXT], table[TEXT]; /* the cube, and its drawing as CSV */

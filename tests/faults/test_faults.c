@@ -1,12 +1,7 @@
 /* test_faults.c - malicious input, and its cost. Each run has a limit on processor time and, unless a sanitizer needs
  * more, on memory, which must not grow with declared counts. Other faults are tested where they occur: test_cli.c,
  * test_save.c, test_memory_*.c; tests/README.md lists all. */
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,9 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "sanitized.h"
+#include "testing.h"
 
 /* Seconds of processor time; with the sanitizers things take some ten times as long. */
 enum { SECONDS = SANITIZED ? 60 : 8, MEGABYTE = 1 << 20 };
@@ -131,7 +126,7 @@ static void feed_large_face(int pipe)
     fclose(file);
 }
 
-/* A pyramid, and its base has a million corners on a square, with a cube beside its tip or without. */
+/* A pyramid whose base has a million corners on a square; with a cube beside its tip, or without. */
 static void feed_pyramid(int pipe, int cubes)
 {
     enum { QUARTER = 250000, CORNERS = 4 * QUARTER };
@@ -294,8 +289,7 @@ static void input(void **state)
 
 int main(void)
 {
-    const char *build = getenv("ROBERTS_BUILD");
     const struct CMUnitTest tests[] = {cmocka_unit_test(input)};
-    snprintf(program, sizeof program, "%s/roberts", build && *build ? build : "build");
+    snprintf(program, sizeof program, "%s/roberts", build_folder());
     return cmocka_run_group_tests_name("faults", tests, NULL, NULL);
 }

@@ -1,20 +1,13 @@
 /* test_hull_memory.c - convex hulls with each of Qhull's own allocations failing in turn: no memory, or the hull; no
  * exit, no word on standard error. Only our own allocations fail in test_memory_all.c, which continues to solids. Leaks
  * inside Qhull are counted and reported. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "model/qhull.h"
 #include "process_memory.h"
-#include "skip.h"
+#include "testing.h"
 
 enum { POINTS = 1000 };
 

@@ -2,18 +2,13 @@
  * plane, grid and covers, hiding, writing. Each failure is ROBERTS_NO_MEMORY and leaves nothing; once no allocation
  * fails, everything succeeds. There is one thread, so that the allocations come in a fixed order. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "memory.h"
 #include "roberts.h"
+#include "testing.h"
 
 static bool take(void *context, const void *bytes, size_t size)
 {

@@ -1,17 +1,12 @@
 /* test_memory_names.c - names for labels read with each allocation failing in turn: a status, no crash, no leak. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "cli/lists.h"
 #include "memory.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { NAMES = 2000 /* text and list grow several times */ };
 

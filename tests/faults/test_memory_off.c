@@ -1,16 +1,11 @@
 /* test_memory_off.c - reading with each allocation failing in turn: a status, no crash, no leak, the mesh as it was,
  * and a second try that succeeds. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "memory.h"
 #include "read/off.h"
+#include "testing.h"
 
 /* Long enough that every array grows several times. */
 static size_t make_input(char *text, bool binary)

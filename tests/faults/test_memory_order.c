@@ -1,19 +1,15 @@
 /* test_memory_order.c - scenes so large that solids scattered in the picture, or behind one another, are hidden in an
  * order other than that of the file: the same drawing as of the same solids in order, or as with hidden lines kept, by
  * any number of threads; and memory that fails. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "hide/cells.h"
 #include "hide/schedule.h"
+#include "build_scene.h"
 #include "memory.h"
 #include "roberts.h"
+#include "testing.h"
 
 enum { SIDE = 190, COUNT = SIDE * SIDE, FAILURES = 12 };
 
@@ -29,24 +25,16 @@ static double anyhow(uint64_t n)
  * stands, row by row. */
 static roberts_scene *make_scene(const uint32_t *cell, double wide)
 {
-    static const uint32_t face[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    static const unsigned char faces[] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3, 0};
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     for (uint32_t i = 0; i < COUNT; i++) {
         double x = cell[i] % SIDE + anyhow(3 * cell[i] + 1), y = cell[i] / SIDE + anyhow(3 * cell[i] + 2);
         double z = 3.0 * anyhow(3 * cell[i] + 3);
         const roberts_vec3 point[4] = {
             {x, y, z}, {x + 1.5 * wide, y + 0.1, z}, {x + 0.2, y + 1.4 * wide, z}, {x + 0.5, y + 0.5, z + 1}};
-        for (int k = 0; k < 4; k++)
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, point[k], NULL, NULL), ROBERTS_OK);
-        for (int k = 0; k < 4; k++) {
-            uint32_t corner[3] = {4 * i + face[k][0], 4 * i + face[k][1], 4 * i + face[k][2]};
-            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
-        }
+        mesh_solid(&mesh, point, 4, faces);
     }
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 static const roberts_camera camera = {.dir = {1, -2, 30}};
@@ -187,7 +175,6 @@ static void memory_fails(void **state)
     const bool *keep_hidden = *state;
     uint32_t *cell = calloc(COUNT, sizeof *cell);
     size_t lost = 0;
-    roberts_drawing drawing;
     roberts_hide_options options = roberts_hide_options_default();
     options.threads = 1;
     options.keep_hidden = *keep_hidden;
@@ -195,7 +182,7 @@ static void memory_fails(void **state)
     roberts_scene *scene = make_scene(cell, 1.0);
     memory_fail(0);
     size_t before = memory_blocks;
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, &options);
     size_t calls = memory_calls, whole = drawing.count;
     roberts_drawing_free(&drawing);
     assert_true(calls > 2 * COUNT / KEPT_SOLIDS);

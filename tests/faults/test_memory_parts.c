@@ -1,17 +1,12 @@
 /* test_memory_parts.c - plans, parts and joining with each allocation of ours failing in turn: a status, no crash, no
  * leak. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 #include "memory.h"
 #include "roberts.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { NAME = TEMPORARY_ROOM + 32, PARTS = 2, BLOCKS = 9 };
 

@@ -8,6 +8,7 @@
 #include "fuzz.h"
 #include "model/scene.h"
 #include "roberts.h"
+#include "segments.h"
 
 /* No drawing of the sizes tried here is larger, bytes: what is larger is written without an end. */
 #define DRAWING_MAX ((size_t)1 << 26)
@@ -74,11 +75,6 @@ static bool count_bytes(void *context, const void *bytes, size_t size)
     size_t *count = context;
     FUZZ_REQUIRE(bytes && size > 0);
     return (*count += size) <= DRAWING_MAX;
-}
-
-static bool same_edge(const roberts_segment *a, const roberts_segment *b)
-{
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && (!scene_crosses(a) || a->edge == b->edge);
 }
 
 static void require_sound(const roberts_drawing *drawing)

@@ -1,17 +1,12 @@
 /* test_fuzz.c - what the fuzzers once found (fuzz/found/), and their harnesses on the files of models/. A failure stops
  * the program with the file's name as the last line. The sanitizers see most: make test-sanitize. */
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "fuzz/fuzz.h"
+#include "testing.h"
 
 typedef int harness(const uint8_t *bytes, size_t size);
 

@@ -1,16 +1,13 @@
 /* test_golden.c - the visible segments of every scene of models/, kept as text in tests/golden/: the program against
  * the golden, and the golden against the exact oracle. `make goldens` writes them anew. */
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
 #include "oracle/golden.h"
+#include "folders.h"
+#include "testing.h"
 
 /* Folders of bodies that are not convex: test_mesh_oracle.c compares their drawings with the exact oracle. */
 static bool left_out(const char *folder)
@@ -72,7 +69,7 @@ static void test_models(void **state)
     assert_int_equal(o.failed, 0);
 }
 
-/* A golden that says something else is found out, whatever the program does: by the oracle. */
+/* The oracle notices a wrong golden, whatever the program does. */
 static void test_wrong_golden(void **state)
 {
     static const struct {
@@ -84,10 +81,9 @@ static void test_wrong_golden(void **state)
         {"wrong class", "1 8 9 0 0.25 crease\n"},
         {"not a segment", "1 8 9\n"},
     };
-    const char *build = getenv("ROBERTS_BUILD");
     char path[400], said[2000];
     (void)state;
-    snprintf(path, sizeof path, "%s/wrong-golden.txt", build ? build : "build");
+    snprintf(path, sizeof path, "%s/wrong-golden.txt", build_folder());
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         golden_total total = {0};
         FILE *file = fopen(path, "w"), *out = fmemopen(said, sizeof said, "w");

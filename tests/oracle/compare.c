@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "arguments.h"
 #include "judge.h"
 
 static const char help[] =
@@ -30,67 +31,27 @@ typedef struct arguments {
     double slack;
 } arguments;
 
-static bool parse_view(const char *text, int w, oracle_view *view)
+static void list(void)
 {
-    double v[3];
-    for (int i = 0; i < 3; i++) {
-        char *end;
-        v[i] = strtod(text, &end);
-        if (end == text || *end != (i < 2 ? ',' : '\0'))
-            return false;
-        text = end + 1;
-    }
-    *view = (oracle_view){.x = v[0], .y = v[1], .z = v[2], .w = w};
-    return true;
+    for (size_t f = 0; f < scene_family_count(); f++)
+        puts(scene_family_name(f));
 }
 
-static bool parse(int argc, char **argv, arguments *a)
+static arguments parse(int argc, char **argv)
 {
-    *a = (arguments){.folder = "build", .seed = 1, .view = {.x = 1, .y = -1, .z = 1}};
-    for (int i = 1; i < argc; i++) {
-        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-        if (!strcmp(option, "--list")) {
-            for (size_t f = 0; f < scene_family_count(); f++)
-                puts(scene_family_name(f));
-            exit(0);
-        } else if (!strcmp(option, "--help")) {
-            fputs(help, stdout);
-            exit(0);
-        } else if (!strcmp(option, "--write")) {
-            a->write = true;
-            continue;
-        } else if (!strcmp(option, "--per-family")) {
-            a->per_family = true;
-            continue;
-        }
-        if (!value)
-            return false;
-        i++;
-        if (!strcmp(option, "--family"))
-            a->family = value;
-        else if (!strcmp(option, "--folder"))
-            a->folder = value;
-        else if (!strcmp(option, "--seed"))
-            a->seed = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--count"))
-            a->count = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--edges"))
-            a->edges = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--file"))
-            a->file = value;
-        else if (!strcmp(option, "--slack"))
-            a->slack = strtod(value, NULL);
-        else if ((!strcmp(option, "--dir") && parse_view(value, 0, &a->view)) ||
-                 (!strcmp(option, "--eye") && parse_view(value, 1, &a->view)))
-            continue;
-        else
-            return false;
-    }
-    if (a->count == 0)
-        a->count = a->edges ? UINT64_MAX : 1;
-    if (a->edges == 0)
-        a->edges = UINT64_MAX;
-    return true;
+    arguments a = {.folder = "build", .seed = 1, .view = {.x = 1, .y = -1, .z = 1}};
+    const argument table[] = {{"--write", ARGUMENT_SWITCH, &a.write}, {"--per-family", ARGUMENT_SWITCH, &a.per_family},
+                              {"--family", ARGUMENT_WORD, &a.family}, {"--folder", ARGUMENT_WORD, &a.folder},
+                              {"--seed", ARGUMENT_COUNT, &a.seed},    {"--count", ARGUMENT_COUNT, &a.count},
+                              {"--edges", ARGUMENT_COUNT, &a.edges},  {"--file", ARGUMENT_WORD, &a.file},
+                              {"--slack", ARGUMENT_NUMBER, &a.slack}, {"--dir", ARGUMENT_DIR, &a.view},
+                              {"--eye", ARGUMENT_EYE, &a.view},       {0}};
+    arguments_parse(argc, argv, table, help, list);
+    if (a.count == 0)
+        a.count = a.edges ? UINT64_MAX : 1;
+    if (a.edges == 0)
+        a.edges = UINT64_MAX;
+    return a;
 }
 
 static bool write_scene(const char *name, const test_scene *scene, const char *folder)
@@ -173,14 +134,10 @@ static size_t next_family(const arguments *a, const judge_total *family, size_t 
 
 int main(int argc, char **argv)
 {
-    arguments a;
+    const arguments a = parse(argc, argv);
     judge_total sum = {0}, *family;
     size_t families = scene_family_count();
     clock_t start = clock();
-    if (!parse(argc, argv, &a)) {
-        fputs(help, stderr);
-        return 2;
-    }
     if (a.file)
         return judge_file(&a);
     if (!is_known(a.family)) {

@@ -240,12 +240,12 @@ struct cross_finder {
         join_edges();
     }
 
-    /* "Each piece of an edge has the faces of all edges that lie on it": edges that have not two faces divide one
-     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two faces
-     * is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
+    /* "Each piece of an edge has the faces of all edges that lie on it": edges that do not have two faces divide one
+     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two
+     * faces is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
     void join_edges()
     {
-        std::set<uint32_t> ends; /* of edges that have not two faces */
+        std::set<uint32_t> ends; /* of edges that do not have two faces */
         for (const auto &[key, faces] : edges)
             if (faces.size() != 2)
                 ends.insert(key.begin(), key.end());
@@ -467,6 +467,13 @@ struct cross_finder {
         return over && under;
     }
 
+    /* A part of an edge, and the point in its middle. */
+    struct stretch {
+        const carrier &e;
+        const rational &from, &to;
+        vec<rational> X;
+    };
+
     /* What lies on one edge. */
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
@@ -504,7 +511,8 @@ struct cross_finder {
         for (size_t i = 0; i + 1 < cut.size(); i++) {
             if (cut[i] == cut[i + 1] || cut[i] < 0 || cut[i + 1] > 1)
                 continue;
-            const vec<rational> X = e.at((cut[i] + cut[i + 1]) / 2);
+            const stretch s{e, cut[i], cut[i + 1], e.at((cut[i] + cut[i + 1]) / 2)};
+            const vec<rational> &X = s.X;
             const std::vector<size_t> group = group_at(e, X);
             const bool divide = std::find(divided.begin(), divided.end(), cut[i]) != divided.end();
             if (!speaks(key, along, X) || !left_out(group, e, X))
@@ -512,13 +520,13 @@ struct cross_finder {
             for (size_t g : near)
                 if (std::find(group.begin(), group.end(), g) == group.end() && !o.edge_on(o.faces[g]) &&
                     holds_beside(g, e, X, 1) && holds_beside(g, e, X, -1) && !passes(g, e, X))
-                    put({g}, group, e, X, cut[i], cut[i + 1], begin, divide, out);
+                    put({g}, group, s, begin, divide, out);
             for (const auto &other : along) {
                 if (!(key < other) || !is_on(other, X) || (open && is_open(other)) || !speaks(other, along, X))
                     continue;
                 const std::vector<size_t> theirs = group_at(carrier_of(other), X);
                 if (left_out(theirs, carrier_of(other), X))
-                    put(theirs, group, e, X, cut[i], cut[i + 1], begin, divide, out);
+                    put(theirs, group, s, begin, divide, out);
             }
         }
     }
@@ -528,24 +536,26 @@ struct cross_finder {
         return d.x * p.y == d.y * p.x && d.y * p.z == d.z * p.y && d.x * p.z == d.z * p.x;
     }
 
-    /* Adds from .. to of an edge at X, in which the first of `group` ends on the first of `theirs` that lies across. */
-    void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const carrier &e,
-             const vec<rational> &X, const rational &from, const rational &to, size_t begin, bool divide,
-             std::vector<seam> &out) const
+    /* Adds a stretch in which the first of `group` ends on the first of `theirs` that lies across. The seams from
+     * `begin` on are of the same edge: one of the same faces that ends where this one begins is continued, unless the
+     * edge is divided there. */
+    void put(const std::vector<size_t> &theirs, const std::vector<size_t> &group, const stretch &s, size_t begin,
+             bool divide, std::vector<seam> &out) const
     {
-        size_t f = first_across(group, e, X, theirs[0]), g = theirs[0];
+        size_t f = first_across(group, s.e, s.X, theirs[0]), g = theirs[0];
         if (f != NONE && theirs.size() > 1)
-            g = first_across(theirs, e, X, f);
-        if (f == NONE || g == NONE || !straddles(group, e, X, g) || (theirs.size() > 1 && !straddles(theirs, e, X, f)))
+            g = first_across(theirs, s.e, s.X, f);
+        if (f == NONE || g == NONE || !straddles(group, s.e, s.X, g) ||
+            (theirs.size() > 1 && !straddles(theirs, s.e, s.X, f)))
             return;
         for (size_t k = begin; !divide && k < out.size(); k++)
-            if (out[k].f == f && out[k].g == g && same(out[k].b, e.at(from))) {
-                out[k].b = e.at(to);
+            if (out[k].f == f && out[k].g == g && same(out[k].b, s.e.at(s.from))) {
+                out[k].b = s.e.at(s.to);
                 return;
             }
-        seam s{f, g, group, e.at(from), e.at(to)};
-        s.own.insert(s.own.end(), theirs.begin(), theirs.end());
-        out.push_back(s);
+        seam own{f, g, group, s.e.at(s.from), s.e.at(s.to)};
+        own.own.insert(own.own.end(), theirs.begin(), theirs.end());
+        out.push_back(own);
     }
 
     static bool same(const vec<rational> &p, const vec<rational> &q)

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "judge.h"
+#include "lines.h"
 #include "mesh_picture.h"
 
 enum { REPORTS = 3 /* most failures reported for a scene */ };
@@ -24,41 +24,10 @@ typedef struct rows_at_hand {
     FILE *out;
 } rows_at_hand;
 
-static roberts_vec3 on_line(const cross_line *l, double t)
-{
-    return (roberts_vec3){l->a.x + t * (l->b.x - l->a.x), l->a.y + t * (l->b.y - l->a.y),
-                          l->a.z + t * (l->b.z - l->a.z)};
-}
-
-static double distance(roberts_vec3 p, roberts_vec3 q)
-{
-    return hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z);
-}
-
-static double length_of(const cross_line *l)
-{
-    return distance(l->a, l->b);
-}
-
-/* The parameter along the line of the point nearest to X. */
-static double along(const cross_line *l, roberts_vec3 X)
-{
-    double dx = l->b.x - l->a.x, dy = l->b.y - l->a.y, dz = l->b.z - l->a.z;
-    return ((X.x - l->a.x) * dx + (X.y - l->a.y) * dy + (X.z - l->a.z) * dz) / (dx * dx + dy * dy + dz * dz);
-}
-
-static double scene_size(const roberts_mesh *mesh)
-{
-    double size = 0;
-    for (size_t i = 0; i < mesh->vertex_count; i++)
-        size = fmax(size, fmax(fabs(mesh->vertex[i].x), fmax(fabs(mesh->vertex[i].y), fabs(mesh->vertex[i].z))));
-    return size;
-}
-
 /* The greatest error of t that is allowed on a line. */
 static double t_limit(const rows_at_hand *r, const cross_line *l)
 {
-    return MESH_JUDGE_LIMIT + r->rounding / length_of(l);
+    return MESH_JUDGE_LIMIT + r->rounding / line_length(l->a, l->b);
 }
 
 static void tell(rows_at_hand *r, uint32_t f0, uint32_t f1, const char *what, double how_much)
@@ -73,15 +42,16 @@ static bool is_of(const cross_row *row, const cross_line *l, double limit)
     if (row->f0 != l->f0 || row->f1 != l->f1)
         return false;
     roberts_vec3 middle = {0.5 * (row->p.x + row->q.x), 0.5 * (row->p.y + row->q.y), 0.5 * (row->p.z + row->q.z)};
-    double t = along(l, middle);
+    double t = line_along(l->a, l->b, middle);
     return t >= -limit && t <= 1 + limit;
 }
 
 /* What is wrong with a row on its line; NULL: nothing. */
 static const char *fault_of(const rows_at_hand *r, const cross_row *row, const cross_line *l, double *how_much)
 {
-    double loose = r->rounding + MESH_JUDGE_LIMIT * length_of(l) + 1e3 * r->c->scene->slack;
-    *how_much = fmax(distance(row->p, on_line(l, row->t0)), distance(row->q, on_line(l, row->t1)));
+    double loose = r->rounding + MESH_JUDGE_LIMIT * line_length(l->a, l->b) + 1e3 * r->c->scene->slack;
+    *how_much = fmax(line_length(row->p, line_point(l->a, l->b, row->t0)),
+                     line_length(row->q, line_point(l->a, l->b, row->t1)));
     if (!(*how_much <= loose))
         return "an end is not where t says";
     *how_much = row->t1 - row->t0;
@@ -111,7 +81,8 @@ static double gaps(const rows_at_hand *r, size_t mine, bool *turns)
     return gap + fabs(1 - end);
 }
 
-/* The length that is visible in one and hidden in the other. Where things are not exact, the middles are asked. */
+/* The length that is visible in one and hidden in the other. If the scene is not exact, the oracle is asked about
+ * the middles. */
 static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
 {
     const oracle_interval *truth = r->c->truth->interval + l->first;
@@ -130,12 +101,7 @@ static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
         cut[cuts++] = r->row[r->mine[i]].t0;
         cut[cuts++] = r->row[r->mine[i]].t1;
     }
-    for (size_t i = 1; i < cuts; i++)
-        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
-            double was = cut[k];
-            cut[k] = cut[k - 1];
-            cut[k - 1] = was;
-        }
+    qsort(cut, cuts, sizeof *cut, line_by_start);
     for (size_t i = 0; i + 1 < cuts; i++) {
         double t = 0.5 * (cut[i] + cut[i + 1]);
         bool known = false, mine_hides = false, theirs = false;
@@ -152,7 +118,7 @@ static double unlike(rows_at_hand *r, size_t mine, const cross_line *l)
             continue;
         oracle_answer answer = theirs ? ORACLE_YES : ORACLE_NO;
         if (s->slack > 0) {
-            const mesh_point X = {on_line(l, t), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
+            const mesh_point X = {line_point(l->a, l->b, t), ROBERTS_NONE, ROBERTS_NONE, l->f0, l->f1};
             answer = mesh_truth_at(&s->mesh, &s->view, s->even_odd, r->c->position, &X, s->slack);
         }
         if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine_hides)
@@ -174,7 +140,8 @@ static bool surely_missing(const rows_at_hand *r, size_t mine, const cross_line 
     for (size_t i = 0; i <= mine; i++) {
         double to = i < mine ? r->row[r->mine[i]].t0 : 1;
         if (to - from > t_limit(r, l) &&
-            cross_truth_at(&s->mesh, s->even_odd, l->f0, l->f1, on_line(l, 0.5 * (from + to)), s->slack) == ORACLE_YES)
+            cross_truth_at(&s->mesh, s->even_odd, l->f0, l->f1, line_point(l->a, l->b, 0.5 * (from + to)), s->slack) ==
+                ORACLE_YES)
             return true;
         if (i < mine)
             from = r->row[r->mine[i]].t1;
@@ -210,7 +177,7 @@ static void judge_line(rows_at_hand *r, const cross_line *l)
     if (gap > limit) {
         if (surely_missing(r, mine, l))
             tell(r, l->f0, l->f1, mine ? "rows leave out a part of the line" : "no row for a line of this length",
-                 mine ? gap : length_of(l));
+                 mine ? gap : line_length(l->a, l->b));
         else
             r->total->unjudged += gap;
     } else if (!turns)
@@ -263,7 +230,7 @@ static void judge_others(rows_at_hand *r)
             continue;
         roberts_vec3 X = {0.5 * (p->p.x + p->q.x), 0.5 * (p->p.y + p->q.y), 0.5 * (p->p.z + p->q.z)};
         if (s->slack == 0 || cross_truth_at(&s->mesh, s->even_odd, p->f0, p->f1, X, s->slack) == ORACLE_NO)
-            tell(r, p->f0, p->f1, "a row of no line, of this length", distance(p->p, p->q));
+            tell(r, p->f0, p->f1, "a row of no line, of this length", line_length(p->p, p->q));
         else
             r->total->unjudged += 1;
     }
@@ -276,7 +243,7 @@ size_t cross_judge_rows(const cross_case *c, const cross_row *row, size_t count,
                       .count = count,
                       .used = calloc(count + 1, sizeof *r.used),
                       .mine = malloc((count + 1) * sizeof *r.mine),
-                      .rounding = END_ROUNDING * scene_size(&c->scene->mesh),
+                      .rounding = END_ROUNDING * mesh_size(&c->scene->mesh),
                       .total = total,
                       .out = out};
     if (r.used && r.mine) {
@@ -323,7 +290,7 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
     const mesh_scene *scene = c->scene;
     const picture view = picture_of(scene);
     size_t count = 0, failed = 0;
-    double loose = 1e-9 * scene_size(&scene->mesh) + 1e3 * scene->slack;
+    double loose = 1e-9 * mesh_size(&scene->mesh) + 1e3 * scene->slack;
     cross_case with_bodies = *c;
     cross_row *row = malloc((drawing->count + 1) * sizeof *row);
     uint32_t *body = malloc((scene->mesh.face_count + 1) * sizeof *body);
@@ -353,8 +320,8 @@ size_t cross_judge_drawing(const cross_case *c, const roberts_scene *built, cons
                                  s->state == ROBERTS_VISIBLE,
                                  s->t0,
                                  s->t1,
-                                 on_line(&ends, s->t0),
-                                 on_line(&ends, s->t1)};
+                                 line_point(ends.a, ends.b, s->t0),
+                                 line_point(ends.a, ends.b, s->t1)};
             row[count++] = r;
             if (l->face[0] != face[0] || l->face[1] != face[1])
                 fault = "its faces are not those of its line";
@@ -378,29 +345,16 @@ static void send_hidden(const cross_truth *truth, const cross_line *from, const 
 {
     for (size_t k = from->first; k < from->first + from->count; k++) {
         oracle_interval *h = &truth->interval[k];
-        double t0 = along(to, on_line(from, h->t0)), t1 = along(to, on_line(from, h->t1));
+        double t0 = line_along(to->a, to->b, line_point(from->a, from->b, h->t0)),
+               t1 = line_along(to->a, to->b, line_point(from->a, from->b, h->t1));
         *h = (oracle_interval){fmin(t0, t1), fmax(t0, t1)};
     }
-}
-
-static int by_start(const void *a, const void *b)
-{
-    const oracle_interval *p = a, *q = b;
-    return (p->t0 > q->t0) - (p->t0 < q->t0);
 }
 
 /* Sorts the hidden intervals of a line and joins those within `gap`. */
 static void join_hidden(const cross_truth *truth, cross_line *l, double gap)
 {
-    oracle_interval *h = truth->interval + l->first;
-    size_t count = 0;
-    qsort(h, l->count, sizeof *h, by_start);
-    for (size_t k = 0; k < l->count; k++)
-        if (count && h[k].t0 <= h[count - 1].t1 + gap)
-            h[count - 1].t1 = fmax(h[count - 1].t1, h[k].t1);
-        else
-            h[count++] = h[k];
-    l->count = count;
+    l->count = line_join(truth->interval + l->first, l->count, gap);
 }
 
 /* Joins two lines of the same faces if they meet within the slack. */
@@ -411,7 +365,7 @@ static bool unite(const cross_truth *truth, cross_line *l, const cross_line *nex
         return false;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 2; k++)
-            if (distance(mine[i], other[k]) <= slack) {
+            if (line_length(mine[i], other[k]) <= slack) {
                 cross_line both = *l;
                 both.a = i ? mine[0] : other[1 - k];
                 both.b = i ? other[1 - k] : mine[1];
@@ -420,7 +374,7 @@ static bool unite(const cross_truth *truth, cross_line *l, const cross_line *nex
                 for (size_t h = 0; h < next->count; h++) /* those of `next` lie further on, perhaps after a gap */
                     truth->interval[l->first + l->count + h] = truth->interval[next->first + h];
                 both.count += next->count;
-                join_hidden(truth, &both, 4 * slack / length_of(&both));
+                join_hidden(truth, &both, 4 * slack / line_length(both.a, both.b));
                 *l = both;
                 return true;
             }
@@ -476,8 +430,8 @@ void cross_settle(const mesh_scene *scene, cross_truth *truth, const roberts_dra
             const roberts_crossing *c = &drawing->crossing[k];
             if (c->face[0] != l->f0 || c->face[1] != l->f1)
                 continue;
-            straight = fmin(straight, distance(c->end[0], l->a) + distance(c->end[1], l->b));
-            turned = fmin(turned, distance(c->end[0], l->b) + distance(c->end[1], l->a));
+            straight = fmin(straight, line_length(c->end[0], l->a) + line_length(c->end[1], l->b));
+            turned = fmin(turned, line_length(c->end[0], l->b) + line_length(c->end[1], l->a));
         }
         if (turned < straight)
             turn_round(truth, l);
@@ -503,8 +457,8 @@ cross_row *cross_rows_of_truth(const cross_truth *truth, const uint32_t *face_bo
                                                   .visible = state == 0,
                                                   .t0 = from,
                                                   .t1 = end[state],
-                                                  .p = on_line(l, from),
-                                                  .q = on_line(l, end[state])};
+                                                  .p = line_point(l->a, l->b, from),
+                                                  .q = line_point(l->a, l->b, end[state])};
                 from = end[state];
             }
         }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "judge.h"
+#include "lines.h"
 
 #define SPOILED 1e-13      /* slack for models whose contacts are rounded, as a part of the largest coordinate */
 #define CREASE_DEGREES 0.1 /* the program's default, spelled out: flatter edges between front faces are not drawn */
@@ -81,7 +82,7 @@ static size_t gaps(const golden_line *line, size_t count, oracle_interval *gap)
     return used;
 }
 
-/* How much of an edge the golden's lines for it have wrong. */
+/* How much of an edge is wrong in the golden. */
 static double wrong_part(const oracle_result *truth, const oracle_edge *e, const golden_line *line, size_t count,
                          oracle_interval *gap)
 {
@@ -96,20 +97,12 @@ static double wrong_part(const oracle_result *truth, const oracle_edge *e, const
            judge_outside(truth->interval + e->sure, e->sure_count, gap, gap_count);
 }
 
-static double largest_coordinate(const roberts_mesh *mesh)
-{
-    double largest = 0;
-    for (size_t i = 0; i < mesh->vertex_count; i++)
-        largest = fmax(largest, fmax(fabs(mesh->vertex[i].x), fmax(fabs(mesh->vertex[i].y), fabs(mesh->vertex[i].z))));
-    return largest;
-}
-
 /* Every edge of the model against the golden's lines. out: NULL to say nothing. */
 static bool oracle_agrees(const golden_file *g, const roberts_mesh *mesh, const roberts_camera *camera,
                           golden_total *total, FILE *out)
 {
     oracle_view view = {.x = camera->dir.x, .y = camera->dir.y, .z = camera->dir.z};
-    oracle_options options = {g->slack * largest_coordinate(mesh), false};
+    oracle_options options = {g->slack * mesh_size(mesh), false};
     oracle_result truth;
     oracle_interval *gap = calloc(g->count + 2, sizeof *gap);
     size_t at = 0, wrong = 0;

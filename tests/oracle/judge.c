@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "lines.h"
 #include "order.h"
 
 enum {
@@ -23,7 +24,6 @@ roberts_camera judge_camera(const test_scene *scene)
     const oracle_view *view = &scene->view;
     roberts_camera camera = {0};
     roberts_vec3 v = {view->x, view->y, view->z};
-    roberts_vec3 ahead = {view->near.x - v.x, view->near.y - v.y, view->near.z - v.z};
     camera.projection = view->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC;
     if (view->w)
         camera.eye = v;
@@ -36,7 +36,7 @@ roberts_camera judge_camera(const test_scene *scene)
     if (view->cut) {
         camera.has_look_at = true;
         camera.look_at = scene->look_at;
-        camera.near_distance = hypot(hypot(ahead.x, ahead.y), ahead.z);
+        camera.near_distance = line_length(view->near, v);
     }
     return camera;
 }
@@ -139,7 +139,7 @@ static double wrong_length(const edge_segments *mine, const oracle_result *truth
 static double limit_of(const test_scene *scene, const roberts_mesh *mesh, const oracle_edge *edge)
 {
     roberts_vec3 p = mesh->vertex[edge->v0], q = mesh->vertex[edge->v1];
-    return JUDGE_LIMIT + (scene->rough ? 4 * scene->slack / hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z) : 0);
+    return JUDGE_LIMIT + (scene->rough ? 4 * scene->slack / line_length(p, q) : 0);
 }
 
 /* ---- reports --------------------------------------------------------------------------------------------------- */
@@ -160,6 +160,16 @@ bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *com
     }
     bool ok = !ferror(file);
     return fclose(file) == 0 && ok;
+}
+
+bool judge_write_failure(const char *folder, const char *name, const roberts_mesh *mesh, const char *comment,
+                         char path[JUDGE_PATH])
+{
+    snprintf(path, JUDGE_PATH, "%s/failures", folder);
+    mkdir(folder, 0777);
+    mkdir(path, 0777);
+    snprintf(path, JUDGE_PATH, "%s/failures/%s.off", folder, name);
+    return judge_write_off(path, mesh, comment);
 }
 
 /* Copies only the wanted solids of the mesh. Vertices *v0 and *v1 become their numbers in the copy. */
@@ -233,7 +243,7 @@ static void judge_one(const test_scene *how, const roberts_mesh *mesh, uint32_t 
     }
 }
 
-static void print_intervals(FILE *out, const char *title, const oracle_interval *list, size_t count)
+void judge_print_intervals(FILE *out, const char *title, const oracle_interval *list, size_t count)
 {
     fprintf(out, "  %-18s", title);
     for (size_t i = 0; i < count; i++)
@@ -245,15 +255,15 @@ static void print_one(FILE *out, const char *what, const one_edge *one)
 {
     fprintf(out, "%s: solid %u, edge %u-%u: program and oracle differ on %.3g of it\n", what, one->edge.solid,
             one->edge.v0, one->edge.v1, one->wrong);
-    print_intervals(out, "program hides", one->mine.hidden, one->mine.hidden_count);
+    judge_print_intervals(out, "program hides", one->mine.hidden, one->mine.hidden_count);
     if (!one->mine.tiled)
         fprintf(out, "  the program's %zu segments do not tile the edge in turns\n", one->mine.count);
     if (one->mine.t0 > 0 || one->mine.t1 < 1 || one->edge.t0 > 0 || one->edge.t1 < 1)
         fprintf(out, "  of the near plane the program leaves [%.17g, %.17g], the oracle [%.17g, %.17g]\n", one->mine.t0,
                 one->mine.t1, one->edge.t0, one->edge.t1);
-    print_intervals(out, "oracle hides", one->truth.interval + one->edge.sure, one->edge.sure_count);
+    judge_print_intervals(out, "oracle hides", one->truth.interval + one->edge.sure, one->edge.sure_count);
     if (one->edge.survives != ORACLE_NO && one->truth.interval)
-        print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
+        judge_print_intervals(out, "or at most", one->truth.interval + one->edge.maybe, one->edge.maybe_count);
 }
 
 /* A scene that is being judged: what it is called, where failures are written and reported, where they are counted. */
@@ -266,15 +276,12 @@ typedef struct judging {
 
 static void write_failure(const judging *j, size_t nth, const roberts_mesh *mesh)
 {
-    char path[512], command[800], comment[1200];
+    char path[JUDGE_PATH], name[200], command[800], comment[1200];
     roberts_camera c = judge_camera(j->scene);
     bool eye = c.projection == ROBERTS_PERSPECTIVE;
     roberts_vec3 v = eye ? c.eye : c.dir;
     int used = 0;
-    snprintf(path, sizeof path, "%s/failures", j->folder);
-    mkdir(j->folder, 0777);
-    mkdir(path, 0777);
-    snprintf(path, sizeof path, "%s/failures/%s-%zu.off", j->folder, j->name, nth);
+    snprintf(name, sizeof name, "%s-%zu", j->name, nth);
     used = snprintf(command, sizeof command,
                     "--all-edges --hidden solid -f csv --grid %u --threads %u --%s=%.17g,%.17g,%.17g", j->scene->grid,
                     j->scene->threads, eye ? "eye" : "dir", v.x, v.y, v.z);
@@ -285,7 +292,9 @@ static void write_failure(const judging *j, size_t nth, const roberts_mesh *mesh
         snprintf(command + strlen(command), sizeof command - strlen(command), " --tolerance %.17g",
                  j->scene->tolerance);
     snprintf(comment, sizeof comment, "%s; slack %.17g", command, j->scene->slack);
-    if (judge_write_off(path, j->scene->has_soup && mesh == &j->scene->mesh ? &j->scene->soup : mesh, comment))
+    if (j->scene->has_soup && mesh == &j->scene->mesh)
+        mesh = &j->scene->soup;
+    if (judge_write_failure(j->folder, name, mesh, comment, path))
         fprintf(j->out, "  build/roberts %s %s\n", command, path);
     else
         fprintf(j->out, "  (%s: %s)\n", path, strerror(errno));
@@ -395,8 +404,8 @@ static bool judge_drawing(const judging *j, const roberts_drawing *drawing, bool
         } else {
             fprintf(j->out, "%s (compared with its original): solid %u, edge %u-%u: they differ on %.3g of it\n",
                     j->name, e->solid, e->v0, e->v1, wrong);
-            print_intervals(j->out, "program hides", mine.hidden, mine.hidden_count);
-            print_intervals(j->out, "the original hides", truth.interval + e->sure, e->sure_count);
+            judge_print_intervals(j->out, "program hides", mine.hidden, mine.hidden_count);
+            judge_print_intervals(j->out, "the original hides", truth.interval + e->sure, e->sure_count);
             write_failure(j, failed, &scene->mesh);
         }
     }

@@ -34,6 +34,15 @@ roberts_camera judge_camera(const test_scene *scene);
 /* Writes a mesh as OFF with a comment, every coordinate with 17 digits; false: errno. */
 bool judge_write_off(const char *path, const roberts_mesh *mesh, const char *comment);
 
+enum { JUDGE_PATH = 700 };
+
+/* Writes a mesh as FOLDER/failures/NAME.off, whose name is returned in `path`; false: errno. */
+bool judge_write_failure(const char *folder, const char *name, const roberts_mesh *mesh, const char *comment,
+                         char path[JUDGE_PATH]);
+
+/* Prints a line of intervals after a title. */
+void judge_print_intervals(FILE *out, const char *title, const oracle_interval *list, size_t count);
+
 /* Returns the length in t of a \ b; both lists ascend. */
 double judge_outside(const oracle_interval *a, size_t a_count, const oracle_interval *b, size_t b_count);
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
 #include "mesh_families.h"
 
 static const char help[] =
@@ -24,48 +25,26 @@ typedef struct arguments {
     mesh_scene scene;
 } arguments;
 
-static bool parse_view(const char *text, int w, oracle_view *view)
+static void list(void)
 {
-    char rest;
-    *view = (oracle_view){.w = w};
-    return sscanf(text, "%lf,%lf,%lf%c", &view->x, &view->y, &view->z, &rest) ==
-           3; /* NOLINT(cert-err34-c): a test's own */
+    for (size_t f = 0; f < mesh_family_count(); f++)
+        puts(mesh_family_name(f));
 }
 
-static bool parse(int argc, char **argv, arguments *a)
+static arguments parse(int argc, char **argv)
 {
-    *a = (arguments){.folder = "build", .seed = 1, .scene.view = {.x = 1, .y = -1, .z = 1}};
-    for (int i = 1; i < argc; i += 2) {
-        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-        if (!strcmp(option, "--list")) {
-            for (size_t f = 0; f < mesh_family_count(); f++)
-                puts(mesh_family_name(f));
-            exit(0);
-        }
-        if (!strcmp(option, "--help")) {
-            fputs(help, stdout);
-            exit(0);
-        }
-        if (!value)
-            return false;
-        if (!strcmp(option, "--family"))
-            a->family = value;
-        else if (!strcmp(option, "--folder"))
-            a->folder = value;
-        else if (!strcmp(option, "--seed"))
-            a->seed = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--edges"))
-            a->edges = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--slack"))
-            a->scene.slack = strtod(value, NULL);
-        else if (!strcmp(option, "--file")) {
-            a->first_file = i + 1;
-            return true;
-        } else if ((strcmp(option, "--dir") != 0 && strcmp(option, "--eye") != 0) ||
-                   !parse_view(value, option[2] == 'e', &a->scene.view))
-            return false;
-    }
-    return true;
+    arguments a = {.folder = "build", .seed = 1, .scene.view = {.x = 1, .y = -1, .z = 1}};
+    const argument table[] = {{"--family", ARGUMENT_WORD, &a.family},
+                              {"--folder", ARGUMENT_WORD, &a.folder},
+                              {"--seed", ARGUMENT_COUNT, &a.seed},
+                              {"--edges", ARGUMENT_COUNT, &a.edges},
+                              {"--slack", ARGUMENT_NUMBER, &a.scene.slack},
+                              {"--dir", ARGUMENT_DIR, &a.scene.view},
+                              {"--eye", ARGUMENT_EYE, &a.scene.view},
+                              {"--file", ARGUMENT_REST, &a.first_file},
+                              {0}};
+    arguments_parse(argc, argv, table, help, list);
+    return a;
 }
 
 static void sum_up(const mesh_total *t)
@@ -122,12 +101,8 @@ static bool compare_families(const arguments *a, mesh_total *total)
 
 int main(int argc, char **argv)
 {
-    arguments a;
+    const arguments a = parse(argc, argv);
     mesh_total total = {0};
-    if (!parse(argc, argv, &a)) {
-        fputs(help, stderr);
-        return 2;
-    }
     bool done = a.first_file ? compare_files(&a, argc, argv, &total) : compare_families(&a, &total);
     sum_up(&total);
     return done && total.disagreements == 0 ? 0 : 1;

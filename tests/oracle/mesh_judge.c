@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "cross_judge.h"
 #include "judge.h"
+#include "lines.h"
 #include "union_judge.h"
 
 enum {
@@ -30,24 +30,9 @@ typedef struct judgement {
     piece *piece; /* [count] of the current edge; room for all segments */
     size_t count;
     oracle_interval *hidden; /* [hidden_count] hidden, joined */
-    oracle_interval *any;    /* [any_count] covered by any piece, joined */
-    size_t hidden_count, any_count;
+    oracle_interval *any;    /* [count] covered by any piece */
+    size_t hidden_count;
 } judgement;
-
-static roberts_vec3 at(roberts_vec3 a, roberts_vec3 b, double t)
-{
-    return (roberts_vec3){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-
-/* The parameter of X along ab, and how far it lies from the line. */
-static double along(roberts_vec3 a, roberts_vec3 b, roberts_vec3 X, double *off)
-{
-    double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
-    double t = ((X.x - a.x) * dx + (X.y - a.y) * dy + (X.z - a.z) * dz) / (dx * dx + dy * dy + dz * dz);
-    roberts_vec3 foot = at(a, b, t);
-    *off = hypot(hypot(foot.x - X.x, foot.y - X.y), foot.z - X.z);
-    return t;
-}
 
 static void add_piece(judgement *j, double t0, double t1, bool hidden)
 {
@@ -88,26 +73,11 @@ static void take_others(judgement *j, const mesh_edge *e)
         double off0, off1;
         if (s->v0 == ROBERTS_NONE)
             continue;
-        double t0 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t0), &off0);
-        double t1 = along(a, b, at(vertex[s->v0], vertex[s->v1], s->t1), &off1);
+        double t0 = line_beside(a, b, line_point(vertex[s->v0], vertex[s->v1], s->t0), &off0);
+        double t1 = line_beside(a, b, line_point(vertex[s->v0], vertex[s->v1], s->t1), &off1);
         if (fmax(off0, off1) <= 1e-11 * j->size)
             add_piece(j, t0, t1, s->state != ROBERTS_VISIBLE);
     }
-}
-
-static int by_start(const void *a, const void *b)
-{
-    const piece *p = a, *q = b;
-    return (p->t0 > q->t0) - (p->t0 < q->t0);
-}
-
-static size_t join(oracle_interval *list, size_t count, const piece *p)
-{
-    if (count && p->t0 <= list[count - 1].t1)
-        list[count - 1].t1 = fmax(list[count - 1].t1, p->t1);
-    else
-        list[count++] = (oracle_interval){p->t0, p->t1};
-    return count;
 }
 
 /* Joins the pieces. Everything between visible pieces is hidden. If two edges lie in one place, with vertices of their
@@ -116,11 +86,11 @@ static size_t join(oracle_interval *list, size_t count, const piece *p)
 static double uncovered(judgement *j, const mesh_edge *e)
 {
     double end = 0;
-    qsort(j->piece, j->count, sizeof *j->piece, by_start);
-    j->hidden_count = j->any_count = 0;
+    qsort(j->piece, j->count, sizeof *j->piece, line_by_start);
+    j->hidden_count = 0;
     for (size_t i = 0; i < j->count; i++) {
         const piece *p = &j->piece[i];
-        j->any_count = join(j->any, j->any_count, p);
+        j->any[i] = (oracle_interval){p->t0, p->t1};
         if (p->hidden)
             continue;
         if (p->t0 > end)
@@ -129,7 +99,7 @@ static double uncovered(judgement *j, const mesh_edge *e)
     }
     if (end < 1)
         j->hidden[j->hidden_count++] = (oracle_interval){end, 1};
-    return judge_outside(j->truth->part + e->part, e->parts, j->any, j->any_count);
+    return judge_outside(j->truth->part + e->part, e->parts, j->any, line_join(j->any, j->count, 0));
 }
 
 /* The length of a \ b on those parts of the edge that bound something. */
@@ -166,12 +136,7 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
         cut[cuts++] = j->hidden[i].t0;
         cut[cuts++] = j->hidden[i].t1;
     }
-    for (size_t i = 1; i < cuts; i++)
-        for (size_t k = i; k > 0 && cut[k - 1] > cut[k]; k--) {
-            double was = cut[k];
-            cut[k] = cut[k - 1];
-            cut[k - 1] = was;
-        }
+    qsort(cut, cuts, sizeof *cut, line_by_start);
     for (size_t i = 0; i + 1 < cuts; i++) {
         double t = 0.5 * (cut[i] + cut[i + 1]);
         bool mine = false, theirs = false;
@@ -182,7 +147,7 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
         if (mine == theirs)
             continue;
         const roberts_vec3 *vertex = j->scene->mesh.vertex;
-        const mesh_point X = {at(vertex[e->v0], vertex[e->v1], t), e->v0, e->v1, ROBERTS_NONE, ROBERTS_NONE};
+        const mesh_point X = {line_point(vertex[e->v0], vertex[e->v1], t), e->v0, e->v1, ROBERTS_NONE, ROBERTS_NONE};
         oracle_answer answer = mesh_truth_at(&j->scene->mesh, &j->scene->view, j->scene->even_odd, j->truth->position,
                                              &X, j->scene->slack);
         if (answer == ORACLE_UNSURE || (answer == ORACLE_YES) == mine)
@@ -192,14 +157,6 @@ static double surely_wrong(const judgement *j, const mesh_edge *e, double *unjud
     }
     free(cut);
     return wrong;
-}
-
-static void print_intervals(FILE *out, const char *who, const oracle_interval *list, size_t count)
-{
-    fprintf(out, "  %-14s", who);
-    for (size_t i = 0; i < count; i++)
-        fprintf(out, " [%.17g, %.17g]", list[i].t0, list[i].t1);
-    fprintf(out, "%s\n", count ? "" : " nothing");
 }
 
 static void judge_edge(judgement *j, const mesh_edge *e, const char *name, mesh_total *total, size_t *failed, FILE *out)
@@ -231,48 +188,36 @@ static void judge_edge(judgement *j, const mesh_edge *e, const char *name, mesh_
         return;
     fprintf(out, "%s: edge %u-%u: program and oracle differ on %.3g of it, %.3g of it is in no row\n", name, e->v0,
             e->v1, wrong, missing);
-    print_intervals(out, "program hides", j->hidden, j->hidden_count);
-    print_intervals(out, "oracle hides", truth, e->count);
+    judge_print_intervals(out, "program hides", j->hidden, j->hidden_count);
+    judge_print_intervals(out, "oracle hides", truth, e->count);
 }
 
-static void tell_command(const char *name, const mesh_scene *scene, bool all_edges, const char *folder, FILE *out)
+roberts_camera mesh_judge_camera(const mesh_scene *scene)
 {
-    char path[512], command[300];
     const oracle_view *v = &scene->view;
-    snprintf(path, sizeof path, "%s/failures", folder);
-    mkdir(folder, 0777);
-    mkdir(path, 0777);
-    snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
-    snprintf(command, sizeof command, "%s --hidden solid -f csv --%s=%.17g,%.17g,%.17g%s",
-             scene->united ? "--union"
-             : all_edges   ? "--all-edges"
-                           : "--crease 0.1",
-             v->w ? "eye" : "dir", v->x, v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
-    if (judge_write_off(path, &scene->mesh, command))
-        fprintf(out, "  build/roberts %s %s\n", command, path);
+    roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
+    *(v->w ? &camera.eye : &camera.dir) = (roberts_vec3){v->x, v->y, v->z};
+    return camera;
 }
 
-static double size_of(const roberts_mesh *mesh)
+void mesh_judge_keep(const char *name, const mesh_scene *scene, const char *options, const char *folder, FILE *out)
 {
-    double size = 0;
-    for (size_t i = 0; i < mesh->vertex_count; i++)
-        size = fmax(size, fmax(fabs(mesh->vertex[i].x), fmax(fabs(mesh->vertex[i].y), fabs(mesh->vertex[i].z))));
-    return size;
+    char path[JUDGE_PATH], command[300];
+    const oracle_view *v = &scene->view;
+    snprintf(command, sizeof command, "%s --%s=%.17g,%.17g,%.17g%s", options, v->w ? "eye" : "dir", v->x, v->y, v->z,
+             scene->even_odd ? " --fill-rule evenodd" : "");
+    if (judge_write_failure(folder, name, &scene->mesh, command, path))
+        fprintf(out, "  build/roberts %s %s\n", command, path);
 }
 
 /* Draws the scene. False: the program refuses it. */
 static bool draw(const char *name, const mesh_scene *scene, bool all_edges, roberts_scene **built,
                  roberts_drawing *drawing, FILE *out)
 {
-    const oracle_view *v = &scene->view;
-    roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
+    roberts_camera camera = mesh_judge_camera(scene);
     roberts_hide_options options = roberts_hide_options_default();
     roberts_scene_options bodies = {.even_odd = scene->even_odd};
     roberts_error error;
-    if (v->w)
-        camera.eye = (roberts_vec3){v->x, v->y, v->z};
-    else
-        camera.dir = (roberts_vec3){v->x, v->y, v->z};
     options.keep_hidden = true;
     options.all_edges = all_edges;
     options.unite = scene->united;
@@ -336,7 +281,7 @@ static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_t
         judgement j = {.scene = c->scene,
                        .truth = truth,
                        .drawing = &drawing,
-                       .size = size_of(&c->scene->mesh),
+                       .size = mesh_size(&c->scene->mesh),
                        .piece = malloc((drawing.count + 1) * sizeof *j.piece),
                        .hidden = malloc((drawing.count + 1) * sizeof *j.hidden),
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
@@ -360,7 +305,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
     if (scene->united) {
         failed = judge_united(name, scene, total, out);
         if (failed)
-            tell_command(name, scene, false, folder, out);
+            mesh_judge_keep(name, scene, "--union --hidden solid -f csv", folder, out);
         return failed == 0;
     }
     if (!mesh_truth_find(&scene->mesh, &scene->view, scene->even_odd, &truth)) {
@@ -372,7 +317,9 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
         const cross_case c = {.scene = scene, .position = truth.position, .name = name, .all_edges = all_edges != 0};
         failed = judge_drawing(&c, &truth, total, out);
         if (failed)
-            tell_command(name, scene, all_edges != 0, folder, out);
+            mesh_judge_keep(name, scene,
+                            all_edges ? "--all-edges --hidden solid -f csv" : "--crease 0.1 --hidden solid -f csv",
+                            folder, out);
     }
     total->pairs += truth.pairs;
     total->exact += truth.exact;

@@ -29,6 +29,12 @@ typedef struct mesh_total {
 /* An edge fails if program and oracle differ on more than this fraction of it. */
 #define MESH_JUDGE_LIMIT 1e-9
 
+/* Returns the library's camera for the scene's viewer. */
+roberts_camera mesh_judge_camera(const mesh_scene *scene);
+
+/* Writes the scene to FOLDER/failures/NAME.off, and tells the command that draws it with these options. */
+void mesh_judge_keep(const char *name, const mesh_scene *scene, const char *options, const char *folder, FILE *out);
+
 /* Draws all edges and compares them and the lines in which faces cross; then leaves flat edges out and compares these
  * lines again. Adds to `total`. The first few that fail are told on `out`, with the command that draws the
  * scene, which is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */

@@ -3,6 +3,7 @@
 
 #include <stdlib.h>
 
+#include "segments.h"
 #include "shapes.h"
 
 /* A permutation of 0 .. count - 1. */
@@ -46,18 +47,6 @@ bool order_shuffle(const roberts_mesh *mesh, uint64_t seed, roberts_mesh *other,
     free(vertex);
     free(face);
     return ok;
-}
-
-static int compare_segments(const void *pa, const void *pb)
-{
-    const roberts_segment *a = pa, *b = pb;
-    if (a->solid != b->solid)
-        return a->solid < b->solid ? -1 : 1;
-    if (a->v0 != b->v0)
-        return a->v0 < b->v0 ? -1 : 1;
-    if (a->v1 != b->v1)
-        return a->v1 < b->v1 ? -1 : 1;
-    return (a->t0 > b->t0) - (a->t0 < b->t0);
 }
 
 bool order_restore(roberts_drawing *drawing, const uint32_t *number, size_t vertex_count, const uint32_t *vertex_solid)

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
 #include "mesh_families.h"
 #include "region_judge.h"
 
@@ -21,34 +22,10 @@ typedef struct arguments {
     uint64_t seed, regions;
 } arguments;
 
-static bool parse(int argc, char **argv, arguments *a)
+static void list(void)
 {
-    *a = (arguments){.folder = "build", .seed = 1};
-    for (int i = 1; i < argc; i += 2) {
-        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-        if (!strcmp(option, "--list")) {
-            for (size_t f = 0; f < mesh_family_count(); f++)
-                puts(mesh_family_name(f));
-            exit(0);
-        }
-        if (!strcmp(option, "--help")) {
-            fputs(help, stdout);
-            exit(0);
-        }
-        if (!value)
-            return false;
-        if (!strcmp(option, "--family"))
-            a->family = value;
-        else if (!strcmp(option, "--folder"))
-            a->folder = value;
-        else if (!strcmp(option, "--seed"))
-            a->seed = strtoull(value, NULL, 10);
-        else if (!strcmp(option, "--regions"))
-            a->regions = strtoull(value, NULL, 10);
-        else
-            return false;
-    }
-    return true;
+    for (size_t f = 0; f < mesh_family_count(); f++)
+        puts(mesh_family_name(f));
 }
 
 static bool compare(const arguments *a, region_total *total)
@@ -71,12 +48,14 @@ static bool compare(const arguments *a, region_total *total)
 
 int main(int argc, char **argv)
 {
-    arguments a;
+    arguments a = {.folder = "build", .seed = 1};
+    const argument table[] = {{"--family", ARGUMENT_WORD, &a.family},
+                              {"--folder", ARGUMENT_WORD, &a.folder},
+                              {"--seed", ARGUMENT_COUNT, &a.seed},
+                              {"--regions", ARGUMENT_COUNT, &a.regions},
+                              {0}};
     region_total total = {0};
-    if (!parse(argc, argv, &a)) {
-        fputs(help, stderr);
-        return 2;
-    }
+    arguments_parse(argc, argv, table, help, list);
     bool done = compare(&a, &total);
     printf("%zu regions with %zu rings (%zu pieces of borders; nothing is seen of %zu more faces) of %zu scenes (%zu "
            "refused by the oracle), %zu disagreements; greatest difference %.2g; %zu questions, %zu rational numbers "

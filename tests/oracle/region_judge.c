@@ -3,10 +3,8 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <sys/stat.h>
 
 #include "cross_judge.h"
-#include "judge.h"
 #include "mesh_picture.h"
 
 enum { REPORTS = 3 /* most failures reported for a scene */ };
@@ -295,8 +293,7 @@ static roberts_status find_regions(const roberts_scene *scene, const roberts_cam
 bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *truth, roberts_region_list *list,
                        region_total *total, FILE *out)
 {
-    const oracle_view *v = &scene->view;
-    roberts_camera camera = {.projection = v->w ? ROBERTS_PERSPECTIVE : ROBERTS_ORTHOGRAPHIC};
+    roberts_camera camera = mesh_judge_camera(scene);
     roberts_hide_options options = roberts_hide_options_default();
     const roberts_scene_options bodies = {.even_odd = scene->even_odd};
     roberts_scene *built = NULL;
@@ -306,10 +303,6 @@ bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *
     bool found = false;
     *list = (roberts_region_list){0};
     *truth = (region_truth){0};
-    if (v->w)
-        camera.eye = (roberts_vec3){v->x, v->y, v->z};
-    else
-        camera.dir = (roberts_vec3){v->x, v->y, v->z};
     options.keep_hidden = true;
     options.all_edges = true;
     if (roberts_scene_build(&scene->mesh, &bodies, &built, &error) != ROBERTS_OK ||
@@ -318,7 +311,7 @@ bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *
         fprintf(out, "%s: the program refuses: %s\n", name, error.message);
         ++*(has_face(&scene->mesh) ? &total->disagreements : &total->refused);
     } else if ((rank = ranks_of(scene, built, &drawing)) != NULL) {
-        found = region_truth_find(&scene->mesh, v, scene->even_odd, rank, truth);
+        found = region_truth_find(&scene->mesh, &scene->view, scene->even_odd, rank, truth);
         if (!found) {
             fprintf(out, "%s: the oracle refuses: %s\n", name, truth->error);
             total->refused++;
@@ -334,20 +327,6 @@ bool region_judge_find(const char *name, const mesh_scene *scene, region_truth *
     return found;
 }
 
-static void tell_command(const char *name, const mesh_scene *scene, const char *folder, FILE *out)
-{
-    char path[512], command[300];
-    const oracle_view *v = &scene->view;
-    snprintf(path, sizeof path, "%s/failures", folder);
-    mkdir(folder, 0777);
-    mkdir(path, 0777);
-    snprintf(path, sizeof path, "%s/failures/%s.off", folder, name);
-    snprintf(command, sizeof command, "--regions regions.json --%s=%.17g,%.17g,%.17g%s", v->w ? "eye" : "dir", v->x,
-             v->y, v->z, scene->even_odd ? " --fill-rule evenodd" : "");
-    if (judge_write_off(path, &scene->mesh, command))
-        fprintf(out, "  build/roberts %s %s\n", command, path);
-}
-
 bool region_judge(const char *name, const mesh_scene *scene, const char *folder, region_total *total, FILE *out)
 {
     region_truth truth;
@@ -360,6 +339,6 @@ bool region_judge(const char *name, const mesh_scene *scene, const char *folder,
         region_truth_free(&truth);
     }
     if (total->disagreements != before)
-        tell_command(name, scene, folder, out);
+        mesh_judge_keep(name, scene, "--regions regions.json", folder, out);
     return total->disagreements == before;
 }

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lines.h"
+
 typedef struct range {
     uint32_t first, end;
 } range;
@@ -160,11 +162,6 @@ static plane fit(const roberts_mesh *mesh, uint32_t f, roberts_vec3 o)
     return at(p, o) > 0 ? (plane){-p.x, -p.y, -p.z, -p.d} : p;
 }
 
-static double distance(roberts_vec3 a, roberts_vec3 b)
-{
-    return hypot(hypot(a.x - b.x, a.y - b.y), a.z - b.z);
-}
-
 /* k and R of roughen.h, and the solid's size. */
 typedef struct rough {
     double k, radius, departure;
@@ -183,7 +180,7 @@ static rough measure(const studio *st, uint32_t solid)
         largest = fmax(largest, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
     }
     for (uint32_t i = v.first; i < v.end; i++)
-        r.radius = fmax(r.radius, distance(mesh->vertex[i], middle));
+        r.radius = fmax(r.radius, line_length(mesh->vertex[i], middle));
     for (uint32_t f = faces.first; f < faces.end; f++) {
         plane p = fit(mesh, f, middle);
         double outside = 0, departure = 0;
@@ -248,7 +245,7 @@ void look_in_plane(studio *st, double off)
         lo = (roberts_vec3){fmin(lo.x, v.x), fmin(lo.y, v.y), fmin(lo.z, v.z)};
         hi = (roberts_vec3){fmax(hi.x, v.x), fmax(hi.y, v.y), fmax(hi.z, v.z)};
     }
-    while (times * hypot(hypot(dir.x, dir.y), dir.z) < 2 * distance(lo, hi))
+    while (times * hypot(hypot(dir.x, dir.y), dir.z) < 2 * line_length(lo, hi))
         times *= 2;
     dir = (roberts_vec3){dir.x + length * aside.x, dir.y + length * aside.y, dir.z + length * aside.z};
     if (!st->eye)

@@ -2,19 +2,16 @@
  * crossed in another way; the judge against tables that are wrong on purpose. test_mesh_oracle.c compares the
  * library with them. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/cross_judge.h"
 #include "oracle/mesh_families.h"
 #include "oracle/shapes.h"
+#include "make_mesh.h"
+#include "testing.h"
+#include "whole.h"
 
 /* ---- by hand ---- */
 
@@ -187,11 +184,10 @@ static void test_by_hand(void **state)
     const oracle_view top = {.z = 1};
     (void)state;
     for (size_t i = 0; i < sizeof hand_cases / sizeof hand_cases[0]; i++) {
-        roberts_mesh mesh = {0};
         cross_truth truth;
         char text[1000];
         snprintf(text, sizeof text, "OFF\n%s", hand_cases[i].off);
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "by hand", text, strlen(text), NULL, NULL), ROBERTS_OK);
+        roberts_mesh mesh = mesh_of_text(text);
         if (!cross_truth_find(&mesh, &top, hand_cases[i].even_odd, &truth))
             fail_msg("%s: %s", hand_cases[i].name, truth.error);
         if (truth.line_count != hand_cases[i].count)
@@ -227,18 +223,8 @@ static void test_cube_in_cube(void **state)
     cross_truth truth;
     double length = 0;
     (void)state;
-    for (int cube = 0; cube < 2; cube++) {
-        uint32_t n[8];
-        for (int i = 0; i < 8; i++)
-            roberts_mesh_add_vertex(
-                &mesh, (roberts_vec3){2.0 * (i & 1) + cube, 2.0 * (i >> 1 & 1) + cube, 2.0 * (i >> 2) + cube}, &n[i],
-                NULL);
-        static const int face[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                       {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-        for (int f = 0; f < 6; f++)
-            roberts_mesh_add_face(&mesh, (uint32_t[]){n[face[f][0]], n[face[f][1]], n[face[f][2]], n[face[f][3]]}, 4,
-                                  NULL);
-    }
+    for (int cube = 0; cube < 2; cube++)
+        mesh_box(&mesh, (roberts_vec3){cube, cube, cube}, (roberts_vec3){cube + 2, cube + 2, cube + 2});
     assert_true(cross_truth_find(&mesh, &view, false, &truth));
     assert_int_equal(truth.line_count, 6);
     for (size_t i = 0; i < truth.line_count; i++) {
@@ -325,10 +311,8 @@ static void test_on_edges(void **state)
     const oracle_view view = {.x = 1, .y = -2, .z = 1.5};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        roberts_mesh mesh = {0};
+        roberts_mesh mesh = mesh_of_text(cases[i].text);
         cross_truth truth;
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "wall", cases[i].text, strlen(cases[i].text), NULL, NULL),
-                         ROBERTS_OK);
         assert_true(cross_truth_find(&mesh, &view, false, &truth));
         if (truth.line_count != cases[i].count)
             fail_msg("%s: %zu lines", cases[i].name, truth.line_count);
@@ -346,16 +330,9 @@ static void test_on_edges(void **state)
 
 /* ---- triangles, in another way ---- */
 
-typedef struct whole {
-    long long x, y, z;
-} whole;
-
-static long long volume(whole a, whole b, whole c, whole d)
+static int64_t volume(whole a, whole b, whole c, whole d)
 {
-    b = (whole){b.x - a.x, b.y - a.y, b.z - a.z};
-    c = (whole){c.x - a.x, c.y - a.y, c.z - a.z};
-    d = (whole){d.x - a.x, d.y - a.y, d.z - a.z};
-    return b.x * (c.y * d.z - c.z * d.y) - b.y * (c.x * d.z - c.z * d.x) + b.z * (c.x * d.y - c.y * d.x);
+    return whole_dot(whole_sub(b, a), whole_cross(whole_sub(c, a), whole_sub(d, a)));
 }
 
 /* Where sides of triangle T pierce triangle S: at most two points. False: something is not in general position. */
@@ -363,8 +340,8 @@ static bool piercings(const whole T[3], const whole S[3], double point[][3], siz
 {
     for (int i = 0; i < 3; i++) {
         whole p = T[i], q = T[(i + 1) % 3];
-        long long hp = volume(S[0], S[1], S[2], p), hq = volume(S[0], S[1], S[2], q);
-        long long s[3];
+        int64_t hp = volume(S[0], S[1], S[2], p), hq = volume(S[0], S[1], S[2], q);
+        int64_t s[3];
         for (int k = 0; k < 3; k++)
             s[k] = volume(p, q, S[k], S[(k + 1) % 3]);
         if (hp == 0 || hq == 0 || s[0] == 0 || s[1] == 0 || s[2] == 0)
@@ -383,7 +360,7 @@ static bool piercings(const whole T[3], const whole S[3], double point[][3], siz
 static whole corner_of(const roberts_mesh *mesh, size_t f, int k)
 {
     roberts_vec3 p = mesh->vertex[mesh->corner[mesh->face_start[f] + (uint32_t)k]];
-    return (whole){(long long)p.x, (long long)p.y, (long long)p.z};
+    return (whole){(int64_t)p.x, (int64_t)p.y, (int64_t)p.z};
 }
 
 static void test_triangles(void **state)
@@ -397,9 +374,9 @@ static void test_triangles(void **state)
         cross_truth truth;
         for (uint32_t i = 0; i < 36; i++) {
             int x = dice_int(&d, 0, 20), y = dice_int(&d, 0, 20);
-            roberts_mesh_add_vertex(&mesh, (roberts_vec3){x, y, dice_int(&d, 0, 20)}, NULL, NULL);
+            mesh_vertex(&mesh, (roberts_vec3){x, y, dice_int(&d, 0, 20)});
             if (i % 3 == 2)
-                roberts_mesh_add_face(&mesh, (uint32_t[]){i - 2, i - 1, i}, 3, NULL);
+                mesh_face(&mesh, (uint32_t[]){i - 2, i - 1, i}, 3);
         }
         assert_true(cross_truth_find(&mesh, &view, false, &truth));
         for (size_t f = 0; f < 12; f++)
@@ -438,7 +415,7 @@ static void test_triangles(void **state)
 
 /* ---- the judge ---- */
 
-/* Makes a right table wrong at row i, a place where it can be; false: this row cannot be made wrong so. */
+/* Makes a right table wrong at row i. False: this row cannot be made wrong in this way. */
 typedef bool mutate_fn(cross_row *row, size_t *count, size_t i);
 
 static bool drop_row(cross_row *row, size_t *count, size_t i)

@@ -1,20 +1,16 @@
 /* test_mesh_oracle.c - bodies of any kind: the mesh oracle against cases worked out by hand; then the library
  * against the oracle on scenes of each family (more: make check-long) and on published models. */
 #include <dirent.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
 #include "oracle/judge.h"
 #include "oracle/mesh_families.h"
-#include "skip.h"
+#include "folders.h"
+#include "make_mesh.h"
+#include "testing.h"
 
 enum {
     EDGES_OF_EACH = 50000 / 36, /* and intersection lines, of each family */
@@ -22,12 +18,6 @@ enum {
     FILES = 1000,
     NAME = 300,
 };
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- by hand ---- */
 
@@ -114,12 +104,11 @@ static void test_by_hand(void **state)
     const oracle_view top = {.z = 1};
     (void)state;
     for (size_t i = 0; i < sizeof hand_cases / sizeof hand_cases[0]; i++) {
-        roberts_mesh mesh = {0};
         mesh_truth truth;
         char text[1000];
         print_message("%s\n", hand_cases[i].name);
         snprintf(text, sizeof text, "OFF\n%s", hand_cases[i].off);
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "by hand", text, strlen(text), NULL, NULL), ROBERTS_OK);
+        roberts_mesh mesh = mesh_of_text(text);
         assert_true(mesh_truth_find(&mesh, &top, hand_cases[i].even_odd, &truth));
         assert_int_equal(truth.edge_count, hand_cases[i].edges);
         const mesh_edge *e = &truth.edge[0];
@@ -138,7 +127,7 @@ static size_t compared(const mesh_total *total)
     return total->edges + total->lines;
 }
 
-/* Of each family some scenes, until they have had so many edges and lines. */
+/* Some scenes of each family, until so many of its edges and lines have been compared. */
 static void test_families(void **state)
 {
     mesh_total total = {0};
@@ -239,16 +228,15 @@ static void judge_folder(const char *path, mesh_total *total, size_t *refused)
 
 static void test_published_models(void **state)
 {
-    const char *shared = getenv("ROBERTS_SHARED");
     char path[NAME];
     mesh_total total = {0};
     size_t refused = 0;
     (void)state;
-    snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models", shared_folder());
     judge_folder(path, &total, &refused);
     if (total.scenes == 0)
         SKIP_BECAUSE("no models in %s", path);
-    snprintf(path, sizeof path, "%s/models/catalogue", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models/catalogue", shared_folder());
     judge_folder(path, &total, &refused);
     print_message(
         "note: %zu edges and %zu intersection lines of %zu published models compared with the exact oracle: %zu "

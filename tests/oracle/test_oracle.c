@@ -1,53 +1,16 @@
 /* test_oracle.c - the oracle against cases worked out by hand, against itself without intervals of doubles and against
  * plain rays; then the program against the oracle on some scenes of each family (more: make check-long). */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/judge.h"
-#include "skip.h"
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
+#include "folders.h"
+#include "make_mesh.h"
+#include "testing.h"
 
 /* ---- by hand --------------------------------------------------------------------------------------------------- */
-
-static void add_solid(roberts_mesh *mesh, const roberts_vec3 *point, size_t points, const uint32_t *corner,
-                      size_t faces, size_t corners)
-{
-    uint32_t face[8], first = (uint32_t)mesh->vertex_count;
-    for (size_t i = 0; i < points; i++)
-        assert_int_equal(roberts_mesh_add_vertex(mesh, point[i], NULL, NULL), ROBERTS_OK);
-    for (size_t f = 0; f < faces; f++) {
-        for (size_t i = 0; i < corners; i++)
-            face[i] = first + corner[f * corners + i];
-        assert_int_equal(roberts_mesh_add_face(mesh, face, corners, NULL), ROBERTS_OK);
-    }
-}
-
-static void add_tetrahedron(roberts_mesh *mesh, const roberts_vec3 *point)
-{
-    static const uint32_t corner[] = {0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3};
-    add_solid(mesh, point, 4, corner, 4, 3);
-}
-
-/* Corners in the order 000, 100, 010, 110, 001, ... */
-static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
-{
-    static const uint32_t corner[] = {0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 5, 4, 2, 3, 7, 6, 0, 2, 6, 4, 1, 3, 7, 5};
-    roberts_vec3 p[8];
-    for (int i = 0; i < 8; i++)
-        p[i] = (roberts_vec3){i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z};
-    add_solid(mesh, p, 8, corner, 6, 4);
-}
 
 /* clang-format off */
 #define TOP {.z = 1}
@@ -127,11 +90,11 @@ static void test_by_hand(void **state)
         oracle_result result;
         const oracle_edge *e;
         uint32_t first;
-        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
         if (cases[i].hi.x > cases[i].lo.x)
-            add_box(&mesh, cases[i].lo, cases[i].hi);
+            mesh_box(&mesh, cases[i].lo, cases[i].hi);
         first = (uint32_t)mesh.vertex_count;
-        add_tetrahedron(&mesh, cases[i].p);
+        mesh_tetrahedron(&mesh, cases[i].p);
         if (!oracle_run(&mesh, &cases[i].view, NULL, &result))
             fail_msg("%s: %s", cases[i].name, result.error);
         for (e = result.edge; e->v0 != first || e->v1 != first + 1; e++)
@@ -176,8 +139,8 @@ static void test_near(void **state)
         roberts_mesh mesh = {0};
         oracle_result result;
         const oracle_edge *e;
-        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
-        add_tetrahedron(&mesh, near_cases[i].p);
+        mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        mesh_tetrahedron(&mesh, near_cases[i].p);
         if (!oracle_run(&mesh, &view, NULL, &result))
             fail_msg("%s: %s", near_cases[i].name, result.error);
         for (e = result.edge; e->v0 != 8 || e->v1 != 9; e++)
@@ -217,8 +180,8 @@ static void test_slack(void **state)
         oracle_view view = TOP;
         oracle_interval all = {0, 1};
         const oracle_edge *e;
-        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
-        add_tetrahedron(&mesh, slack_cases[i].p);
+        mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+        mesh_tetrahedron(&mesh, slack_cases[i].p);
         assert_true(oracle_run(&mesh, &view, &options, &result));
         for (e = result.edge; e->v0 != 8 || e->v1 != 9; e++)
             assert_true(e < result.edge + result.edge_count);
@@ -234,20 +197,20 @@ static void test_slack(void **state)
 static void test_refusals(void **state)
 {
     static const roberts_vec3 flat[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-    static const uint32_t open_face[] = {0, 1, 2};
+    static const unsigned char open_face[] = {3, 0, 1, 2, 0};
     roberts_mesh mesh = {0};
     oracle_result result;
     oracle_view view = TOP, before = {.x = 0.5, .y = 0.5, .z = 1.5, .w = 1};
     (void)state;
-    add_tetrahedron(&mesh, flat);
+    mesh_tetrahedron(&mesh, flat);
     assert_false(oracle_run(&mesh, &view, NULL, &result));
     assert_string_not_equal(result.error, "");
     roberts_mesh_free(&mesh);
-    add_solid(&mesh, flat, 4, open_face, 1, 3);
+    mesh_solid(&mesh, flat, 4, open_face);
     assert_false(oracle_run(&mesh, &view, NULL, &result));
     roberts_mesh_free(&mesh);
-    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
-    add_box(&mesh, (roberts_vec3){0, 0, 2}, (roberts_vec3){1, 1, 3});
+    mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
+    mesh_box(&mesh, (roberts_vec3){0, 0, 2}, (roberts_vec3){1, 1, 3});
     oracle_view within = {.x = 0.5, .y = 0.5, .z = 2.5, .w = 1, .cut = true, .near = {0.5, 0.5, 0.5}};
     assert_false(oracle_run(&mesh, &before, NULL, &result)); /* and no near plane */
     assert_false(oracle_run(&mesh, &within, NULL, &result));
@@ -383,7 +346,7 @@ static void test_scenes_are_the_same(void **state)
 
 enum { EDGES_OF_EACH = 500 };
 
-/* Of each family some scenes, until they have had so many edges. */
+/* Some scenes of each family, until so many of its edges have been compared. */
 static void test_program(void **state)
 {
     judge_total total = {0};
@@ -431,7 +394,7 @@ static void test_near_contact(void **state)
         judge_total total = {0};
         scene.view = (oracle_view){eye.x, eye.y, eye.z, 1, true, contact_cases[i].near};
         for (int k = 0; k < 2; k++)
-            add_box(&scene.mesh, contact_cases[i].box[k][0], contact_cases[i].box[k][1]);
+            mesh_box(&scene.mesh, contact_cases[i].box[k][0], contact_cases[i].box[k][1]);
         if (!judge_scene("near-contact", &scene, build_folder(), &total, stderr))
             fail_msg("%s", contact_cases[i].name);
         assert_int_equal(total.edges, 24);
@@ -452,9 +415,9 @@ static void test_edge_on(void **state)
         test_scene scene = {.view = TOP, .slack = 1e-10};
         judge_total total = {0};
         roberts_vec3 tip = {along[i % 7], in[i / 7], 0.1};
-        add_tetrahedron(&scene.mesh, (roberts_vec3[]){{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, tip});
+        mesh_tetrahedron(&scene.mesh, (roberts_vec3[]){{0, 0, 0}, {1, 0, 0}, {0.5, 0.8, 0}, tip});
         for (int k = 1; k < 10; k++)
-            add_box(&scene.mesh, (roberts_vec3){0.1 * k, -0.5, -3}, (roberts_vec3){0.1 * k + 0.01, 0.1, -2.9});
+            mesh_box(&scene.mesh, (roberts_vec3){0.1 * k, -0.5, -3}, (roberts_vec3){0.1 * k + 0.01, 0.1, -2.9});
         if (!judge_scene("edge-on", &scene, build_folder(), &total, stderr))
             fail_msg("tip at %g, %g", tip.x, tip.y);
         assert_true(total.cut >= 18);

@@ -1,26 +1,17 @@
 /* test_region_oracle.c - visible regions: the region oracle against areas worked out by hand; the judge against wrong
  * tables; then the library against the oracle on scenes of each family. (More: build/tests/oracle/region_compare.) */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "oracle/mesh_families.h"
 #include "oracle/region_judge.h"
+#include "folders.h"
+#include "make_mesh.h"
+#include "testing.h"
 
 enum { SEEDS = 8 /* scenes of each family */, WRONG_SEEDS = 2, FACES = 4 };
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- by hand ---- */
 
@@ -86,10 +77,8 @@ static void measure(const region_truth *truth, uint32_t face, double *area, doub
 static mesh_scene scene_of(const char *off)
 {
     char text[600];
-    mesh_scene scene = {.view = {.z = 1}};
     snprintf(text, sizeof text, "OFF\n%s", off);
-    assert_int_equal(roberts_mesh_read_memory(&scene.mesh, "case", text, strlen(text), NULL, NULL), ROBERTS_OK);
-    return scene;
+    return (mesh_scene){.mesh = mesh_of_text(text), .view = {.z = 1}};
 }
 
 static void test_by_hand(void **state)

@@ -1,39 +1,22 @@
 /* test_union_oracle.c - lines of bodies that are drawn as one: the oracle against cases worked out by hand and against
  * cells of a grid; the judge against tables that are wrong on purpose. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "oracle/mesh_families.h"
 #include "oracle/shapes.h"
 #include "oracle/union_judge.h"
 #include "oracle/voxels.h"
+#include "make_mesh.h"
+#include "testing.h"
 
 /* ---- by hand ---- */
 
 typedef struct block {
-    double low[3], high[3];
+    roberts_vec3 low, high;
 } block;
-
-static void add_block(roberts_mesh *mesh, const block *b)
-{
-    static const int face[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-    uint32_t n[8];
-    for (int i = 0; i < 8; i++) {
-        roberts_vec3 p = {i & 1 ? b->high[0] : b->low[0], i & 2 ? b->high[1] : b->low[1],
-                          i & 4 ? b->high[2] : b->low[2]};
-        assert_int_equal(roberts_mesh_add_vertex(mesh, p, &n[i], NULL), ROBERTS_OK);
-    }
-    for (int f = 0; f < 6; f++)
-        roberts_mesh_add_face(mesh, (uint32_t[]){n[face[f][0]], n[face[f][1]], n[face[f][2]], n[face[f][3]]}, 4, NULL);
-}
 
 /* Blocks seen from (1, 2, 4). How much is drawn of all places together, as outline and as crease; where several
  * bodies have a line in one place, each counts. */
@@ -53,8 +36,8 @@ static const struct {
      18,
      18 + 3},
     {"apart", 2, {{{0, 0, 0}, {2, 3, 4}}, {{5, 5, 5}, {7, 8, 9}}}, 36, 36},
-    /* Of the upper block's lower edges the near two are creases between its walls and the slab, the far two outlines:
-     * the other way about than of the block alone. */
+    /* Of the upper block's lower edges the near two are creases between its walls and the slab, the far two
+     * outlines. For the block alone it is the other way round. */
     {"a block on a slab", 2, {{{0, 0, 0}, {6, 6, 1}}, {{2, 2, 1}, {4, 4, 2}}}, 26 + 6 + 4, 26 + 6 + 4},
     {"three blocks, one of them across the seam of two",
      3,
@@ -72,7 +55,7 @@ static void test_by_hand(void **state)
         union_truth truth;
         double length[3] = {0};
         for (size_t k = 0; k < hand_cases[i].count; k++)
-            add_block(&mesh, &hand_cases[i].block[k]);
+            mesh_box(&mesh, hand_cases[i].block[k].low, hand_cases[i].block[k].high);
         if (!union_truth_find(&mesh, &view, &truth))
             fail_msg("%s: %s", hand_cases[i].name, truth.error);
         for (size_t k = 0; k < truth.line_count; k++) {
@@ -90,7 +73,7 @@ static void test_by_hand(void **state)
 
 /* ---- against cells ---- */
 
-/* Of what class a place is drawn by the oracle; -1: it is not. */
+/* The class in which the oracle draws a place; -1: it does not draw it. */
 static int class_at(const union_truth *truth, roberts_vec3 X)
 {
     for (size_t i = 0; i < truth->line_count; i++) {
@@ -204,7 +187,7 @@ static const struct {
 
 enum { MUTATIONS = sizeof mutations / sizeof mutations[0] };
 
-/* Is the row long, and no other in the same place? Else a wrong one may be made good by others. */
+/* Is the row long, and no other in the same place? Otherwise other rows may make up for a wrong one. */
 static bool alone(const union_row *row, size_t count, size_t i)
 {
     roberts_vec3 p = row[i].p, d = {row[i].q.x - p.x, row[i].q.y - p.y, row[i].q.z - p.z};
@@ -223,7 +206,7 @@ static bool alone(const union_row *row, size_t count, size_t i)
     return true;
 }
 
-/* Is a row that of a line where faces cross, of which nothing need be in the table? */
+/* Is the row one of a line where faces cross, which need not be in the table? */
 static bool is_optional(const union_truth *truth, const union_row *row)
 {
     for (size_t i = 0; i < truth->line_count; i++) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "judge.h"
+#include "lines.h"
 
 enum { REPORTS = 3 /* most failures reported for a scene */ };
 
@@ -28,33 +29,14 @@ typedef struct work {
     FILE *out;
 } work;
 
-static roberts_vec3 between(roberts_vec3 p, roberts_vec3 q, double t)
-{
-    return (roberts_vec3){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), p.z + t * (q.z - p.z)};
-}
-
-static double distance(roberts_vec3 p, roberts_vec3 q)
-{
-    return hypot(hypot(p.x - q.x, p.y - q.y), p.z - q.z);
-}
-
-/* The parameter of X along pq, and how far it lies from that line. */
-static double along(roberts_vec3 p, roberts_vec3 q, roberts_vec3 X, double *off)
-{
-    double dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z;
-    double t = ((X.x - p.x) * dx + (X.y - p.y) * dy + (X.z - p.z) * dz) / (dx * dx + dy * dy + dz * dz);
-    *off = distance(between(p, q, t), X);
-    return t;
-}
-
 /* Does `other` lie on the line and overlap it? *t0 and *t1: the parameters of its ends along the line, which may lie
  * beyond 0 and 1. */
 static bool coincide(const work *w, const roberts_vec3 line[2], const roberts_vec3 other[2], double *t0, double *t1)
 {
     double off0, off1;
-    double length = distance(line[0], line[1]), reach = distance(other[0], other[1]);
-    *t0 = along(line[0], line[1], other[0], &off0);
-    *t1 = along(line[0], line[1], other[1], &off1);
+    double length = line_length(line[0], line[1]), reach = line_length(other[0], other[1]);
+    *t0 = line_beside(line[0], line[1], other[0], &off0);
+    *t1 = line_beside(line[0], line[1], other[1], &off1);
     if (fmax(off0, off1) > w->near * fmax(1, reach / length))
         return false;
     return fmax(*t0, *t1) > 0 && fmin(*t0, *t1) < 1;
@@ -66,24 +48,6 @@ static void add(list *l, double t0, double t1)
     t1 = fmin(t1, 1);
     if (t0 < t1)
         l->interval[l->count++] = (oracle_interval){t0, t1};
-}
-
-static int by_start(const void *a, const void *b)
-{
-    const oracle_interval *p = a, *q = b;
-    return (p->t0 > q->t0) - (p->t0 < q->t0);
-}
-
-static void join(list *l, double gap)
-{
-    size_t count = 0;
-    qsort(l->interval, l->count, sizeof *l->interval, by_start);
-    for (size_t i = 0; i < l->count; i++)
-        if (count && l->interval[i].t0 <= l->interval[count - 1].t1 + gap)
-            l->interval[count - 1].t1 = fmax(l->interval[count - 1].t1, l->interval[i].t1);
-        else
-            l->interval[count++] = l->interval[i];
-    l->count = count;
 }
 
 /* Adds the parts of line l that are drawn, or visible. Each t becomes from + t * (to - from). */
@@ -117,7 +81,7 @@ static void tell(work *w, const roberts_vec3 end[2], const char *what, double ho
 
 static double limit_of(const work *w, const roberts_vec3 end[2])
 {
-    return MESH_JUDGE_LIMIT + w->near / distance(end[0], end[1]);
+    return MESH_JUDGE_LIMIT + w->near / line_length(end[0], end[1]);
 }
 
 /* All that the oracle draws, or sees, must be in the table. */
@@ -132,8 +96,8 @@ static void judge_line(work *w, const union_line *l, bool visible)
         if ((!visible || w->row[i].visible) && coincide(w, end, other, &t0, &t1))
             add(&w->b, fmin(t0, t1), fmax(t0, t1));
     }
-    join(&w->a, 0);
-    join(&w->b, 0.5 * limit_of(w, end));
+    w->a.count = line_join(w->a.interval, w->a.count, 0);
+    w->b.count = line_join(w->b.interval, w->b.count, 0.5 * limit_of(w, end));
     double missing = judge_outside(w->a.interval, w->a.count, w->b.interval, w->b.count);
     if (missing > limit_of(w, end))
         tell(w, end, visible ? "less of it is visible than should be" : "less of it is drawn than should be", missing);
@@ -171,7 +135,7 @@ static void judge_row(work *w, const union_row *row)
                 wrong = fmax(wrong, shared);
         }
     }
-    join(&w->b, 0.5 * limit);
+    w->b.count = line_join(w->b.interval, w->b.count, 0.5 * limit);
     double extra = judge_outside(w->a.interval, 1, w->b.interval, w->b.count);
     if (extra > limit)
         tell(w, end, row->visible ? "a row is visible where nothing is" : "a row is drawn where nothing is", extra);
@@ -189,13 +153,9 @@ static size_t judge(const union_case *c, const union_row *row, size_t count, boo
               .count = count,
               .a.interval = malloc(most * sizeof *w.a.interval),
               .b.interval = malloc(most * sizeof *w.b.interval),
+              .near = SAME_PLACE * mesh_size(&c->scene->mesh),
               .total = total,
               .out = out};
-    for (size_t i = 0; i < c->scene->mesh.vertex_count; i++) {
-        roberts_vec3 p = c->scene->mesh.vertex[i];
-        w.near = fmax(w.near, fmax(fabs(p.x), fmax(fabs(p.y), fabs(p.z))));
-    }
-    w.near *= SAME_PLACE;
     for (size_t i = 0; w.a.interval && w.b.interval && i < truth->line_count; i++) {
         total->lines++;
         total->lines_cut += truth->line[i].parts > 0;
@@ -227,7 +187,7 @@ static size_t judge_drawing(const union_case *c, const roberts_drawing *drawing,
         bool crossing = s->line == ROBERTS_INTERSECTION || s->v0 == ROBERTS_NONE;
         roberts_vec3 p = crossing ? drawing->crossing[s->edge].end[0] : vertex[s->v0];
         roberts_vec3 q = crossing ? drawing->crossing[s->edge].end[1] : vertex[s->v1];
-        row[i] = (union_row){between(p, q, s->t0), between(p, q, s->t1), s->state == ROBERTS_VISIBLE, s->line};
+        row[i] = (union_row){line_point(p, q, s->t0), line_point(p, q, s->t1), s->state == ROBERTS_VISIBLE, s->line};
     }
     size_t failed = row ? judge(c, row, drawing->count, lines_only, total, out) : 1;
     free(row);
@@ -259,10 +219,10 @@ union_row *union_rows_of_truth(const union_truth *truth, size_t *count)
                 double from = last ? part->t1 : fmin(truth->interval[h].t0, part->t1);
                 double to = last ? part->t1 : fmin(truth->interval[h].t1, part->t1);
                 if (t < from)
-                    row[(*count)++] = (union_row){between(l->a, l->b, t), between(l->a, l->b, from), true, line};
+                    row[(*count)++] = (union_row){line_point(l->a, l->b, t), line_point(l->a, l->b, from), true, line};
                 t = fmax(t, from);
                 if (t < to)
-                    row[(*count)++] = (union_row){between(l->a, l->b, t), between(l->a, l->b, to), false, line};
+                    row[(*count)++] = (union_row){line_point(l->a, l->b, t), line_point(l->a, l->b, to), false, line};
                 t = fmax(t, to);
             }
         }

@@ -1,9 +1,9 @@
 /* compare.c - compares any number of pages with the tables that they were drawn from; see --help. */
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 
+#include "../oracle/arguments.h"
 #include "../oracle/judge.h"
 #include "trials.h"
 
@@ -30,52 +30,22 @@ static void list(void)
         printf("style %s\n", trial_style_at(i)->name);
 }
 
-static bool parse(int argc, char **argv, arguments *a)
-{
-    *a = (arguments){.folder = "build", .count = 100, .seed = 1};
-    for (int i = 1; i < argc; i += 2) {
-        const char *option = argv[i], *value = i + 1 < argc ? argv[i + 1] : NULL;
-        if (strcmp(option, "--list") == 0) {
-            list();
-            exit(0);
-        }
-        if (!value)
-            return false;
-        if (strcmp(option, "--family") == 0)
-            a->family = value;
-        else if (strcmp(option, "--style") == 0)
-            a->style = value;
-        else if (strcmp(option, "--folder") == 0)
-            a->folder = value;
-        else if (strcmp(option, "--count") == 0)
-            a->count = strtoull(value, NULL, 10);
-        else if (strcmp(option, "--seed") == 0)
-            a->seed = strtoull(value, NULL, 10);
-        else
-            return false;
-    }
-    return true;
-}
-
 static void keep(const trial_scene *scene, const char *folder)
 {
-    char path[700];
-    snprintf(path, sizeof path, "%s/failures", folder);
-    (void)mkdir(path, 0777);
-    snprintf(path, sizeof path, "%s/failures/%s.off", folder, scene->name);
-    if (judge_write_off(path, &scene->mesh, scene->name))
+    char path[JUDGE_PATH];
+    if (judge_write_failure(folder, scene->name, &scene->mesh, scene->name, path))
         printf("  scene: %s\n", path);
 }
 
 int main(int argc, char **argv)
 {
-    arguments a;
+    arguments a = {.folder = "build", .count = 100, .seed = 1};
+    const argument table[] = {{"--family", ARGUMENT_WORD, &a.family}, {"--style", ARGUMENT_WORD, &a.style},
+                              {"--folder", ARGUMENT_WORD, &a.folder}, {"--count", ARGUMENT_COUNT, &a.count},
+                              {"--seed", ARGUMENT_COUNT, &a.seed},    {0}};
     uint64_t drawn = 0, wrong = 0, refused = 0, tried = 0;
     clock_t start = clock();
-    if (!parse(argc, argv, &a)) {
-        fputs(help, stderr);
-        return 2;
-    }
+    arguments_parse(argc, argv, table, help, list);
     for (uint64_t seed = a.seed; drawn < a.count; seed++) {
         uint64_t before = tried;
         for (size_t i = 0; i < trial_family_count() && drawn < a.count; i++) {

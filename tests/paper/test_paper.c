@@ -3,16 +3,12 @@
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
 #include "paper/trials.h"
+#include "testing.h"
 
 /* ---- faults that there were ------------------------------------------------------------------------------------ */
 

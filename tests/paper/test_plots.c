@@ -2,19 +2,14 @@
  * That all strokes are those of the SVG is checked for many drawings by test_paper. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
 #include "paper/plots.h"
-#include "skip.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { SEGMENTS = ROBERTS_INTERSECTION + 1 };
 
@@ -51,19 +46,15 @@ static roberts_draw_options colourful(void)
 
 static char *written(const roberts_drawing *drawing, roberts_draw_options options, roberts_format format)
 {
-    sink to = {0};
     options.format = format;
-    assert_int_equal(roberts_drawing_write(drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
-    return to.bytes;
+    return drawing_written(drawing, &options).bytes;
 }
 
-static char *sheet_written(const roberts_drawing *drawing, roberts_draw_options options, roberts_format format)
+static char *sheet_text(const roberts_drawing *drawing, roberts_draw_options options, roberts_format format)
 {
     const roberts_sheet sheet = {.view = {drawing, drawing, drawing, drawing}};
-    sink to = {0};
     options.format = format;
-    assert_int_equal(roberts_sheet_write(&sheet, &options, sink_write, &to, NULL), ROBERTS_OK);
-    return to.bytes;
+    return sheet_written(&sheet, &options).bytes;
 }
 
 static void expect_same(char *svg, char *text, roberts_format format, double height_mm)
@@ -88,12 +79,11 @@ static void every_class_has_its_pen(void **state)
         for (int real = 0; real < 2; real++) {
             options.real_dashes = real;
             char *svg = written(all_classes(), options, ROBERTS_SVG);
-            char *sheet = k ? NULL : sheet_written(all_classes(), options, ROBERTS_SVG);
+            char *sheet = k ? NULL : sheet_text(all_classes(), options, ROBERTS_SVG);
             for (int i = 0; i < FORMATS; i++) {
                 expect_same(svg, written(all_classes(), options, formats[i]), formats[i], page[k].height_mm);
                 if (sheet)
-                    expect_same(sheet, sheet_written(all_classes(), options, formats[i]), formats[i],
-                                page[k].height_mm);
+                    expect_same(sheet, sheet_text(all_classes(), options, formats[i]), formats[i], page[k].height_mm);
             }
             free(svg);
             free(sheet);
@@ -167,7 +157,7 @@ static void tikz_knows_the_vertices_seen(void **state)
         char *text = written(&drawing, options, ROBERTS_TIKZ);
         assert_non_null(strstr(text, wanted));
         free(text);
-        text = sheet_written(&drawing, options, ROBERTS_TIKZ);
+        text = sheet_text(&drawing, options, ROBERTS_TIKZ);
         assert_null(strstr(text, "\\coordinate"));
         free(text);
     }
@@ -331,14 +321,14 @@ static void texts_of_dxf(void **state)
 {
     (void)state;
     roberts_draw_options options = with_text();
-    char *text = sheet_written(all_classes(), options, ROBERTS_DXF);
+    char *text = sheet_text(all_classes(), options, ROBERTS_DXF);
     assert_non_null(strstr(text, "LAYER\n2\nTEXT\n"));
     assert_non_null(strstr(text, "\n1\n\\U+00E9\\U+D834\\U+DD1E 5%%%%%% \\ ?\n72\n1\n")); /* centred */
     assert_non_null(strstr(text, "\n40\n5\n1\nTitle\n0\n"));   /* 5 mm high, from its start */
     assert_non_null(strstr(text, "\n1\n10\n50\n90\n72\n1\n")); /* the height reads up */
     free(text);
     options.text.off = true;
-    text = sheet_written(all_classes(), options, ROBERTS_DXF);
+    text = sheet_text(all_classes(), options, ROBERTS_DXF);
     assert_null(strstr(text, "TEXT"));
     free(text);
 }

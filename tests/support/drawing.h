@@ -2,11 +2,12 @@
 #ifndef ROBERTS_TESTS_DRAWING_H
 #define ROBERTS_TESTS_DRAWING_H
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "roberts.h"
+#include "build_scene.h"
 
 /* Returns a visible segment from (x0, y0) to (x1, y1). */
 static inline roberts_segment line_at(roberts_line line, double x0, double y0, double x1, double y1)
@@ -23,20 +24,15 @@ static inline roberts_segment line_at(roberts_line line, double x0, double y0, d
 /* Draws models/MODEL.off, seen as the preset `view` or, if that is NULL, in perspective; hidden parts included. */
 static inline roberts_drawing model_drawing(const char *model, const char *view)
 {
-    char path[100];
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {150, -120, 90}};
+    const roberts_camera eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {150, -120, 90}};
+    roberts_camera camera = view ? preset_camera(view) : eye;
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
+    char path[100];
     options.keep_hidden = true;
     snprintf(path, sizeof path, "models/%s.off", model);
-    assert_true(!view || roberts_camera_preset(view, &camera));
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_scene *scene = scene_of_file(path);
+    roberts_drawing drawing = drawing_of(scene, &camera, &options);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
     return drawing;
 }
 
@@ -61,6 +57,25 @@ static inline bool sink_write(void *context, const void *bytes, size_t size)
     to->size += size;
     grown[to->size] = '\0';
     return true;
+}
+
+/* The caller frees the bytes. */
+static inline sink drawing_written(const roberts_drawing *drawing, const roberts_draw_options *options)
+{
+    sink to = {0};
+    roberts_error error = {0};
+    if (roberts_drawing_write(drawing, options, sink_write, &to, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    return to;
+}
+
+static inline sink sheet_written(const roberts_sheet *sheet, const roberts_draw_options *options)
+{
+    sink to = {0};
+    roberts_error error = {0};
+    if (roberts_sheet_write(sheet, options, sink_write, &to, &error) != ROBERTS_OK)
+        fail_msg("%s", error.message);
+    return to;
 }
 
 #endif

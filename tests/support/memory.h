@@ -2,14 +2,15 @@
  * such that malloc(), calloc(), realloc(), posix_memalign() and free() of our own code come here. Include it in one
  * file only.
  *
- * memory_fail(n), call, failed = memory_failed(), memory_fail(0): for n = 1, 2, ... until nothing failed. Where
- * something did, expect ROBERTS_NO_MEMORY and no block left over (memory_blocks). */
+ * memory_fail(n), call, memory_try_failed(): for n = 1, 2, ... until nothing failed. */
 #ifndef ROBERTS_TESTS_MEMORY_H
 #define ROBERTS_TESTS_MEMORY_H
 
 #include <errno.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include "roberts.h"
+#include "testing.h"
 
 /* The linker's names.
  * NOLINTBEGIN(bugprone-reserved-identifier) */
@@ -81,6 +82,18 @@ static void memory_fail(size_t failing)
 static bool memory_failed(void)
 {
     return memory_failing && memory_calls >= memory_failing;
+}
+
+/* Ends a try. If an allocation failed, the status must be ROBERTS_NO_MEMORY, else ROBERTS_OK. There must be as many
+ * blocks as before. Returns whether one failed. */
+static inline bool memory_try_failed(roberts_status status, const roberts_error *error, size_t before)
+{
+    bool failed = memory_failed();
+    memory_fail(0);
+    assert_int_equal(memory_blocks, before);
+    assert_int_equal(status, failed ? ROBERTS_NO_MEMORY : ROBERTS_OK);
+    assert_string_equal(error->message, failed ? "not enough memory" : "");
+    return failed;
 }
 
 #endif

@@ -33,6 +33,17 @@ static inline roberts_vec3 normal(const roberts_mesh *m, size_t f)
     return vec3_scale(1 / vec3_length(n), n);
 }
 
+/* Returns the corners of the faces around vertex v as one number, whatever their order. */
+static inline size_t surroundings(const roberts_mesh *m, uint32_t v)
+{
+    size_t code = 1;
+    for (size_t f = 0; f < m->face_count; f++)
+        for (size_t i = 0; i < corner_count(m, f); i++)
+            if (corner(m, f, i) == v)
+                code *= corner_count(m, f) * corner_count(m, f) + 1;
+    return code;
+}
+
 static inline double distance(roberts_vec3 a, roberts_vec3 b)
 {
     return vec3_length(vec3_sub(a, b));

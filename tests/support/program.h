@@ -1,5 +1,5 @@
 /* program.h - runs the program from outside, each test in a folder of its own: exit status, messages, files. Include it
- * in one file only, after the headers of cmocka.
+ * in one file only.
  *
  *     Use IN_FOLDER(test) in the list of tests, and call program_find() first; then run("--view top models/table.off"),
  *     and look at `last`. */
@@ -16,7 +16,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "folders.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
 
@@ -138,16 +140,19 @@ static inline int leave_folder(void **state)
     return chdir(top) == 0 ? temporary_remove(state) : -1;
 }
 
-/* Finds the program: $ROBERTS_BUILD/roberts, relative to the top folder. */
-static inline bool program_find(void)
+/* Finds a program by its name in the folder of the build, which is relative to the top folder. */
+static inline bool program_find_as(const char *name)
 {
-    const char *build = getenv("ROBERTS_BUILD");
-    if (!build)
-        build = "build";
+    const char *build = build_folder();
     if (!getcwd(top, sizeof top))
         return false;
-    snprintf(program, sizeof program, "%s%s%s/roberts", build[0] == '/' ? "" : top, build[0] == '/' ? "" : "/", build);
+    snprintf(program, sizeof program, "%s%s%s/%s", build[0] == '/' ? "" : top, build[0] == '/' ? "" : "/", build, name);
     return true;
+}
+
+static inline bool program_find(void)
+{
+    return program_find_as("roberts");
 }
 
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, enter_folder, leave_folder)

@@ -4,10 +4,13 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "folders.h"
 #include "roberts.h"
 #include "same_complaint.h"
 #include "same_mesh.h"
+#include "testing.h"
 
 /* A mesh as text: "0,0,0 1,0,0 0,1,0 | 0-1-2 | name@0". A colour follows what it colours, in the same word: "(1,0,0)",
  * in thirds. A last part "float32" means that coordinates are 32-bit floats. */
@@ -158,6 +161,42 @@ static inline void read_bad_rows(const read_bad *row, size_t count)
         roberts_mesh_free(&mesh);
     }
 }
+
+/* ---- published files -------------------------------------------------------------------------------------------- */
+
+/* A file below models/other/ of the shared folder, and what is read of it. */
+typedef struct published_file {
+    const char *name;
+    roberts_status status;
+    size_t vertices, faces, groups;
+    bool float32, vertex_color;
+} published_file;
+
+/* The test is skipped if none of the files is there. */
+static inline void read_published_files(const published_file *file, size_t count)
+{
+    size_t read = 0;
+    for (size_t i = 0; i < count; i++) {
+        char path[1024];
+        roberts_mesh mesh = {0};
+        snprintf(path, sizeof path, "%s/models/other/%s", shared_folder(), file[i].name);
+        if (access(path, R_OK) != 0)
+            continue;
+        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), file[i].status);
+        if (mesh.vertex_count != file[i].vertices || mesh.face_count != file[i].faces ||
+            mesh.group_count != file[i].groups)
+            fail_msg("%s: %zu vertices, %zu faces, %zu groups", file[i].name, mesh.vertex_count, mesh.face_count,
+                     mesh.group_count);
+        assert_int_equal(mesh.source_count && mesh.source[0].float32, file[i].float32);
+        assert_int_equal(mesh.vertex_color != NULL, file[i].vertex_color);
+        roberts_mesh_free(&mesh);
+        read++;
+    }
+    if (read == 0)
+        SKIP_BECAUSE("no published files");
+}
+
+/* ---- binary files ------------------------------------------------------------------------------------------------ */
 
 /* The bytes of a binary file, as they are built. */
 typedef struct bytes_built {

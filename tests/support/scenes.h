@@ -8,17 +8,12 @@
 #define ROBERTS_TESTS_SCENES_H
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "base/vec.h"
+#include "build_scene.h"
 #include "rng.h"
+#include "testing.h"
 
 /* ---- linear maps ----------------------------------------------------------------------------------------------- */
 
@@ -70,11 +65,10 @@ static inline mat3 mat3_turn(rng *r)
 
 enum { SHAPE_CUBE, SHAPE_TETRAHEDRON, SHAPE_OCTAHEDRON, SHAPE_WEDGE, SHAPE_PYRAMID, SHAPE_HEXAGON, SHAPE_CUT, SHAPES };
 
-/* Corner lists: the count, then the corners, face after face; 0 ends the list. */
 typedef struct shape {
-    int vertices;
+    size_t vertices;
     double vertex[12][3];
-    unsigned char faces[64];
+    unsigned char faces[64]; /* as of mesh_solid() */
 } shape;
 
 /* All within [-2, 2]. The cube's vertex number has bit 0 for x, bit 1 for y, bit 2 for z; SHAPE_CUT is the cube with
@@ -139,27 +133,23 @@ static inline void model_close_solid(model *m)
 
 static inline void model_vertex(model *m, roberts_vec3 p)
 {
-    assert_int_equal(roberts_mesh_add_vertex(&m->mesh, p, NULL, NULL), ROBERTS_OK);
+    mesh_vertex(&m->mesh, p);
 }
 
 static inline void model_face(model *m, const uint32_t *corner, size_t count)
 {
-    assert_int_equal(roberts_mesh_add_face(&m->mesh, corner, count, NULL), ROBERTS_OK);
+    mesh_face(&m->mesh, corner, count);
 }
 
 /* Adds map * shape + offset. */
 static inline void model_add(model *m, const shape *s, mat3 map, roberts_vec3 offset)
 {
-    uint32_t first = (uint32_t)m->mesh.vertex_count, corner[12];
-    for (int i = 0; i < s->vertices; i++) {
+    roberts_vec3 point[12];
+    for (size_t i = 0; i < s->vertices; i++) {
         roberts_vec3 p = {s->vertex[i][0], s->vertex[i][1], s->vertex[i][2]};
-        model_vertex(m, vec3_add(offset, mat3_map(map, p)));
+        point[i] = vec3_add(offset, mat3_map(map, p));
     }
-    for (const unsigned char *f = s->faces; *f; f += 1 + *f) {
-        for (int k = 0; k < *f; k++)
-            corner[k] = first + f[1 + k];
-        model_face(m, corner, *f);
-    }
+    mesh_solid(&m->mesh, point, s->vertices, s->faces);
     model_close_solid(m);
 }
 
@@ -170,6 +160,12 @@ static inline void model_box(model *m, roberts_vec3 low, roberts_vec3 high)
     roberts_vec3 size = vec3_sub(high, low);
     model_add(m, &shapes[SHAPE_CUBE], mat3_scale(size.x / 2, size.y / 2, size.z / 2),
               vec3_scale(0.5, vec3_add(low, high)));
+}
+
+static inline void model_tetrahedron(model *m, const roberts_vec3 point[4])
+{
+    mesh_tetrahedron(&m->mesh, point);
+    model_close_solid(m);
 }
 
 /* Maps every vertex p to map * p + offset. */
@@ -331,10 +327,7 @@ static inline void model_wall(model *m, int columns, int rows)
 
 static inline roberts_scene *model_build(const model *m)
 {
-    roberts_scene *scene = NULL;
-    roberts_error error = {0};
-    if (roberts_scene_build(&m->mesh, NULL, &scene, &error) != ROBERTS_OK)
-        fail_msg("scene refused: %s", error.message);
+    roberts_scene *scene = scene_of_mesh(&m->mesh, NULL);
     assert_int_equal(roberts_scene_solid_count(scene), m->solids);
     return scene;
 }
@@ -351,10 +344,7 @@ static inline roberts_drawing model_draw(const model *m, const roberts_camera *c
                                          const roberts_hide_options *options)
 {
     roberts_scene *scene = model_build(m);
-    roberts_drawing drawing = {0};
-    roberts_error error = {0};
-    if (roberts_hide(scene, camera, options, &drawing, &error) != ROBERTS_OK)
-        fail_msg("drawing refused: %s", error.message);
+    roberts_drawing drawing = drawing_of(scene, camera, options);
     roberts_scene_free(scene);
     drop_intersections(&drawing);
     return drawing;

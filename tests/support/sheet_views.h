@@ -1,4 +1,4 @@
-/* sheet_views.h - all views of a model as a sheet, and sizes of pages. Include it after the headers of cmocka. */
+/* sheet_views.h - all views of a model as a sheet, and sizes of pages. */
 #ifndef ROBERTS_TESTS_SHEET_VIEWS_H
 #define ROBERTS_TESTS_SHEET_VIEWS_H
 
@@ -15,21 +15,25 @@ typedef struct views {
     roberts_sheet sheet;
 } views;
 
-/* Draws models/MODEL.off. free_views() releases what it fills. */
-static inline void hide_views(views *v, const char *model, roberts_sheet_angle angle)
+/* Draws all views of a scene. free_views() releases what this fills, and the scene. */
+static inline void hide_scene_views(views *v, roberts_scene *scene, roberts_sheet_angle angle,
+                                    const roberts_hide_options *options)
 {
-    roberts_mesh mesh = {0};
-    char path[100];
-    snprintf(path, sizeof path, "models/%s.off", model);
-    *v = (views){.sheet = {.angle = angle}};
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    v->scene = build_scene(&mesh);
+    *v = (views){.scene = scene, .sheet = {.angle = angle}};
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
         roberts_camera camera;
         assert_true(roberts_sheet_camera(angle, i, &camera));
-        assert_int_equal(roberts_hide(v->scene, &camera, NULL, &v->drawing[i], NULL), ROBERTS_OK);
+        v->drawing[i] = drawing_of(scene, &camera, options);
         v->sheet.view[i] = &v->drawing[i];
     }
+}
+
+/* Draws all views of models/MODEL.off. */
+static inline void hide_views(views *v, const char *model, roberts_sheet_angle angle)
+{
+    char path[100];
+    snprintf(path, sizeof path, "models/%s.off", model);
+    hide_scene_views(v, scene_of_file(path), angle, NULL);
 }
 
 static inline void free_views(views *v)

@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "testing.h"
+
 enum { TEMPORARY_ROOM = 256 /* bytes of its name */ };
 
 static char temporary[TEMPORARY_ROOM]; /* absolute path; empty: there is none */

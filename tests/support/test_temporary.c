@@ -1,15 +1,9 @@
 /* test_temporary.c - the folders of temporary.h are removed however a test program ends. The program starts itself with
  * a kind of end as its argument, and checks the place of its folder. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include <sys/stat.h>
 
 #include "temporary.h"
+#include "testing.h"
 
 static const char *self;
 

@@ -1,4 +1,4 @@
-/* whole_file.h - reads a whole file. Include it after the headers of cmocka. */
+/* whole_file.h - reads a whole file. */
 #ifndef ROBERTS_TESTS_WHOLE_FILE_H
 #define ROBERTS_TESTS_WHOLE_FILE_H
 
@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "testing.h"
 
 /* Returns the bytes, followed by a 0; the caller frees them. */
 static inline char *whole_file(const char *path, size_t *size)

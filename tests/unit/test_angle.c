@@ -1,13 +1,8 @@
 /* Directions at angles are the nearest doubles, the same on every machine. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 
 #include "base/angle.h"
+#include "testing.h"
 
 /* Computed with 60 digits and rounded once. */
 static const struct {

@@ -1,17 +1,13 @@
 /* test_bodies.c - bodies that are not convex: their kinds, the classes of their lines, and what hides them. The mesh
  * oracle compares whole pictures with exact numbers. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "build_scene.h"
 #include "roberts.h"
+#include "testing.h"
 
 typedef struct body_case {
     const char *name, *text; /* OFF */
@@ -120,24 +116,18 @@ static void measure(const roberts_drawing *drawing, double length[ROBERTS_BACK_O
 
 static roberts_scene *scene_of(const char *text, const roberts_scene_options *options)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_error error = {0};
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "case", text, strlen(text), NULL, &error), ROBERTS_OK);
-    if (roberts_scene_build(&mesh, options, &scene, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
+    roberts_mesh mesh = mesh_of_text(text);
+    roberts_scene *scene = scene_of_mesh(&mesh, options);
     roberts_mesh_free(&mesh);
     return scene;
 }
 
-static roberts_drawing drawing_of(const roberts_scene *scene, roberts_vec3 dir, bool all_edges)
+static roberts_drawing drawing_along(const roberts_scene *scene, roberts_vec3 dir, bool all_edges)
 {
     roberts_camera camera = {.dir = dir};
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
     options.all_edges = all_edges;
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
-    return drawing;
+    return drawing_of(scene, &camera, &options);
 }
 
 static void lines_have_their_classes(void **state)
@@ -147,7 +137,7 @@ static void lines_have_their_classes(void **state)
         const body_case *c = &cases[i];
         const double wanted[ROBERTS_BACK_OUTLINE + 1] = {c->outline, c->crease, 0.0, c->border, c->wire};
         roberts_scene *scene = scene_of(c->text, &(roberts_scene_options){.even_odd = c->even_odd});
-        roberts_drawing drawing = drawing_of(scene, c->dir, c->all_edges);
+        roberts_drawing drawing = drawing_along(scene, c->dir, c->all_edges);
         double length[ROBERTS_BACK_OUTLINE + 1];
         print_message("%s\n", c->name);
         assert_int_equal(roberts_scene_solid_count(scene), strlen(c->kinds));
@@ -187,7 +177,7 @@ static void winding_decides_nothing(void **state)
         roberts_scene *scene = scene_of(block(k), NULL);
         assert_int_equal(roberts_scene_solid_count(scene), 1);
         assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
-        drawing[k] = drawing_of(scene, (roberts_vec3){1, -1, 1}, false);
+        drawing[k] = drawing_along(scene, (roberts_vec3){1, -1, 1}, false);
         roberts_scene_free(scene);
     }
     assert_int_equal(drawing[0].count, 12);
@@ -210,7 +200,7 @@ static void the_fill_rule_decides(void **state)
         roberts_scene *scene = scene_of("OFF\n7 2 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n0 0.1 -1\n0 0.3 -1\n"
                                         "5 0 1 2 3 4\n2 5 6\n",
                                         &(roberts_scene_options){.even_odd = odd});
-        roberts_drawing drawing = drawing_of(scene, (roberts_vec3){0, 0, 1}, false);
+        roberts_drawing drawing = drawing_along(scene, (roberts_vec3){0, 0, 1}, false);
         double length[ROBERTS_BACK_OUTLINE + 1];
         measure(&drawing, length);
         assert_true(fabs(length[ROBERTS_WIRE] - (odd ? 0.2 : 0.0)) < 1e-12);
@@ -224,10 +214,8 @@ static void solids_are_asked_for(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_mesh mesh = {0};
+        roberts_mesh mesh = mesh_of_text(cases[i].text);
         roberts_scene *scene = NULL;
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "case", cases[i].text, strlen(cases[i].text), NULL, NULL),
-                         ROBERTS_OK);
         assert_int_not_equal(roberts_scene_build(&mesh, &(roberts_scene_options){.solids = true}, &scene, NULL),
                              ROBERTS_OK);
         assert_null(scene);
@@ -247,14 +235,11 @@ static void note_warning(void *context, const char *file, size_t line, const cha
 static void require_warning(const roberts_vec3 *point, const uint32_t *corner, size_t count, const char *wanted)
 {
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     char said[200] = "";
     for (size_t i = 0; i < count; i++)
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, point[i], NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_mesh_add_face(&mesh, corner, count, NULL), ROBERTS_OK);
-    assert_int_equal(
-        roberts_scene_build(&mesh, &(roberts_scene_options){.warnings = {note_warning, said}}, &scene, NULL),
-        ROBERTS_OK);
+        mesh_vertex(&mesh, point[i]);
+    mesh_face(&mesh, corner, count);
+    roberts_scene *scene = scene_of_mesh(&mesh, &(roberts_scene_options){.warnings = {note_warning, said}});
     assert_string_equal(said, wanted);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);

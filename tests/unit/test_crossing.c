@@ -111,12 +111,9 @@ enum { WAYS = 48 };
 /* Reads a scene of loose faces, turned, with the corners of each face rotated or reversed. */
 static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool back)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_error error;
     char text[1024] = "OFF\n";
     strcat(text, off);
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "case", text, strlen(text), NULL, &error), ROBERTS_OK);
+    roberts_mesh mesh = mesh_of_text(text);
     for (size_t v = 0; v < mesh.vertex_count; v++)
         mesh.vertex[v] = turned(mesh.vertex[v], way);
     for (size_t f = 0; f < mesh.face_count; f++) {
@@ -125,10 +122,7 @@ static roberts_scene *scene_of(const char *off, int way, uint32_t begin, bool ba
         for (uint32_t k = 0; k < n; k++)
             corner[k] = was[back ? (2 * n - k - begin % n) % n : (k + begin) % n];
     }
-    if (roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 /* The face of the scene that is a face of the file. */
@@ -298,12 +292,9 @@ static void triangles_cross_as_whole_numbers_say(void **state)
         }
         roberts_mesh mesh = {0};
         for (int i = 0; i < 6; i++)
-            assert_int_equal(
-                roberts_mesh_add_vertex(&mesh, (roberts_vec3){(double)t[i].x[0], (double)t[i].x[1], (double)t[i].x[2]},
-                                        NULL, NULL),
-                ROBERTS_OK);
-        assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
-        assert_int_equal(roberts_mesh_add_face(&mesh, corner + 3, 3, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, (roberts_vec3){(double)t[i].x[0], (double)t[i].x[1], (double)t[i].x[2]});
+        mesh_face(&mesh, corner, 3);
+        mesh_face(&mesh, corner + 3, 3);
         roberts_scene *scene = NULL;
         fraction3 end[2];
         bool cross = whole_crossing(t, t + 3, end);
@@ -350,16 +341,15 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
             moved[order[i]] = mat3_map(turn, p[i]);
         }
         for (int i = 0; i < 7; i++)
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, moved[i], NULL, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, moved[i]);
         for (int f = 0; f < 3; f++) {
             uint32_t corner[3];
             int start = rng_int(&r, 0, 2);
             for (int k = 0; k < 3; k++)
                 corner[k] = order[face[f][(start + k) % 3]];
-            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+            mesh_face(&mesh, corner, 3);
         }
-        roberts_scene *scene = NULL;
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = build_scene(&mesh);
         crossing_rules rules = {scene, 1e-10};
         crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1), h = face_of(&rules, 2);
         crossing_list found = {0};
@@ -372,7 +362,6 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
         assert_int_equal(same, 1);
         crossing_list_free(&found);
         roberts_scene_free(scene);
-        roberts_mesh_free(&mesh);
     }
 }
 
@@ -383,37 +372,30 @@ static roberts_scene *crossing_scene(int kind)
 {
     rng r = {(uint64_t)kind + 1};
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     if (kind == 2) {
         model m = {0};
         model_lattice(&m, 4, 1.2, 3);
-        scene = model_build(&m);
+        roberts_scene *scene = model_build(&m);
         model_free(&m);
         return scene;
     }
     for (uint32_t i = 0; i < 41 * 41 && kind == 1; i++) { /* a roll that goes through itself */
         double u = 0.25 * (i / 41), v = 0.1 * (i % 41);
         roberts_vec3 p = {(2 + cos(u) + 0.3 * u) * cos(u), v + 0.2 * sin(3 * u), (2 + 0.2 * cos(v)) * sin(2 * u)};
-        roberts_mesh_add_vertex(&mesh, p, NULL, NULL);
+        mesh_vertex(&mesh, p);
     }
     for (uint32_t i = 0; i < 40 * 40 && kind == 1; i++) {
         uint32_t a = i / 40 * 41 + i % 40, corner[2][3] = {{a, a + 41, a + 42}, {a, a + 42, a + 1}};
         for (int k = 0; k < 2; k++)
-            assert_int_equal(roberts_mesh_add_face(&mesh, corner[k], 3, NULL), ROBERTS_OK);
+            mesh_face(&mesh, corner[k], 3);
     }
     for (uint32_t i = 0; i < 300 && kind == 0; i++) {
-        uint32_t corner[3] = {3 * i, 3 * i + 1, 3 * i + 2};
-        roberts_vec3 at = {rng_between(&r, -2, 2), rng_between(&r, -2, 2), rng_between(&r, -2, 2)};
+        roberts_vec3 at = rng_vec3(&r, 2);
         for (int k = 0; k < 3; k++)
-            roberts_mesh_add_vertex(
-                &mesh,
-                vec3_add(at, (roberts_vec3){rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)}),
-                NULL, NULL);
-        assert_int_equal(roberts_mesh_add_face(&mesh, corner, 3, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, vec3_add(at, rng_vec3(&r, 1)));
+        mesh_face(&mesh, (uint32_t[]){3 * i, 3 * i + 1, 3 * i + 2}, 3);
     }
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 /* How many pairs of triangles cross, testing each pair. */
@@ -447,11 +429,10 @@ static void lines_do_not_depend_on_grid_and_threads(void **state)
         roberts_drawing first = {0};
         for (int i = 0; i < 4; i++) {
             roberts_hide_options options = roberts_hide_options_default();
-            roberts_drawing drawing;
             options.grid = grids[i];
             options.threads = threads[i];
-            options.keep_hidden = true; /* else lines wholly behind a cell's layers need not be found */
-            assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+            options.keep_hidden = true; /* otherwise lines wholly behind a cell's layers need not be found */
+            roberts_drawing drawing = drawing_of(scene, &camera, &options);
             if (drawing.crossing_count <= 20)
                 fail_msg("kind %d, grid %u: %zu lines", kind, grids[i], drawing.crossing_count);
             if (i == 0) {
@@ -486,9 +467,8 @@ static void a_cell_without_edges_loses_no_line(void **state)
     for (uint32_t grid = 1; grid < 6; grid++) {
         roberts_scene *scene = scene_of(off, 0, 0, false);
         roberts_hide_options options = roberts_hide_options_default();
-        roberts_drawing drawing;
         options.grid = grid;
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         assert_int_equal(drawing.crossing_count, 1);
         roberts_drawing_free(&drawing);
         roberts_scene_free(scene);

@@ -3,18 +3,13 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "base/output.h"
 #include "drawing.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- numbers ---- */
 
@@ -277,31 +272,24 @@ static void columns_of_a_scene(void **state)
         "\"X1\":0,\"Y1\":2,\"Z1\":5,\"z0\":0.5,\"z1\":0.5,\"level\":0,\"name\":\"a, \\\"b\\\"\",\"by_name\":null}",
     };
     static const char text[] = "o a, \"b\"\nv 0 0 5\nv 0 2 5\nv 1 0 4\nf 1 3 2\n";
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera;
-    roberts_drawing drawing;
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
-    assert_true(roberts_camera_preset("top", &camera));
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "a.obj", text, sizeof text - 1, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_camera camera = preset_camera("top");
+    roberts_scene *scene = scene_of_text(text);
+    roberts_drawing drawing = drawing_of(scene, &camera, NULL);
     options.scene = scene;
     options.column_count = ROBERTS_COLUMNS;
     for (int i = 0; i < ROBERTS_COLUMNS; i++)
         options.column[i] = (roberts_column)i;
     for (size_t i = 0; i < 2; i++) {
-        sink to = {0};
         options.format = i ? ROBERTS_JSON : ROBERTS_CSV;
-        assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
+        sink to = drawing_written(&drawing, &options);
         if (!strstr(to.bytes, wanted[i]))
             fail_msg("%s", to.bytes);
         free(to.bytes);
     }
     roberts_drawing_free(&drawing);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 /* Seen from the top, ends in the model and in the picture differ by one shift. The second scene has an edge that is cut
@@ -314,18 +302,13 @@ static void ends_lie_where_the_picture_has_them(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof text / sizeof text[0]; i++) {
-        roberts_mesh mesh = {0};
-        roberts_scene *scene;
-        roberts_camera camera;
-        roberts_drawing drawing;
         roberts_hide_options hide = roberts_hide_options_default();
         roberts_vec3 end[2];
         size_t parts = 0;
         hide.keep_hidden = hide.all_edges = true;
-        assert_true(roberts_camera_preset("top", &camera));
-        assert_int_equal(roberts_mesh_read_memory(&mesh, "a", text[i], strlen(text[i]), NULL, NULL), ROBERTS_OK);
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-        assert_int_equal(roberts_hide(scene, &camera, &hide, &drawing, NULL), ROBERTS_OK);
+        roberts_camera camera = preset_camera("top");
+        roberts_scene *scene = scene_of_text(text[i]);
+        roberts_drawing drawing = drawing_of(scene, &camera, &hide);
         for (size_t k = 0; k < drawing.count; k++) {
             const roberts_segment *s = &drawing.segment[k];
             const double cx = 0.5 * (drawing.window_max.x - drawing.window_min.x);
@@ -343,7 +326,6 @@ static void ends_lie_where_the_picture_has_them(void **state)
         assert_false(roberts_segment_ends(scene, &drawing, &none, end));
         roberts_drawing_free(&drawing);
         roberts_scene_free(scene);
-        roberts_mesh_free(&mesh);
     }
 }
 

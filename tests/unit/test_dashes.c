@@ -1,15 +1,11 @@
 /* Dashes fitted to their lines: from corner to corner, with at least one gap, as strokes in sequence. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/dashes.h"
+#include "testing.h"
 
 /* Hidden lines, in units of 0.001 mm. */
 #define USUAL                                                                                                          \

@@ -1,15 +1,11 @@
 /* Dimensions between vertices: their views, lengths and ends; nothing collides on pages from A4 to A0. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/dimensions.h"
 #include "sheet_views.h"
+#include "testing.h"
 
 enum { LINES = 7 /* of a dimension: two extensions, then itself and two arrows of two */ };
 

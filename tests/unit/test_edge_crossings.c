@@ -1,4 +1,5 @@
 /* test_edge_crossings.c - edges that are left out and lie in other faces; intersections of back faces. */
+#include "build_scene.h"
 #include "scenes.h"
 
 #include <math.h>
@@ -137,35 +138,23 @@ static const edge_case cases[] = {
      {1, 0, 1}},
 };
 
-static roberts_scene *scene_of(const char *off)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "case", off, strlen(off), NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
-}
-
-/* The line of a case is drawn from end to end, with or without hidden lines, and no ray contradicts it.
- */
+/* The line of a case is drawn from end to end, with or without hidden lines, and no ray contradicts it. */
 static void edges_left_out_are_lines_where_they_should(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int hidden = 0; hidden < 2; hidden++) {
             const edge_case *c = &cases[i];
-            roberts_scene *scene = scene_of(c->off);
+            roberts_scene *scene = scene_of_text(c->off);
             const roberts_camera camera = {.dir = c->dir};
             roberts_hide_options options = roberts_hide_options_default();
             roberts_verify_options verify = roberts_verify_options_default();
-            roberts_drawing drawing;
             roberts_verification found;
             size_t lines = 0, due = c->x[0] < c->x[1];
             options.crease_degrees = verify.crease_degrees = c->crease;
             options.all_edges = verify.all_edges = c->all_edges;
             options.keep_hidden = hidden;
-            assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+            roberts_drawing drawing = drawing_of(scene, &camera, &options);
             for (size_t k = 0; k < drawing.crossing_count; k++) {
                 const roberts_crossing *l = &drawing.crossing[k];
                 if (l->end[0].y != 2 || l->end[1].y != 2 || l->end[0].z != 0 || l->end[1].z != 0)
@@ -194,15 +183,14 @@ static void back_faces_cross_if_hidden_lines_are_kept(void **state)
                                 "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n"
                                 "4 8 11 10 9\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n";
     const roberts_camera camera = {.dir = {3, -2, 4}};
-    roberts_scene *scene = scene_of(boxes);
+    roberts_scene *scene = scene_of_text(boxes);
     size_t visible[2] = {0, 0};
     (void)state;
     for (int hidden = 0; hidden < 2; hidden++) {
         roberts_hide_options options = roberts_hide_options_default();
-        roberts_drawing drawing;
         double whole = 0;
         options.keep_hidden = hidden;
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         for (size_t k = 0; k < drawing.count; k++)
             if (drawing.segment[k].line == ROBERTS_INTERSECTION) {
                 whole += drawing.segment[k].t1 - drawing.segment[k].t0;

@@ -1,20 +1,15 @@
 /* test_face_pieces.c - faces of any shape, cut into convex pieces: the pieces tile the region that the border winds
  * round, whatever the rounding. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "base/orient.h"
 #include "base/vec.h"
+#include "base/orient.h"
 #include "model/face_pieces.h"
 #include "model/sweep_order.h"
+#include "testing.h"
 
 enum { MOST_CORNERS = 64 };
 

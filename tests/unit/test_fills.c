@@ -3,42 +3,17 @@
  * For each colour, the area of its rings must be exactly that of all its regions, with corners rounded to the page:
  * both are whole numbers. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "build_scene.h"
 #include "draw/fills.h"
 #include "draw/page_regions.h"
 #include "draw/shade.h"
+#include "testing.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
-
-/* Reads from a string, which moves on. */
-static ptrdiff_t read_string(void *context, void *buffer, size_t size)
-{
-    const char **from = context;
-    size_t length = strlen(*from);
-    length = length < size ? length : size;
-    memcpy(buffer, *from, length);
-    *from += length;
-    return (ptrdiff_t)length;
-}
-
-static roberts_scene *scene_of(const char *text)
-{
-    roberts_mesh mesh = {0};
-    roberts_error error = {0};
-    if (roberts_mesh_read(&mesh, "text", read_string, &text, NULL, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    return build_scene(&mesh);
-}
 
 /* A drawing with its regions. */
 typedef struct picture {
@@ -46,9 +21,9 @@ typedef struct picture {
     roberts_region_list regions;
 } picture;
 
-static void draw_scene(const roberts_scene *scene, const roberts_camera *camera, picture *p)
+static void draw_picture(const roberts_scene *scene, const roberts_camera *camera, picture *p)
 {
-    assert_int_equal(roberts_hide(scene, camera, NULL, &p->drawing, NULL), ROBERTS_OK);
+    p->drawing = drawing_of(scene, camera, NULL);
     assert_int_equal(roberts_regions(scene, camera, NULL, &p->regions, NULL), ROBERTS_OK);
     p->drawing.regions = &p->regions;
 }
@@ -73,7 +48,7 @@ static roberts_scene *make_row(const char *alpha)
         "4 0 2 3 1 0.0 0.5 1.0 %s\n4 2 4 5 3 0.0 0.5 1.0 %s\n4 4 6 7 5 0.0 1.0 0.0 1.0\n4 6 8 9 7 1.0 0.0 0.0 1.0\n"
         "4 10 11 12 13\n",
         alpha, alpha);
-    return scene_of(text);
+    return scene_of_text(text);
 }
 
 /* ---- areas ----------------------------------------------------------------------------------------------------- */
@@ -183,7 +158,7 @@ static void test_row(void **state)
         picture p;
         strokes s;
         options.fill = cases[i].fill;
-        draw_scene(scene, &from_above, &p);
+        draw_picture(scene, &from_above, &p);
         assert_int_equal(p.regions.count, 5);
         assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
         assert_int_equal(check_fills("row", &s), cases[i].rings);
@@ -205,7 +180,7 @@ static void test_ring(void **state)
     (void)state;
     options.fill = ROBERTS_FILL_COLOR;
     options.placement.scale = 10;
-    draw_scene(scene, &from_above, &p);
+    draw_picture(scene, &from_above, &p);
     assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
     assert_int_equal(s.fills.lines.count, 2);
     assert_int_equal(s.fills.lines.item[0].count, 4);
@@ -258,11 +233,12 @@ static void test_colors(void **state)
 /* The mean of the corners' colours, unless the face has its own, or a corner has none. */
 static void test_corner_colors(void **state)
 {
-    roberts_scene *scene = scene_of("COFF\n4 2 0\n0 0 0 1.0 0.0 0.0 1.0\n1 0 0 0.0 1.0 0.0 1.0\n1 1 0 0.0 0.0 1.0 1.0\n"
-                                    "0 1 0 0.0 0.0 0.0 0.0\n3 0 1 2\n3 0 2 3 0.0 0.25 0.0\n");
+    roberts_scene *scene =
+        scene_of_text("COFF\n4 2 0\n0 0 0 1.0 0.0 0.0 1.0\n1 0 0 0.0 1.0 0.0 1.0\n1 1 0 0.0 0.0 1.0 1.0\n"
+                      "0 1 0 0.0 0.0 0.0 0.0\n3 0 1 2\n3 0 2 3 0.0 0.25 0.0\n");
     picture p;
     (void)state;
-    draw_scene(scene, &from_above, &p);
+    draw_picture(scene, &from_above, &p);
     assert_int_equal(p.regions.count, 2);
     const roberts_color *mean = &p.regions.region[0].color, *own = &p.regions.region[1].color;
     assert_int_equal(mean->count, 4);
@@ -278,12 +254,13 @@ static void test_corner_colors(void **state)
 static void test_normals(void **state)
 {
     static const roberts_camera along = {.dir = {1, 1, 1}};
-    roberts_scene *scene = scene_of("OFF\n11 7 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
-                                    "9 9 9\n9 8 9\n8 9 9\n"
-                                    "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n3 8 9 10\n");
+    roberts_scene *scene =
+        scene_of_text("OFF\n11 7 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
+                      "9 9 9\n9 8 9\n8 9 9\n"
+                      "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n3 8 9 10\n");
     picture p;
     (void)state;
-    draw_scene(scene, &along, &p);
+    draw_picture(scene, &along, &p);
     assert_int_equal(p.regions.count, 4);
     double x = 0, y = 0;
     for (size_t i = 0; i < 4; i++) {
@@ -302,13 +279,11 @@ static void test_normals(void **state)
 static void check_model(const char *model, const roberts_camera *camera, size_t *rings, size_t *seams)
 {
     char path[100];
-    roberts_mesh mesh = {0};
     picture p;
     strokes s;
     snprintf(path, sizeof path, "models/%s.off", model);
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    roberts_scene *scene = build_scene(&mesh);
-    draw_scene(scene, camera, &p);
+    roberts_scene *scene = scene_of_file(path);
+    draw_picture(scene, camera, &p);
     for (int fill = ROBERTS_FILL_COLOR; fill <= ROBERTS_FILL_BODY; fill++) {
         roberts_draw_options options = roberts_draw_options_default();
         options.fill = (roberts_fill)fill;

@@ -2,19 +2,15 @@
  * the touching distance. The model is tests/fuzz/seeds/house.*: a box and the roof on it. */
 #include <fcntl.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read/mesh.h"
+#include "build_scene.h"
 #include "roberts.h"
+#include "testing.h"
 
 static const struct format {
     const char *path;
@@ -54,18 +50,16 @@ static ptrdiff_t read_pipe(void *context, void *buffer, size_t size)
 static roberts_drawing draw(roberts_mesh *mesh, double epsilon, bytes *svg)
 {
     roberts_scene *scene;
-    roberts_camera camera;
-    roberts_drawing drawing;
     roberts_hide_options hide = roberts_hide_options_default();
     roberts_draw_options options = roberts_draw_options_default();
     assert_int_equal(roberts_scene_take(mesh, NULL, &scene, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_solid_count(scene), 2);
-    assert_true(roberts_camera_preset("trimetric", &camera));
+    roberts_camera camera = preset_camera("trimetric");
     hide.keep_hidden = true;
     hide.epsilon = epsilon;
     options.hidden = ROBERTS_HIDDEN_DASHED;
     svg->length = 0;
-    assert_int_equal(roberts_hide(scene, &camera, &hide, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, &hide);
     assert_int_equal(roberts_drawing_write(&drawing, &options, take_bytes, svg, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     return drawing;
@@ -127,15 +121,14 @@ static void steps(void **state)
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         roberts_mesh mesh = {0};
         assert_true(mesh_source(&mesh, "text"));
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){1e30, 0, 0}, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&mesh, (roberts_vec3){1e30, 0, 0});
         assert_true(mesh_float32_step(&mesh) == 0.0);
         assert_true(mesh_source(&mesh, "floats"));
         mesh_float32(&mesh);
         assert_true(mesh_float32_step(&mesh) == 0.0);
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){0, -(double)sizes[i], 0}, NULL, NULL),
-                         ROBERTS_OK);
+        mesh_vertex(&mesh, (roberts_vec3){0, -(double)sizes[i], 0});
         assert_true(mesh_source(&mesh, "text again"));
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, (roberts_vec3){1e30, 0, 0}, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&mesh, (roberts_vec3){1e30, 0, 0});
         assert_true(mesh_float32_step(&mesh) == 2.0 * ((double)nextafterf(sizes[i], INFINITY) - (double)sizes[i]));
         roberts_mesh_free(&mesh);
     }

@@ -1,13 +1,9 @@
 /* The four tests of src/hide/tests.c, each by itself, with every tie; then all of them together. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
-
 #include "bare_points.h"
+#include "testing.h"
 
 #define EPSILON 1e-9
 

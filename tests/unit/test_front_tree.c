@@ -119,9 +119,7 @@ static void nothing_hidden_is_left_out(void **state)
 
 static roberts_drawing draw(const roberts_scene *scene, uint64_t seed, const roberts_hide_options *options)
 {
-    roberts_drawing drawing;
-    assert_int_equal(roberts_hide(scene, &cameras[seed / 3 % 3], options, &drawing, NULL), ROBERTS_OK);
-    return drawing;
+    return drawing_of(scene, &cameras[seed / 3 % 3], options);
 }
 
 /* One cell lists all fronts; forty cells a side list few each. */

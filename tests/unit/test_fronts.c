@@ -214,12 +214,12 @@ static void add_piece(roberts_mesh *mesh, model *m, roberts_vec3 offset)
 {
     uint32_t first = (uint32_t)mesh->vertex_count, corner[MODEL_CORNERS];
     for (size_t i = 0; i < m->mesh.vertex_count; i++)
-        assert_int_equal(roberts_mesh_add_vertex(mesh, vec3_add(m->mesh.vertex[i], offset), NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, vec3_add(m->mesh.vertex[i], offset));
     for (size_t f = 0; f < m->mesh.face_count; f++) {
         size_t start = m->mesh.face_start[f], count = m->mesh.face_start[f + 1] - start;
         for (size_t k = 0; k < count; k++)
             corner[k] = first + m->mesh.corner[start + k];
-        assert_int_equal(roberts_mesh_add_face(mesh, corner, count, NULL), ROBERTS_OK);
+        mesh_face(mesh, corner, count);
     }
     model_free(m);
 }
@@ -240,7 +240,6 @@ static roberts_scene *make(int kind)
 {
     rng r = {92};
     roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
     for (int i = 0; i < 8; i++) {
         model m = {0};
         double apart = kind == 2 ? 64 : 10;
@@ -256,9 +255,7 @@ static roberts_scene *make(int kind)
                   kind == 1 ? (roberts_vec3){0, 0, 60 * i}
                             : (roberts_vec3){apart * (i & 1), apart * (i >> 1 & 1), apart * (i >> 2)});
     }
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
+    return build_scene(&mesh);
 }
 
 /* Nothing in the result depends on the threads, not even the order of the fronts. */

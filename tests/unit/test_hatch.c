@@ -1,22 +1,16 @@
-/* Hatching: strokes end on the rings of their regions, their length follows the shade, and they continue from face to
- * face.
- */
+/* Hatching: strokes end on the rings of their regions, their length follows the shade, and they continue from face
+ * to face. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "base/vec.h"
 #include "draw/hatch.h"
 #include "drawing.h"
 #include "rng.h"
+#include "testing.h"
 
 /* ---- regions given by hand ------------------------------------------------------------------------------------- */
 
@@ -321,23 +315,12 @@ static void nested_strokes_stay(void **state)
 
 /* ---- of scenes ------------------------------------------------------------------------------------------------- */
 
-static roberts_scene *read_scene(const char *path)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
-}
-
-static roberts_drawing draw_scene(const roberts_scene *scene, const roberts_camera *camera, uint32_t threads,
-                                  roberts_region_list *regions)
+static roberts_drawing draw_regions(const roberts_scene *scene, const roberts_camera *camera, uint32_t threads,
+                                    roberts_region_list *regions)
 {
     roberts_hide_options hide = roberts_hide_options_default();
-    roberts_drawing drawing;
     hide.threads = threads;
-    assert_int_equal(roberts_hide(scene, camera, &hide, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, camera, &hide);
     assert_int_equal(roberts_regions(scene, camera, &hide, regions, NULL), ROBERTS_OK);
     drawing.regions = regions;
     return drawing;
@@ -355,23 +338,16 @@ static void strokes_go_on(void **state)
             for (int k = 0; k < 2; k++) {
                 const int n = k == 0 ? 1 : 4;
                 roberts_mesh mesh = {0};
-                roberts_scene *scene;
-                roberts_camera camera;
+                roberts_camera camera = preset_camera(views[v]);
                 roberts_region_list regions;
                 for (int i = 0; i <= n * (n + 2); i++)
-                    assert_int_equal(
-                        roberts_mesh_add_vertex(
-                            &mesh, (roberts_vec3){4.0 / n * (i % (n + 1)), 4.0 / n * (i / (n + 1)), 1.0}, NULL, NULL),
-                        ROBERTS_OK);
+                    mesh_vertex(&mesh, (roberts_vec3){4.0 / n * (i % (n + 1)), 4.0 / n * (i / (n + 1)), 1.0});
                 for (int i = 0; i < n * n; i++) {
                     const uint32_t a = (uint32_t)(i / n * (n + 1) + i % n), b = a + (uint32_t)n + 1;
-                    assert_int_equal(roberts_mesh_add_face(&mesh, (uint32_t[]){a, a + 1, b + 1, b}, 4, NULL),
-                                     ROBERTS_OK);
+                    mesh_face(&mesh, (uint32_t[]){a, a + 1, b + 1, b}, 4);
                 }
-                assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-                roberts_mesh_free(&mesh);
-                assert_true(roberts_camera_preset(views[v], &camera));
-                roberts_drawing drawing = draw_scene(scene, &camera, 1, &regions);
+                roberts_scene *scene = build_scene(&mesh);
+                roberts_drawing drawing = draw_regions(scene, &camera, 1, &regions);
                 assert_int_equal(regions.count, n * n);
                 roberts_draw_options options = options_for(1.3, 31.0);
                 options.light = (roberts_vec3){1.0, 0.3, 0.1};
@@ -394,13 +370,13 @@ static void strokes_go_on(void **state)
 /* On faces, strokes run along lines of their planes: upright ones on walls, in every view. */
 static void steep_strokes_are_upright(void **state)
 {
-    roberts_scene *scene = read_scene("models/platonic/cube.off");
+    roberts_scene *scene = scene_of_file("models/platonic/cube.off");
     (void)state;
     for (int i = 0; i < 12; i++) {
         roberts_camera camera;
         roberts_region_list regions;
         assert_true(roberts_camera_angles(17.0 + 30.0 * i, 20.0, 0.0, &camera));
-        roberts_drawing drawing = draw_scene(scene, &camera, 1, &regions);
+        roberts_drawing drawing = draw_regions(scene, &camera, 1, &regions);
         for (size_t k = 0; k < regions.count; k++) {
             const roberts_region *own = &regions.region[k];
             const double c = cos(20.0 * acos(-1.0) / 180.0), s = sin(20.0 * acos(-1.0) / 180.0);
@@ -420,26 +396,16 @@ static void steep_strokes_are_upright(void **state)
     roberts_scene_free(scene);
 }
 
-static char *written(const roberts_drawing *drawing, const roberts_draw_options *options, size_t *size)
-{
-    sink to = {0};
-    assert_int_equal(roberts_drawing_write(drawing, options, sink_write, &to, NULL), ROBERTS_OK);
-    *size = to.size;
-    return to.bytes;
-}
-
 /* The same bytes for any number of threads, in parallel view and in perspective, where the frame cuts strokes off. */
 static void threads_change_nothing(void **state)
 {
     static const char *const models[] = {"models/temple.off", "models/shapes/goblet.off", "models/city.off"};
     (void)state;
     for (size_t m = 0; m < sizeof models / sizeof models[0]; m++) {
-        roberts_scene *scene = read_scene(models[m]);
+        roberts_scene *scene = scene_of_file(models[m]);
         for (int v = 0; v < 2; v++) {
-            roberts_camera camera;
-            char *bytes[2];
-            size_t size[2];
-            assert_true(roberts_camera_preset("iso", &camera));
+            roberts_camera camera = preset_camera("iso");
+            sink out[2];
             if (v == 1) {
                 camera.projection = ROBERTS_PERSPECTIVE;
                 camera.eye = (roberts_vec3){60.0, -90.0, 50.0};
@@ -447,19 +413,19 @@ static void threads_change_nothing(void **state)
             }
             for (int k = 0; k < 2; k++) {
                 roberts_region_list regions;
-                roberts_drawing drawing = draw_scene(scene, &camera, k == 0 ? 1 : 5, &regions);
+                roberts_drawing drawing = draw_regions(scene, &camera, k == 0 ? 1 : 5, &regions);
                 roberts_draw_options options = roberts_draw_options_default();
                 options.hatching.on = true;
                 options.hatching.cross = 0.5;
                 options.hatching.along = (roberts_hatch_along)(m % 3);
-                bytes[k] = written(&drawing, &options, &size[k]);
+                out[k] = drawing_written(&drawing, &options);
                 roberts_drawing_free(&drawing);
                 roberts_regions_free(&regions);
             }
-            assert_int_equal(size[0], size[1]);
-            assert_memory_equal(bytes[0], bytes[1], size[0]);
-            free(bytes[0]);
-            free(bytes[1]);
+            assert_int_equal(out[0].size, out[1].size);
+            assert_memory_equal(out[0].bytes, out[1].bytes, out[0].size);
+            free(out[0].bytes);
+            free(out[1].bytes);
         }
         roberts_scene_free(scene);
     }
@@ -507,7 +473,7 @@ static void all_formats_have_strokes(void **state)
                    {ROBERTS_TIKZ, "\\begin{scope}[every path/.style={roberts hatch}]"},
                    {ROBERTS_DXF, "LINE\n8\nHATCH\n"},
                    {ROBERTS_HPGL, "SP9;"}};
-    roberts_scene *scene = read_scene("models/platonic/cube.off");
+    roberts_scene *scene = scene_of_file("models/platonic/cube.off");
     roberts_region_list regions[2];
     roberts_drawing drawing[2];
     (void)state;
@@ -515,7 +481,7 @@ static void all_formats_have_strokes(void **state)
         roberts_camera camera;
         assert_true(
             roberts_sheet_camera(ROBERTS_FIRST_ANGLE, i == 0 ? ROBERTS_SHEET_FRONT : ROBERTS_SHEET_ISO, &camera));
-        drawing[i] = draw_scene(scene, &camera, 1, &regions[i]);
+        drawing[i] = draw_regions(scene, &camera, 1, &regions[i]);
     }
     const roberts_sheet sheet = {.view = {[ROBERTS_SHEET_FRONT] = &drawing[0], [ROBERTS_SHEET_ISO] = &drawing[1]}};
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++)
@@ -523,12 +489,9 @@ static void all_formats_have_strokes(void **state)
             size_t size[2];
             for (int on = 0; on < 2; on++) {
                 roberts_draw_options options = roberts_draw_options_default();
-                sink to = {0};
                 options.format = formats[f].format;
                 options.hatching.on = on == 1;
-                roberts_status status = k == 0 ? roberts_drawing_write(&drawing[1], &options, sink_write, &to, NULL)
-                                               : roberts_sheet_write(&sheet, &options, sink_write, &to, NULL);
-                assert_int_equal(status, ROBERTS_OK);
+                sink to = k == 0 ? drawing_written(&drawing[1], &options) : sheet_written(&sheet, &options);
                 size[on] = to.size;
                 if (formats[f].named[0] && holds(to.bytes, to.size, formats[f].named) != (on == 1))
                     fail_msg("%s: %s", formats[f].named, on ? "is not there" : "is there without hatching");

@@ -261,13 +261,6 @@ static roberts_hide_options with_hidden(void)
     return options;
 }
 
-static roberts_camera preset(const char *name)
-{
-    roberts_camera camera = {0};
-    assert_true(roberts_camera_preset(name, &camera));
-    return camera;
-}
-
 static void expect_case(const struct scene_case *c, const roberts_camera *camera)
 {
     roberts_hide_options options = with_hidden();
@@ -286,7 +279,7 @@ static void boxes_by_table(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_camera camera = preset(cases[i].view);
+        roberts_camera camera = preset_camera(cases[i].view);
         expect_case(&cases[i], &camera);
     }
 }
@@ -307,17 +300,6 @@ static void boxes_seen_obliquely(void **state)
 }
 
 /* ---- solids that are no boxes ---------------------------------------------------------------------------------- */
-
-static void add_tetrahedron(model *m, const roberts_vec3 point[4])
-{
-    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
-    uint32_t first = (uint32_t)m->mesh.vertex_count;
-    for (int i = 0; i < 4; i++)
-        model_vertex(m, point[i]);
-    for (int f = 0; f < 4; f++)
-        model_face(m, (uint32_t[]){first + corner[f][0], first + corner[f][1], first + corner[f][2]}, 3);
-    model_close_solid(m);
-}
 
 /* An edge 8-9 of solid 2 runs along y = 0, at so flat an angle to a border of solid 0 that it is within epsilon (1.2e-9
  * to 1.7e-9) of the border's line for twelve and more of its hundred units. But the gap between them is far wider than
@@ -359,7 +341,7 @@ static void borders_at_flat_angles(void **state)
             model m = {0};
             options.grid = grid;
             for (int k = 0; k < 3; k++)
-                add_tetrahedron(&m, table[i].solid[k]);
+                model_tetrahedron(&m, table[i].solid[k]);
             roberts_drawing drawing = model_draw(&m, &camera, &options);
             expect_edge(table[i].name, "top", &drawing, table[i].rows);
             roberts_drawing_free(&drawing);
@@ -387,7 +369,7 @@ static void pierced_planes_in_any_order(void **state)
             for (int f = 0; f < 6; f++)
                 model_face(&m, face[(first + step * f) % 6], 4);
             model_close_solid(&m);
-            add_tetrahedron(&m, edge);
+            model_tetrahedron(&m, edge);
             roberts_drawing drawing = model_draw(&m, &camera, &options);
             expect_edge("pierced", "top", &drawing, "8-9 v 0.5 h0");
             roberts_drawing_free(&drawing);
@@ -398,7 +380,7 @@ static void pierced_planes_in_any_order(void **state)
 /* A prism whose upper edge 32-33... passes diagonally under the corner where four plates meet. */
 static void edge_under_a_corner_of_four(void **state)
 {
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     model m = {0};
     (void)state;
@@ -439,7 +421,7 @@ static void outlines_that_are_not_convex(void **state)
          0,
          {{0, 2, 3}, {1, 2, 3}, {0, 3, 4}, {1, 3, 4}, {1, 2, 4}, {0, 2, 4}}},
     };
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
@@ -450,7 +432,7 @@ static void outlines_that_are_not_convex(void **state)
         for (size_t f = 0; table[i].face[f][1]; f++)
             model_face(&m, table[i].face[f], table[i].face[f][3] ? 4 : 3);
         model_close_solid(&m);
-        add_tetrahedron(
+        model_tetrahedron(
             &m, (roberts_vec3[]){{0.3, 1e-4, -0.2}, {0.4, 1e-4, -0.2}, {0.3, 2e-4, -0.2}, {0.32, 1.5e-4, -0.1}});
         roberts_drawing drawing = model_draw(&m, &camera, &options);
         assert_int_equal(drawing.edge_on_faces, table[i].edge_on);
@@ -474,7 +456,7 @@ static void face_with_a_dent(void **state)
                                           {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {1e-6, 1e-7, 1}};
     static const uint32_t face[][6] = {{4, 0, 3, 2, 1}, {5, 4, 8, 5, 6, 7}, {3, 0, 8, 4},   {4, 0, 1, 5, 8},
                                        {4, 1, 2, 6, 5}, {4, 2, 3, 7, 6},    {4, 3, 0, 4, 7}};
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     model m = {0};
     size_t hidden = 0;
@@ -484,7 +466,7 @@ static void face_with_a_dent(void **state)
     for (size_t f = 0; f < sizeof face / sizeof face[0]; f++)
         model_face(&m, face[f] + 1, face[f][0]);
     model_close_solid(&m);
-    add_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
+    model_tetrahedron(&m, (roberts_vec3[]){{1.5, 0.5, -2}, {1.8, 0.5, -2}, {1.5, 0.05, -2}, {1.6, 0.6, -1}});
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     for (size_t k = 0; k < drawing.count; k++) {
         const roberts_segment *s = &drawing.segment[k];
@@ -509,7 +491,7 @@ static void edges_that_end_in_a_sliver(void **state)
                                         {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
     static const roberts_vec3 edge[][2] = {{{-2, 5e-4, -1}, {0.04, 5e-4, -1}},
                                            {{-2, -0.024002, -1}, {0.4, 0.004798, -1}}};
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     (void)state;
     options.epsilon = 1e-3;
@@ -525,7 +507,7 @@ static void edges_that_end_in_a_sliver(void **state)
                            4);
             model_close_solid(&m);
         }
-        add_tetrahedron(&m, (roberts_vec3[]){edge[i][0], edge[i][1], {-1, 1, -2}, {-1, 2, -2}});
+        model_tetrahedron(&m, (roberts_vec3[]){edge[i][0], edge[i][1], {-1, 1, -2}, {-1, 2, -2}});
         roberts_drawing drawing = model_draw(&m, &camera, &options);
         expect_edge("three plates without a gap", "top", &drawing, "24-25 h0");
         roberts_drawing_free(&drawing);
@@ -536,13 +518,13 @@ static void edges_that_end_in_a_sliver(void **state)
 /* An edge runs out from under the tip of a plate, so sharp that it stays within epsilon of both sides' lines. */
 static void edge_beyond_a_sharp_tip(void **state)
 {
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     model m = {0};
     (void)state;
     options.epsilon = 1e-3;
-    add_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
-    add_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
+    model_tetrahedron(&m, (roberts_vec3[]){{0, 0, 0}, {8, 0.004, 0}, {8, -0.004, 0}, {8, 0, 1}});
+    model_tetrahedron(&m, (roberts_vec3[]){{-1, 0, -1}, {1, 0, -1}, {-1, 4, -2}, {0, 4, -3}});
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     expect_edge("sharp tip", "top", &drawing, "4-5 v 1/2 h0");
     roberts_drawing_free(&drawing);
@@ -595,12 +577,11 @@ static void border_that_runs_nearly_along(void **state)
 /* Without names the same parts are hidden. */
 static void names_left_out(void **state)
 {
-    roberts_camera camera;
     roberts_hide_options options = with_hidden();
     model m = {0};
     size_t hidden = 0;
     (void)state;
-    assert_true(roberts_camera_preset("iso", &camera));
+    roberts_camera camera = preset_camera("iso");
     for (int k = 0; k < 9; k++)
         model_box(&m, (roberts_vec3){k % 3, k / 3, 0}, (roberts_vec3){k % 3 + 0.8, k / 3 + 0.7, 1 + k * k % 5});
     roberts_drawing named = model_draw(&m, &camera, &options);
@@ -630,7 +611,7 @@ static void perspective_by_hand(void **state)
     (void)state;
     model_box(&m, (roberts_vec3){-1, -1, 4}, (roberts_vec3){1, 1, 5});
     model_box(&m, (roberts_vec3){-4, 0, -1}, (roberts_vec3){4, 1, 0});
-    add_tetrahedron(&m, ridge);
+    model_tetrahedron(&m, ridge);
     roberts_drawing drawing = model_draw(&m, &camera, &options);
     expect_edge("perspective", "eye", &drawing, "12-13 v 1/4 h0 3/4 v");
     expect_edge("perspective", "eye", &drawing, "4-5 v");
@@ -990,7 +971,7 @@ static void flat_edges_by_table(void **state)
  * since no edge is flatter. */
 static void cut_cube(void **state)
 {
-    roberts_camera camera = preset("iso");
+    roberts_camera camera = preset_camera("iso");
     roberts_hide_options options = roberts_hide_options_default();
     model m = {0};
     (void)state;
@@ -1011,7 +992,7 @@ static void cut_cube(void **state)
 /* An outline is drawn whatever the crease angle; only creases disappear. */
 static void outlines_stay(void **state)
 {
-    roberts_camera camera = preset("iso");
+    roberts_camera camera = preset_camera("iso");
     roberts_hide_options options = roberts_hide_options_default();
     model m = {0};
     (void)state;
@@ -1038,7 +1019,7 @@ static void counts_and_lines(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        roberts_camera camera = preset(table[i].view);
+        roberts_camera camera = preset_camera(table[i].view);
         roberts_hide_options options = with_hidden();
         size_t lines[ROBERTS_BACK_OUTLINE + 1] = {0};
         model m = {0};
@@ -1066,7 +1047,7 @@ static void counts_and_lines(void **state)
 static void more_groups_than_stamps(void **state)
 {
     enum { BARS = 20, BETWEEN = 65535 - BARS, CORNERS = 125, ROUNDS = BETWEEN / CORNERS };
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_hide_options options = with_hidden();
     size_t half = 0, whole = 0;
     model m = {0};
@@ -1120,7 +1101,7 @@ static void culled_solids_are_those_hidden(void **state)
 /* The picture's frame and window: relative to the middle of the scene's box, x right, y up. */
 static void picture_coordinates(void **state)
 {
-    roberts_camera camera = preset("front");
+    roberts_camera camera = preset_camera("front");
     roberts_hide_options options = roberts_hide_options_default();
     model m = {0};
     (void)state;
@@ -1138,7 +1119,7 @@ static void picture_coordinates(void **state)
 /* A plate thinner than epsilon, seen from the side: all its faces are edge-on, and nothing is drawn. */
 static void nothing_to_draw(void **state)
 {
-    roberts_camera camera = preset("front");
+    roberts_camera camera = preset_camera("front");
     roberts_hide_options options = roberts_hide_options_default();
     model m = {0};
     (void)state;
@@ -1175,7 +1156,7 @@ static void arguments_refused(void **state)
         {"grid too fine", {.grid = 1u << 20}, ROBERTS_BAD_ARGUMENT},
         {"too many threads", {.threads = 1u << 20}, ROBERTS_BAD_ARGUMENT},
     };
-    roberts_camera camera = preset("iso");
+    roberts_camera camera = preset_camera("iso");
     model m = {0};
     (void)state;
     model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});

@@ -1,19 +1,14 @@
 /* test_hull.c - convex hulls that replace anything that is no convex solid. Hulls of points with small whole
  * coordinates are compared with exact integer arithmetic, all others by counts, drawings and messages. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
 #include "same_scene.h"
 #include "scenes.h"
+#include "testing.h"
 
 #include "program.h"
 #include "whole.h"
@@ -118,7 +113,7 @@ static void whole_points(void **state)
             for (int i = 0; i < count; i++) {
                 roberts_vec3 p = {rng_int(&r, 0, kind[k].size), rng_int(&r, 0, kind[k].size),
                                   rng_int(&r, 0, kind[k].size)};
-                assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+                mesh_vertex(&mesh, p);
             }
             roberts_status status = build(&mesh, true, kind[k].tolerance, &scene, &error);
             if (status != (all_in_one_plane(&mesh) ? ROBERTS_FLAT : ROBERTS_OK))
@@ -160,7 +155,7 @@ static void noisy_points(void **state)
                 p = (roberts_vec3){size * (p.x + noise * rng_between(&r, -1, 1)),
                                    size * (p.y + noise * rng_between(&r, -1, 1)),
                                    size * (p.z + noise * rng_between(&r, -1, 1))};
-                assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+                mesh_vertex(&mesh, p);
             }
             if (build(&mesh, true, 0, &scene, &error) != ROBERTS_OK)
                 fail_msg("noise %g, round %d: %s", noise, round, error.message);
@@ -196,7 +191,7 @@ static void six_digits(void **state)
             double angle = atan(1) * (i / 2);
             roberts_vec3 p = mat3_map(turn, (roberts_vec3){cos(angle), sin(angle), i % 2});
             p = (roberts_vec3){six_decimals(p.x), six_decimals(p.y), six_decimals(p.z)};
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, p);
         }
         assert_int_equal(build(&mesh, true, 0, &scene, NULL), ROBERTS_OK);
         assert_int_equal(roberts_scene_face_count(scene), 10);
@@ -462,7 +457,7 @@ static void thin_plates(void **state)
         roberts_error error = {0};
         for (int i = 0; i < 8; i++) {
             roberts_vec3 p = {i & 1, i >> 1 & 1, height * (i >> 2)};
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, p);
         }
         if (build(&mesh, true, 0, &scene, &error) != ROBERTS_OK || roberts_scene_face_count(scene) != 6)
             fail_msg("height %g: %s", height, error.message);
@@ -475,7 +470,7 @@ static void thin_plates(void **state)
 
 enum { FANS = 700, FAN_POINTS = 12 };
 
-/* Open fans of triangles; the last of each `every` lies in a plane, of 0 none. */
+/* Open fans of triangles. Of each `every` fans, the last one lies in a plane; 0: none does. */
 static void make_fans(roberts_mesh *mesh, uint32_t every)
 {
     rng r = {77};
@@ -484,11 +479,10 @@ static void make_fans(roberts_mesh *mesh, uint32_t every)
         for (uint32_t i = 0; i < FAN_POINTS; i++) {
             roberts_vec3 p = {2.0 * (fan % 30) + rng_between(&r, 0, 1), 2.0 * (fan / 30) + rng_between(&r, 0, 1),
                               every && fan % every == every - 1 ? 0 : rng_between(&r, 0, 1)};
-            assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
+            mesh_vertex(mesh, p);
         }
         for (uint32_t i = 1; i + 1 < FAN_POINTS; i++)
-            assert_int_equal(roberts_mesh_add_face(mesh, (uint32_t[]){first, first + i, first + i + 1}, 3, NULL),
-                             ROBERTS_OK);
+            mesh_face(mesh, (uint32_t[]){first, first + i, first + i + 1}, 3);
     }
 }
 

@@ -1,19 +1,14 @@
 /* PNG: the bands in which an image is drawn change nothing, and the file holds the picture that Cairo draws. */
 #include <cairo.h>
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "write/cairo.h"
 #include "write/formats.h"
 #include "drawing.h"
 #include "read_png.h"
+#include "testing.h"
 
 static sink image_of(const strokes *s, size_t surface_bytes)
 {

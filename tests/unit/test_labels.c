@@ -2,17 +2,14 @@
  */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "letters_box.h"
+#include "testing.h"
 
 static const double pages[][2] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
 
@@ -40,27 +37,7 @@ static roberts_draw_options options_of(unsigned labels, size_t page, told *warni
     return options;
 }
 
-/* The box of the letters of a note, without the space round it, mm. */
-static space_box letters_box(const notes *n, size_t i)
-{
-    const text_line line = notes_line(n, i);
-    polylines out = {0};
-    space_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    assert_true(letters_draw(&line, 1000.0, &out));
-    for (size_t k = 0; k < out.point_count; k++) {
-        box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
-        box.max = (roberts_vec2){fmax(box.max.x, out.point[k].x / 1000.0), fmax(box.max.y, out.point[k].y / 1000.0)};
-    }
-    polylines_free(&out);
-    return box;
-}
-
-static bool is_apart(space_box a, space_box b)
-{
-    return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
-}
-
-/* Whether a..b goes through the box: by the sides of it, apart from the code that is tested. */
+/* Whether a..b goes through the box, found from its sides and not by the code that is tested. */
 static bool goes_through(roberts_vec2 a, roberts_vec2 b, space_box box)
 {
     const roberts_vec2 corner[4] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
@@ -77,7 +54,7 @@ static size_t count_crossed(const strokes *s)
 {
     size_t crossed = 0;
     for (size_t i = 0; i < s->notes.count; i++) {
-        const space_box box = letters_box(&s->notes, i);
+        const space_box box = letters_box(notes_line(&s->notes, i));
         bool found = false;
         for (size_t k = 0; k < s->lines.count; k++) {
             const polyline *line = &s->lines.item[k];
@@ -102,11 +79,11 @@ static void check_apart(const strokes *s, const char *what)
     const roberts_page *page = &s->options->page;
     const space_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
     for (size_t i = 0; i < s->notes.count; i++) {
-        const space_box box = letters_box(&s->notes, i);
+        const space_box box = letters_box(notes_line(&s->notes, i));
         assert_true(box.min.x >= whole.min.x && box.min.y >= whole.min.y && box.max.x <= whole.max.x &&
                     box.max.y <= whole.max.y);
         for (size_t k = 0; k < i; k++)
-            if (!is_apart(box, letters_box(&s->notes, k)))
+            if (!is_apart(box, letters_box(notes_line(&s->notes, k))))
                 fail_msg("%s: %s lies on %s", what, notes_line(&s->notes, i).text, notes_line(&s->notes, k).text);
     }
 }
@@ -323,9 +300,8 @@ static void kinds_are_told_apart(void **state)
 {
     (void)state;
     const unsigned vertices = ROBERTS_LABEL_VERTICES, faces = ROBERTS_LABEL_FACES, bodies = ROBERTS_LABEL_BODIES;
-    roberts_camera camera;
     cube c;
-    assert_true(roberts_camera_preset("iso", &camera));
+    roberts_camera camera = preset_camera("iso");
     see_cube(&c, &camera);
     assert_int_equal(labels_with(&c, vertices | faces, 'v'), 7);
     assert_int_equal(labels_with(&c, vertices | faces, 'f'), 3);

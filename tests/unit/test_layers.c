@@ -24,13 +24,13 @@ static uint32_t add_vertex(sheet *s, double x, double y, double z)
 static void add_face(sheet *s, uint32_t a, uint32_t b, uint32_t c)
 {
     uint32_t corner[3] = {a, b, c};
-    assert_int_equal(roberts_mesh_add_face(&s->mesh, corner, 3, NULL), ROBERTS_OK);
+    mesh_face(&s->mesh, corner, 3);
 }
 
 static void add_wire(sheet *s, roberts_vec3 p, roberts_vec3 q)
 {
     uint32_t corner[2] = {add_vertex(s, p.x, p.y, p.z), add_vertex(s, q.x, q.y, q.z)};
-    assert_int_equal(roberts_mesh_add_face(&s->mesh, corner, 2, NULL), ROBERTS_OK);
+    mesh_face(&s->mesh, corner, 2);
 }
 
 static void add_triangle(sheet *s, roberts_vec3 p, roberts_vec3 q, roberts_vec3 r)
@@ -179,8 +179,7 @@ static void expect_true(const roberts_scene *scene, const roberts_camera *camera
 static void compare_scene(sheet *s, const char *name, tally *t)
 {
     static const uint32_t grids[] = {2, 5, 8, 16, 64};
-    roberts_scene *scene = NULL;
-    assert_int_equal(roberts_scene_build(&s->mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_scene *scene = scene_of_mesh(&s->mesh, NULL);
     for (size_t c = 0; c < 2 * (sizeof cameras / sizeof cameras[0]); c++) {
         const roberts_camera *camera = &cameras[c / 2];
         roberts_drawing one, many, other;

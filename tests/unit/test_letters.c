@@ -1,14 +1,10 @@
 /* Letters: the strokes for any UTF-8, their width and place; which characters the fonts lack. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/letters.h"
+#include "testing.h"
 
 static const double units = 1000.0; /* in a mm */
 

@@ -1,15 +1,11 @@
 /* Levels: how many layers hide a line. Scenes with probes by hand, and a count by rays. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
-#include "roberts.h"
+#include "build_scene.h"
+#include "testing.h"
 
 /* ---- scenes by hand -------------------------------------------------------------------------------------------- */
 
@@ -95,26 +91,12 @@ static const struct {
      {{10, 11, 1}}},
 };
 
-static roberts_scene *scene_of(const char *name, const char *bytes, size_t size)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_error error = {0};
-    if (roberts_mesh_read_memory(&mesh, name, bytes, size, NULL, &error) != ROBERTS_OK ||
-        roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    roberts_mesh_free(&mesh);
-    return scene;
-}
-
-static roberts_drawing drawing_of(const roberts_scene *scene, const roberts_camera *camera, uint32_t grid)
+static roberts_drawing draw_levels(const roberts_scene *scene, const roberts_camera *camera, uint32_t grid)
 {
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
     options.keep_hidden = options.levels = true;
     options.grid = grid;
-    assert_int_equal(roberts_hide(scene, camera, &options, &drawing, NULL), ROBERTS_OK);
-    return drawing;
+    return drawing_of(scene, camera, &options);
 }
 
 /* A slash in the text stands for a newline. */
@@ -127,9 +109,9 @@ static void layers_are_counted(void **state)
         assert_true(length + 5 < sizeof text);
         for (size_t k = 0; k <= length; k++)
             text[4 + k] = cases[i].off[k] == '/' ? '\n' : cases[i].off[k];
-        roberts_scene *scene = scene_of(cases[i].name, text, strlen(text));
+        roberts_scene *scene = scene_of_text(text);
         roberts_camera camera = {.dir = cases[i].dir};
-        roberts_drawing drawing = drawing_of(scene, &camera, 0);
+        roberts_drawing drawing = draw_levels(scene, &camera, 0);
         print_message("%s\n", cases[i].name);
         for (int n = 0; n < LINES_MOST && cases[i].line[n].v1; n++) {
             const wanted *line = &cases[i].line[n];
@@ -188,11 +170,8 @@ static void rays_count_the_same(void **state)
     size_t rows = 0, deepest = 0;
     (void)state;
     for (size_t i = 0; i < sizeof path / sizeof path[0]; i++) {
-        roberts_mesh mesh = {0};
-        roberts_scene *scene;
-        assert_int_equal(roberts_mesh_read_file(&mesh, path[i], NULL, NULL), ROBERTS_OK);
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-        roberts_drawing drawing = drawing_of(scene, &camera, 0), coarse = drawing_of(scene, &camera, 1);
+        roberts_scene *scene = scene_of_file(path[i]);
+        roberts_drawing drawing = draw_levels(scene, &camera, 0), coarse = draw_levels(scene, &camera, 1);
         assert_int_equal(drawing.count, coarse.count);
         for (size_t k = 0; k < drawing.count; k++) {
             const roberts_segment *s = &drawing.segment[k];
@@ -210,7 +189,6 @@ static void rays_count_the_same(void **state)
         roberts_drawing_free(&drawing);
         roberts_drawing_free(&coarse);
         roberts_scene_free(scene);
-        roberts_mesh_free(&mesh);
     }
     print_message("%zu hidden rows, levels up to %zu\n", rows, deepest);
     assert_true(rows > 1000 && deepest > 5);

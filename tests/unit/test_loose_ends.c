@@ -3,19 +3,15 @@
  * no face is edge-on. */
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include <cmocka.h>
-
+#include "build_scene.h"
+#include "folders.h"
 #include "loose_ends.h"
-#include "skip.h"
+#include "testing.h"
 
 /* ---- by hand ---- */
 
@@ -159,10 +155,9 @@ static void walk_model(const char *path, tally *t)
     t->models++;
     size_t before = t->loose;
     for (size_t v = 0; v < sizeof views / sizeof views[0]; v++) {
-        roberts_drawing drawing = {0};
         loose_end end[4];
         size_t asked;
-        assert_int_equal(roberts_hide(scene, &views[v], &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &views[v], &options);
         size_t loose = loose_ends_find(&drawing, end, 4, &asked);
         assert_true(loose != SIZE_MAX);
         t->ends += asked;
@@ -234,11 +229,10 @@ static void test_models(void **state)
 
 static void test_published_models(void **state)
 {
-    const char *shared = getenv("ROBERTS_SHARED");
     char path[NAME];
     tally t = {0};
     (void)state;
-    snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models", shared_folder());
     walk_folder(path, &t);
     if (t.models == 0)
         SKIP_BECAUSE("no models in %s", path);

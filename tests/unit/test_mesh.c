@@ -1,16 +1,11 @@
 /* test_mesh.c - the mesh as a container: what may be added, and what is refused and changes nothing. */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "roberts.h"
+#include "testing.h"
 
 static void adds_vertices_and_faces(void **state)
 {

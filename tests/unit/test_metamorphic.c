@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "scenes.h"
+#include "segments.h"
 
 /* How much a parameter along an edge may differ between two drawings of one scene with differently rounded coordinates.
  * The library computes each to 1e-11. */
@@ -213,18 +214,6 @@ static void expect_same(const char *what, const char *scene, const char *camera,
     assert_true(count > 0);
 }
 
-static int compare_rows(const void *pa, const void *pb)
-{
-    const roberts_segment *a = pa, *b = pb;
-    if (a->solid != b->solid)
-        return a->solid < b->solid ? -1 : 1;
-    if (a->v0 != b->v0)
-        return a->v0 < b->v0 ? -1 : 1;
-    if (a->v1 != b->v1)
-        return a->v1 < b->v1 ? -1 : 1;
-    return (a->t0 > b->t0) - (a->t0 < b->t0);
-}
-
 /* Rows as they would be if solid i were solid[i] and vertex v were vertex[v]. */
 static void renumber(roberts_drawing *d, const uint32_t *solid, const uint32_t *vertex)
 {
@@ -243,7 +232,7 @@ static void renumber(roberts_drawing *d, const uint32_t *solid, const uint32_t *
             s->p1 = old.p0;
         }
     }
-    qsort(d->segment, d->count, sizeof *d->segment, compare_rows);
+    qsort(d->segment, d->count, sizeof *d->segment, compare_segments);
 }
 
 /* Calls `check` for each scene and camera with the scene's drawing, hidden rows and all edges included. */
@@ -704,11 +693,6 @@ static void visible_rows_behind_echoes(void **state)
         check_scene_alone(make_echoes(seed), &camera, "solids straight behind others", true);
 }
 
-static bool same_edge(const roberts_segment *a, const roberts_segment *b)
-{
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1;
-}
-
 /* Every edge of the scene has rows; they follow one another from 0 to 1 and take turns. */
 static void check_tiles(const struct scene_case *scene, const model *m, const struct camera_case *camera,
                         const roberts_drawing *drawing)
@@ -721,7 +705,7 @@ static void check_tiles(const struct scene_case *scene, const model *m, const st
         bool first = !before || !same_edge(before, s), last = !after || !same_edge(after, s);
         bool right = s->v0 < s->v1 && s->t0 < s->t1 && (s->by == ROBERTS_NONE) == (s->state != ROBERTS_HIDDEN) &&
                      (first ? s->t0 == 0.0 : s->t0 == before->t1 && s->state != before->state) &&
-                     (!last || s->t1 == 1.0) && (!before || compare_rows(before, s) < 0);
+                     (!last || s->t1 == 1.0) && (!before || compare_segments(before, s) < 0);
         if (!right) {
             print_row("row", s);
             fail_msg("%s, %s: row %zu does not tile", scene->name, camera->name, i);

@@ -2,19 +2,17 @@
  * the known table, the scenes for tests 1 to 4 against their own comments, solids that stand on one another exactly. */
 #include <dirent.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
+#include "build_scene.h"
+#include "folders.h"
 #include "mesh_corners.h"
 #include "model/scene.h"
+#include "testing.h"
 #include "whole_file.h"
 
 /* How far lengths, distances and planes may be off, as a part of the solid's circumradius or a similar length:
@@ -25,12 +23,6 @@ enum { PATH_ROOM = 1024, CORNER_MAX = 12 };
 
 static const char *const folders[] = {"",        "platonic/", "archimedean/", "catalan/",
                                       "prisms/", "star/",     "shapes/",      "tests/"};
-
-static const char *build_folder(void)
-{
-    const char *folder = getenv("ROBERTS_BUILD");
-    return folder ? folder : "build";
-}
 
 /* ---- running the generator ------------------------------------------------------------------------------------- */
 
@@ -167,7 +159,7 @@ static roberts_mesh read_mesh(const char *path)
     return mesh;
 }
 
-static roberts_scene *build_scene(const roberts_mesh *mesh, const char *path)
+static roberts_scene *scene_of_model(const roberts_mesh *mesh, const char *path)
 {
     roberts_scene_options options = {.warnings = strict};
     roberts_scene *scene;
@@ -332,17 +324,6 @@ static void check_equal(const known_solid *k, const char *what, double value, do
 {
     if (!(fabs(value - first) <= ROUNDING * first))
         fail_msg("%s: %s %.17g and %.17g", k->name, what, value, first);
-}
-
-/* Corners of the faces round vertex v as one number, whatever their order. */
-static size_t surroundings(const roberts_mesh *m, uint32_t v)
-{
-    size_t code = 1;
-    for (size_t f = 0; f < m->face_count; f++)
-        for (size_t i = 0; i < corner_count(m, f); i++)
-            if (corner(m, f, i) == v)
-                code *= corner_count(m, f) * corner_count(m, f) + 1;
-    return code;
 }
 
 /* Regular faces (equal sides, corners on a sphere, plane), the same around every vertex. */
@@ -513,15 +494,13 @@ static uint64_t decided_by(const roberts_tally *t, int test)
  * else -1. */
 static outcome drawn(const roberts_mesh *m, const char *name, int said)
 {
-    roberts_scene *scene = build_scene(m, name);
-    roberts_camera camera;
+    roberts_scene *scene = scene_of_model(m, name);
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing = {0};
     outcome o = {-1, 0, 0};
     double shown = 0;
     options.keep_hidden = true;
-    assert_true(roberts_camera_preset("top", &camera));
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_camera camera = preset_camera("top");
+    roberts_drawing drawing = drawing_of(scene, &camera, &options);
     for (size_t i = 0; i < drawing.count; i++) {
         const roberts_segment *s = &drawing.segment[i];
         if (s->v0 != 8 || s->v1 != 9)
@@ -582,7 +561,7 @@ static void cases_have_the_outcome_they_claim(void **state)
 static void check_builds(const char *path, const char *name)
 {
     roberts_mesh mesh = read_mesh(path);
-    roberts_scene *scene = build_scene(&mesh, name);
+    roberts_scene *scene = scene_of_model(&mesh, name);
     size_t count = roberts_scene_vertex_count(scene);
     bool crosses_itself = strncmp(name, "star/", 5) == 0; /* then points where sides cross may have been added */
     if (crosses_itself ? count < mesh.vertex_count : count != mesh.vertex_count)
@@ -662,7 +641,7 @@ static void families_have_the_number_of_solids_they_promise(void **state)
         roberts_scene *scene;
         assert_int_equal(run(cases[i].arguments, output), 0);
         mesh = read_mesh(output);
-        scene = build_scene(&mesh, cases[i].arguments);
+        scene = scene_of_model(&mesh, cases[i].arguments);
         if (roberts_scene_solid_count(scene) != cases[i].solids ||
             (cases[i].faces && mesh.face_count != cases[i].faces))
             fail_msg("%s: %zu solids, %zu faces", cases[i].arguments, roberts_scene_solid_count(scene),
@@ -697,7 +676,7 @@ static void figures_have_the_faces_they_promise(void **state)
         char path[PATH_ROOM];
         snprintf(path, sizeof path, "models/%s.off", cases[i].model);
         roberts_mesh mesh = read_mesh(path);
-        roberts_scene *scene = build_scene(&mesh, path);
+        roberts_scene *scene = scene_of_model(&mesh, path);
         print_message("%s: %u solids\n", path, (unsigned)scene->solid_count);
         assert_int_equal(scene->solid_count, cases[i].solids);
         for (int s = 0; s < 8 && cases[i].faces[s]; s++)
@@ -763,7 +742,7 @@ static void nothing_floats(void **state)
         roberts_scene *scene;
         snprintf(path, sizeof path, "models/%s.off", scenes[i]);
         mesh = read_mesh(path);
-        scene = build_scene(&mesh, path);
+        scene = scene_of_model(&mesh, path);
         for (uint32_t s = 0; s < scene->solid_count; s++) {
             double lo, hi, other_lo, other_hi;
             bool held;

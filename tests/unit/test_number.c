@@ -2,19 +2,12 @@
 #include <float.h>
 #include <locale.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "base/number.h"
-#include "skip.h"
+#include "testing.h"
 
 enum { ROOM = 2 * NUMBER_LENGTH_MAX };
 

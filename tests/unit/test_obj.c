@@ -1,17 +1,12 @@
 /* test_obj.c - Wavefront OBJ: all forms of corners, groups, colours from .mtl files, what is skipped and what is
  * refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "read/obj.h"
 #include "read_rows.h"
 #include "temporary.h"
+#include "testing.h"
 
 #define THREE "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 #define THREE_TEXT "0,0,0 1,0,0 0,1,0"
@@ -181,38 +176,16 @@ static void reads_files_beside(void **state)
 
 static void reads_published_files(void **state)
 {
-    static const struct file {
-        const char *name;
-        roberts_status status;
-        size_t vertices, faces, groups;
-    } files[] = {{"box_longline.obj", ROBERTS_OK, 8, 6, 1},
-                 {"concave_polygon.obj", ROBERTS_OK, 64, 1, 2},
-                 {"cube_with_vertexcolors.obj", ROBERTS_OK, 8, 12, 1},
-                 {"multiple_spaces.obj", ROBERTS_OK, 4, 1, 0},
-                 {"number_formats.obj", ROBERTS_BAD_SYNTAX, 0, 0, 0},
-                 {"point_cloud.obj", ROBERTS_OK, 3, 0, 0},
-                 {"spider.obj", ROBERTS_OK, 762, 1368, 19},
-                 {"testmixed.obj", ROBERTS_OK, 8, 24, 0}};
-    size_t read = 0;
+    static const published_file files[] = {{"box_longline.obj", ROBERTS_OK, 8, 6, 1, false, false},
+                                           {"concave_polygon.obj", ROBERTS_OK, 64, 1, 2, false, false},
+                                           {"cube_with_vertexcolors.obj", ROBERTS_OK, 8, 12, 1, false, true},
+                                           {"multiple_spaces.obj", ROBERTS_OK, 4, 1, 0, false, false},
+                                           {"number_formats.obj", ROBERTS_BAD_SYNTAX, 0, 0, 0, false, false},
+                                           {"point_cloud.obj", ROBERTS_OK, 3, 0, 0, false, false},
+                                           {"spider.obj", ROBERTS_OK, 762, 1368, 19, false, false},
+                                           {"testmixed.obj", ROBERTS_OK, 8, 24, 0, false, false}};
     (void)state;
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        char path[256];
-        roberts_mesh mesh = {0};
-        snprintf(path, sizeof path, "../shared/models/other/%s", files[i].name);
-        if (access(path, R_OK) != 0)
-            continue;
-        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), files[i].status);
-        if (mesh.vertex_count != files[i].vertices || mesh.face_count != files[i].faces ||
-            mesh.group_count != files[i].groups)
-            fail_msg("%s: %zu vertices, %zu faces, %zu groups", files[i].name, mesh.vertex_count, mesh.face_count,
-                     mesh.group_count);
-        roberts_mesh_free(&mesh);
-        read++;
-    }
-    if (read == 0) {
-        printf("no published files\n");
-        skip();
-    }
+    read_published_files(files, sizeof files / sizeof files[0]);
 }
 
 int main(void)

@@ -4,21 +4,14 @@
  * it has a colour. Warnings are compared as "LINE: MESSAGE;". */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read/off.h"
 #include "roberts.h"
-#include "skip.h"
+#include "testing.h"
 
 enum { ROOM = 1 << 14 };
 

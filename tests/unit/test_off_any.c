@@ -2,19 +2,13 @@
  * and the same result however the bytes arrive. Good files are cut off at each byte, each byte is replaced by every
  * other value, and pieces of different files are combined at random. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "same_complaint.h"
 #include "same_mesh.h"
+#include "testing.h"
 
 typedef struct bytes {
     const char *text;

@@ -1,18 +1,12 @@
 /* test_off_binary.c - OFF BINARY: both orders of bytes, with and without the number of colour floats, every prefix, and
  * what is refused. The files are written here, word by word. */
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "roberts.h"
+#include "testing.h"
 
 /* A binary file while it is written. */
 typedef struct file {

@@ -1,32 +1,20 @@
 /* test_off_models.c - published models, compared with what another reader found in them and listed in INDEX.md: numbers
  * of vertices, faces, thin faces and colours. Skipped if the models are not there. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "folders.h"
 #include "roberts.h"
-#include "skip.h"
+#include "testing.h"
 
 enum { LINE = 4096 };
-
-static const char *folder(void)
-{
-    const char *shared = getenv("ROBERTS_SHARED");
-    return shared && *shared ? shared : "../shared";
-}
 
 /* The index, or a test that is skipped. */
 static FILE *open_index(void)
 {
     char path[LINE];
-    snprintf(path, sizeof path, "%s/models/INDEX.md", folder());
+    snprintf(path, sizeof path, "%s/models/INDEX.md", shared_folder());
     FILE *file = fopen(path, "r");
     if (!file) {
         SKIP_BECAUSE("no %s", path);
@@ -38,7 +26,7 @@ static FILE *open_index(void)
 static roberts_status read_model(const char *name, roberts_mesh *mesh, size_t *thin, roberts_error *error)
 {
     char path[LINE];
-    snprintf(path, sizeof path, "%s/models/%s", folder(), name);
+    snprintf(path, sizeof path, "%s/models/%s", shared_folder(), name);
     roberts_status status = roberts_mesh_read_file(mesh, path, NULL, error);
     *thin = 0;
     for (size_t f = 0; f < mesh->face_count; f++)

@@ -5,20 +5,16 @@
  * Threads are those of POSIX, which the thread sanitizer knows (make test-threads). */
 #include <dirent.h>
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "read/off.h"
+#include "folders.h"
+#include "make_mesh.h"
 #include "same_mesh.h"
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 /* ---- threads --------------------------------------------------------------------------------------------------- */
@@ -112,7 +108,7 @@ static void read_input(test_input *in, const off_division *division, result *r)
         .read = read_on, .context = in, .read_at = read_at, .go = go, .size = in->size, .finite = true};
     *r = (result){0};
     for (size_t i = 0; i < in->first; i++)
-        assert_int_equal(roberts_mesh_add_vertex(&r->mesh, (roberts_vec3){1, 2, 3}, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&r->mesh, (roberts_vec3){1, 2, 3});
     in->at = in->read = 0;
     (void)read_mesh(&r->mesh, "t", &source, division, &warnings, &r->error);
 }
@@ -382,10 +378,9 @@ static int check_folder(const char *folder)
 static void models_in_pieces(void **state)
 {
     char path[1000];
-    const char *shared = getenv("ROBERTS_SHARED");
     (void)state;
     assert_true(check_folder("models") >= 15 && check_folder("models/tests") >= 30);
-    snprintf(path, sizeof path, "%s/models", shared && *shared ? shared : "../shared");
+    snprintf(path, sizeof path, "%s/models", shared_folder());
     print_message("%d published models\n", check_folder(path));
 }
 

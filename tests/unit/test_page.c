@@ -2,16 +2,12 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 #include "draw/page.h"
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "testing.h"
 
 static const roberts_page a4 = {210.0, 297.0, 10.0};
 

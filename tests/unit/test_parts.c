@@ -1,21 +1,17 @@
 /* test_parts.c - a drawing that is joined from parts has the same bytes as that of one run, and join refuses parts that
  * do not belong together. */
 #include <glob.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "part/plan.h"
+#include "build_scene.h"
 #include "rng.h"
 #include "roberts.h"
 #include "temporary.h"
+#include "testing.h"
 #include "whole_file.h"
 
 enum { PARTS_MOST = 7, NAME = TEMPORARY_ROOM + 32 };
@@ -105,7 +101,6 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
 {
     roberts_mesh mesh = {.threads = 1};
     roberts_scene *scene = NULL;
-    roberts_drawing drawing;
     roberts_joined from_parts;
     roberts_error error = {0};
     char *const plans[] = {plan_path};
@@ -114,7 +109,7 @@ static bool is_same(const roberts_inputs *input, const roberts_task *task, uint3
     for (size_t i = 0; i < input->count; i++)
         assert_int_equal(roberts_mesh_read_file(&mesh, input->name[i], NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, &task->scene, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &task->camera, &task->hide, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &task->camera, &task->hide);
     const roberts_inputs from = parts % 2 ? *input : (roberts_inputs){1, plans};
     if (draw_parts(&from, task, parts, &error) != ROBERTS_OK || join(parts, task, &from_parts, &error) != ROBERTS_OK)
         fail_msg("%s in %u parts: %s", input->name[0], parts, error.message);

@@ -1,22 +1,17 @@
 /* Text of PDF that readers can search: the characters of the fonts, the content of the page, and the result of
  * pdftotext. */
 #include <errno.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-#include <cmocka.h>
 #include <zlib.h>
 
 #include "write/formats.h"
 #include "drawing.h"
-#include "skip.h"
 #include "temporary.h"
+#include "testing.h"
 
 enum { PAGE_ROOM = 20000 };
 

@@ -3,18 +3,14 @@
  * Each mesh is built twice: as it is, and with a reversed copy of its first face. A face that repeats an earlier one
  * has no effect, but its body is not plain. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
 
 #include "model/plain_bodies.h"
 #include "model/scene.h"
 #include "read/mesh.h"
+#include "same_scene.h"
+#include "testing.h"
 
 static void add_face(roberts_mesh *mesh, size_t count, const uint32_t *corner)
 {
@@ -99,7 +95,7 @@ static void turn_some(roberts_mesh *mesh, size_t first)
     }
 }
 
-/* Two faces more at the last edge of the last face. */
+/* Adds two faces at the last edge of the last face. */
 static void add_fins(roberts_mesh *mesh)
 {
     uint32_t a = mesh->corner[mesh->corner_count - 2], b = mesh->corner[mesh->corner_count - 1];
@@ -225,17 +221,7 @@ static void check_same(const char *what, const roberts_scene *a, const roberts_s
         assert_memory_equal(a->surface->many_face + p->first, b->surface->many_face + q->first,
                             (p->end - p->first) * sizeof *a->surface->many_face);
     }
-    for (uint32_t v = 0; v < a->vertex_count; v++)
-        assert_int_equal(scene_vertex_number(a, v), scene_vertex_number(b, v));
-    for (uint32_t f = 0; f < a->face_count; f++)
-        assert_int_equal(scene_face_number(a, f), scene_face_number(b, f));
-    assert_memory_equal(a->point, b->point, a->vertex_count * sizeof *a->point);
-    assert_memory_equal(a->face_start, b->face_start, (a->face_count + 1) * sizeof *a->face_start);
-    assert_memory_equal(a->corner, b->corner, a->face_start[a->face_count] * sizeof *a->corner);
-    for (uint32_t f = 0; f < a->face_count; f++) {
-        scene_shape p = scene_shape_of(a, f), q = scene_shape_of(b, f);
-        assert_memory_equal(&p, &q, sizeof p);
-    }
+    expect_same_faces(a, b);
     check_bends(a);
 }
 

@@ -1,15 +1,10 @@
 /* test_ply.c - PLY as text and in both byte orders: which data are used, skipped or refused, and where. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "read_rows.h"
+#include "testing.h"
 
 #define VERTICES(n) "element vertex " n "\nproperty float x\nproperty float y\nproperty float z\n"
 #define FACES(n) "element face " n "\nproperty list uchar int vertex_indices\n"
@@ -290,34 +285,12 @@ static void refuses_binary(void **state)
 
 static void reads_published_files(void **state)
 {
-    static const struct file {
-        const char *name;
-        size_t vertices, faces;
-        bool float32, vertex_color;
-    } files[] = {{"cube.ply", 8, 6, false, false},
-                 {"cube_binary.ply", 8, 12, true, false},
-                 {"float-color.ply", 3, 1, false, true},
-                 {"points.ply", 4, 0, false, true}};
-    size_t read = 0;
+    static const published_file files[] = {{"cube.ply", ROBERTS_OK, 8, 6, 0, false, false},
+                                           {"cube_binary.ply", ROBERTS_OK, 8, 12, 0, true, false},
+                                           {"float-color.ply", ROBERTS_OK, 3, 1, 0, false, true},
+                                           {"points.ply", ROBERTS_OK, 4, 0, 0, false, true}};
     (void)state;
-    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        char path[256];
-        roberts_mesh mesh = {0};
-        snprintf(path, sizeof path, "../shared/models/other/%s", files[i].name);
-        if (access(path, R_OK) != 0)
-            continue;
-        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-        assert_int_equal(mesh.vertex_count, files[i].vertices);
-        assert_int_equal(mesh.face_count, files[i].faces);
-        assert_int_equal(mesh.source[0].float32, files[i].float32);
-        assert_int_equal(mesh.vertex_color != NULL, files[i].vertex_color);
-        roberts_mesh_free(&mesh);
-        read++;
-    }
-    if (read == 0) {
-        printf("no published files\n");
-        skip();
-    }
+    read_published_files(files, sizeof files / sizeof files[0]);
 }
 
 int main(void)

@@ -2,17 +2,13 @@
  * rays, special positions by table. */
 #include <float.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "base/vec.h"
 #include "rng.h"
 #include "roberts.h"
+#include "testing.h"
 
 #define FRONT ROBERTS_FACING_FRONT
 #define BACK ROBERTS_FACING_BACK
@@ -260,7 +256,7 @@ static void test_triangle_table(void **state)
         }
 }
 
-/* Triangles without area, also those that only rounding keeps from it, are never met. */
+/* Triangles without area are never met, nor are those whose area is only rounding. */
 static void test_triangle_flat(void **state)
 {
     const roberts_vec3 a = {0.1, 0.2, 0.3}, b = {0.2, 0.4, 0.6}, c = {0.7, 1.4, 2.1};
@@ -561,7 +557,7 @@ static void test_sphere_forms(void **state)
         roberts_span algebraic, geometric, circle;
         bool met = roberts_ray_sphere_geometric(ray, centre, radius, &geometric);
         if (fabs(d - radius) < 1e-12 || fabs(vec3_length(so) - radius) < 1e-12)
-            continue; /* at the mercy of rounding */
+            continue; /* rounding decides here */
         assert_int_equal(met, d < radius && (t_h > 0 || vec3_length(so) < radius));
         assert_int_equal(met, roberts_ray_sphere(ray, centre, radius, &algebraic));
         /* in the plane of ray and centre: S at 0, v along x, O at (t_H |v|, d) */

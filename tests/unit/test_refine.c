@@ -31,13 +31,7 @@ static whole random_whole(rng *r, int size)
 /* Solid 0 is a tetrahedron of vertices 0..3, solid 1 one of 4..7. */
 static void add_tetrahedron(model *m, const whole p[4])
 {
-    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}};
-    uint32_t first = (uint32_t)m->mesh.vertex_count;
-    for (int i = 0; i < 4; i++)
-        model_vertex(m, real(p[i]));
-    for (int f = 0; f < 4; f++)
-        model_face(m, (uint32_t[]){first + corner[f][0], first + corner[f][1], first + corner[f][2]}, 3);
-    model_close_solid(m);
+    model_tetrahedron(m, (roberts_vec3[]){real(p[0]), real(p[1]), real(p[2]), real(p[3])});
 }
 
 static int64_t volume(const whole p[4])

@@ -15,40 +15,6 @@ enum { SCENES = 60, POINTS = 12, MOST_FACES = 80, MOST_CORNERS = 4 };
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
-/* Six faces of a parallelepiped: corner + i u + j v + k w. */
-static void add_box(roberts_mesh *mesh, roberts_vec3 corner, roberts_vec3 u, roberts_vec3 v, roberts_vec3 w)
-{
-    static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    uint32_t at = (uint32_t)mesh->vertex_count;
-    for (int i = 0; i < 8; i++) {
-        double a = i & 1, b = i >> 1 & 1, c = i >> 2 & 1;
-        roberts_vec3 p = {corner.x + a * u.x + b * v.x + c * w.x, corner.y + a * u.y + b * v.y + c * w.y,
-                          corner.z + a * u.z + b * v.z + c * w.z};
-        assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
-    }
-    for (int f = 0; f < 6; f++) {
-        uint32_t own[4];
-        for (int k = 0; k < 4; k++)
-            own[k] = at + face[f][k];
-        assert_int_equal(roberts_mesh_add_face(mesh, own, 4, NULL), ROBERTS_OK);
-    }
-}
-
-static void add_triangle(roberts_mesh *mesh, roberts_vec3 a, roberts_vec3 b, roberts_vec3 c)
-{
-    const roberts_vec3 p[3] = {a, b, c};
-    uint32_t at = (uint32_t)mesh->vertex_count, own[3] = {at, at + 1, at + 2};
-    for (int k = 0; k < 3; k++)
-        assert_int_equal(roberts_mesh_add_vertex(mesh, p[k], NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_mesh_add_face(mesh, own, 3, NULL), ROBERTS_OK);
-}
-
-static roberts_vec3 random_point(rng *r, double size)
-{
-    return (roberts_vec3){rng_between(r, -size, size), rng_between(r, -size, size), rng_between(r, -size, size)};
-}
-
 static roberts_vec3 grid_point(rng *r, int size)
 {
     return (roberts_vec3){rng_int(r, -size, size), rng_int(r, -size, size), rng_int(r, -size, size)};
@@ -58,37 +24,37 @@ static roberts_vec3 grid_point(rng *r, int size)
 static void make_skew(rng *r, roberts_mesh *mesh)
 {
     for (int i = rng_int(r, 1, 6); i > 0; i--)
-        add_box(mesh, random_point(r, 3), random_point(r, 3), random_point(r, 3), random_point(r, 3));
+        mesh_block(mesh, rng_vec3(r, 3), rng_vec3(r, 3), rng_vec3(r, 3), rng_vec3(r, 3));
 }
 
 /* Boxes on a grid: they touch, lie flush, hold or repeat one another, and have faces in one plane. */
 static void make_blocks(rng *r, roberts_mesh *mesh)
 {
     for (int i = rng_int(r, 2, 10); i > 0; i--)
-        add_box(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), 0, 0}, (roberts_vec3){0, rng_int(r, 1, 3), 0},
-                (roberts_vec3){0, 0, rng_int(r, 1, 3)});
+        mesh_block(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), 0, 0},
+                   (roberts_vec3){0, rng_int(r, 1, 3), 0}, (roberts_vec3){0, 0, rng_int(r, 1, 3)});
 }
 
 /* The same, sheared along the grid. */
 static void make_sheared(rng *r, roberts_mesh *mesh)
 {
     for (int i = rng_int(r, 2, 7); i > 0; i--)
-        add_box(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), rng_int(r, -1, 1), 0},
-                (roberts_vec3){0, rng_int(r, 1, 3), rng_int(r, -1, 1)}, (roberts_vec3){0, 0, rng_int(r, 1, 3)});
+        mesh_block(mesh, grid_point(r, 2), (roberts_vec3){rng_int(r, 1, 3), rng_int(r, -1, 1), 0},
+                   (roberts_vec3){0, rng_int(r, 1, 3), rng_int(r, -1, 1)}, (roberts_vec3){0, 0, rng_int(r, 1, 3)});
 }
 
 /* Triangles through one another. */
 static void make_soup(rng *r, roberts_mesh *mesh)
 {
     for (int i = rng_int(r, 2, 20); i > 0; i--)
-        add_triangle(mesh, random_point(r, 4), random_point(r, 4), random_point(r, 4));
+        mesh_triangle(mesh, rng_vec3(r, 4), rng_vec3(r, 4), rng_vec3(r, 4));
 }
 
 /* Triangles with corners on a grid: many share corners and planes, and some are seen edge-on. */
 static void make_grid_soup(rng *r, roberts_mesh *mesh)
 {
     for (int i = rng_int(r, 2, 14); i > 0; i--)
-        add_triangle(mesh, grid_point(r, 2), grid_point(r, 2), grid_point(r, 2));
+        mesh_triangle(mesh, grid_point(r, 2), grid_point(r, 2), grid_point(r, 2));
 }
 
 /* Horizontal triangles in few planes, over and in one another. */
@@ -99,7 +65,7 @@ static void make_layers(rng *r, roberts_mesh *mesh)
         roberts_vec3 p[3];
         for (int k = 0; k < 3; k++)
             p[k] = (roberts_vec3){rng_int(r, -4, 4), rng_int(r, -4, 4), z};
-        add_triangle(mesh, p[0], p[1], p[2]);
+        mesh_triangle(mesh, p[0], p[1], p[2]);
     }
 }
 
@@ -404,13 +370,12 @@ static double check_scene(const char *name, const roberts_scene *scene, const ro
                           rng *r, tally *t)
 {
     roberts_region_list l;
-    roberts_drawing d;
     roberts_error error = {0};
     roberts_hide_options options = roberts_hide_options_default();
     options.all_edges = true;
     if (roberts_regions(scene, camera, NULL, &l, &error) != ROBERTS_OK)
         fail_msg("%s: %s", name, error.message);
-    assert_int_equal(roberts_hide(scene, camera, &options, &d, NULL), ROBERTS_OK);
+    roberts_drawing d = drawing_of(scene, camera, &options);
     double sum = 0;
     for (size_t i = 0; i < l.count; i++)
         sum += l.region[i].area;
@@ -444,10 +409,9 @@ static void test_random_scenes(void **state)
         tally t = {0};
         for (int n = 0; n < SCENES || t.regions < least; n++) {
             roberts_mesh mesh = {0};
-            roberts_scene *scene;
             char name[100];
             families[f].make(&r, &mesh);
-            assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+            roberts_scene *scene = scene_of_mesh(&mesh, NULL);
             const double heights[] = {0, 40, 15};
             for (size_t v = 0; v < sizeof heights / sizeof heights[0]; v++) {
                 roberts_camera camera = from_above;
@@ -463,7 +427,7 @@ static void test_random_scenes(void **state)
                     fail_msg("%s: the regions have area %.17g, their shadow %.17g", name, area, all);
             }
             snprintf(name, sizeof name, "%s, scene %d, aslant", families[f].name, n);
-            check_scene(name, scene, &(roberts_camera){.dir = random_point(&r, 1)}, f != 0 && f != 3, &r, &t);
+            check_scene(name, scene, &(roberts_camera){.dir = rng_vec3(&r, 1)}, f != 0 && f != 3, &r, &t);
             snprintf(name, sizeof name, "%s, scene %d, along a diagonal", families[f].name, n);
             check_scene(name, scene, &(roberts_camera){.dir = {1, 1, 1}}, true, &r, &t);
             roberts_scene_free(scene);
@@ -483,15 +447,14 @@ static void test_near_plane(void **state)
     (void)state;
     for (int n = 0; n < 120; n++) {
         roberts_mesh mesh = {0};
-        roberts_scene *scene;
         char name[100];
         for (int i = 0; i < 12; i++) {
-            roberts_vec3 u = random_point(&r, 0.5), v = random_point(&r, 0.5), w = random_point(&r, 0.5);
-            roberts_vec3 at = random_point(&r, 3);
+            roberts_vec3 u = rng_vec3(&r, 0.5), v = rng_vec3(&r, 0.5), w = rng_vec3(&r, 0.5);
+            roberts_vec3 at = rng_vec3(&r, 3);
             at.x += at.x < 0 ? -2 : 2; /* none holds the eye */
-            add_box(&mesh, at, u, v, w);
+            mesh_block(&mesh, at, u, v, w);
         }
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = build_scene(&mesh);
         roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
                                  .eye = {0, 0, 0},
                                  .look_at = {4, rng_between(&r, -1, 1), rng_between(&r, -1, 1)},
@@ -500,7 +463,6 @@ static void test_near_plane(void **state)
         snprintf(name, sizeof name, "near plane, scene %d", n);
         check_scene(name, scene, &camera, true, &r, &t);
         roberts_scene_free(scene);
-        roberts_mesh_free(&mesh);
     }
     print_message("note: near plane: %zu regions of %zu rings; %zu points, %zu on faces\n", t.regions, t.rings,
                   t.points, t.seen);
@@ -515,25 +477,25 @@ static void add_prism(rng *r, bool is_frame, roberts_mesh *mesh)
     static const double frame[8][2] = {{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
     static const uint32_t slit[10] = {0, 1, 2, 3, 0, 4, 7, 6, 5, 4};
     const uint32_t count = is_frame ? 8 : 6, first = (uint32_t)mesh->vertex_count;
-    const roberts_vec3 u = random_point(r, 1), v = random_point(r, 1), w = random_point(r, 2), at = random_point(r, 3);
+    const roberts_vec3 u = rng_vec3(r, 1), v = rng_vec3(r, 1), w = rng_vec3(r, 2), at = rng_vec3(r, 3);
     uint32_t below[10], above[10], corners = is_frame ? 10 : 6;
     for (uint32_t i = 0; i < 2 * count; i++) {
         const double *p = is_frame ? frame[i % count] : l[i % count], h = i < count ? 0 : 1;
         roberts_vec3 P = {at.x + p[0] * u.x + p[1] * v.x + h * w.x, at.y + p[0] * u.y + p[1] * v.y + h * w.y,
                           at.z + p[0] * u.z + p[1] * v.z + h * w.z};
-        assert_int_equal(roberts_mesh_add_vertex(mesh, P, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, P);
     }
     for (uint32_t k = 0; k < corners; k++) {
         uint32_t i = is_frame ? slit[k] : k;
         below[corners - 1 - k] = first + i;
         above[k] = first + count + i;
     }
-    assert_int_equal(roberts_mesh_add_face(mesh, below, corners, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_mesh_add_face(mesh, above, corners, NULL), ROBERTS_OK);
+    mesh_face(mesh, below, corners);
+    mesh_face(mesh, above, corners);
     for (uint32_t i = 0; i < count; i++) {
         uint32_t next = is_frame ? i / 4 * 4 + (i + 1) % 4 : (i + 1) % 6;
         const uint32_t side[4] = {first + i, first + next, first + count + next, first + count + i};
-        assert_int_equal(roberts_mesh_add_face(mesh, side, 4, NULL), ROBERTS_OK);
+        mesh_face(mesh, side, 4);
     }
 }
 
@@ -547,24 +509,23 @@ static void test_near_plane_not_convex(void **state)
     (void)state;
     for (int n = 0; n < 400; n++) {
         roberts_mesh mesh = {0};
-        roberts_scene *scene;
         char name[100];
         for (int i = rng_int(&r, 1, 5); i > 0; i--)
             switch (n % KINDS) {
             case SOUPS:
-                add_triangle(&mesh, random_point(&r, 4), random_point(&r, 4), random_point(&r, 4));
+                mesh_triangle(&mesh, rng_vec3(&r, 4), rng_vec3(&r, 4), rng_vec3(&r, 4));
                 break;
             case BOXES_TOO:
-                add_box(&mesh, random_point(&r, 3), random_point(&r, 2), random_point(&r, 2), random_point(&r, 2));
+                mesh_block(&mesh, rng_vec3(&r, 3), rng_vec3(&r, 2), rng_vec3(&r, 2), rng_vec3(&r, 2));
                 add_prism(&r, i % 2, &mesh);
                 break;
             default:
                 add_prism(&r, n % KINDS == FRAMES, &mesh);
             }
-        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = build_scene(&mesh);
         roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
                                  .eye = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), 3},
-                                 .look_at = random_point(&r, 1),
+                                 .look_at = rng_vec3(&r, 1),
                                  .has_look_at = true,
                                  .near_distance = rng_between(&r, 0.5, 3)};
         snprintf(name, sizeof name, "near plane, bodies that are not convex, scene %d", n);
@@ -576,7 +537,6 @@ static void test_near_plane_not_convex(void **state)
         else
             inside++;
         roberts_scene_free(scene);
-        roberts_mesh_free(&mesh);
     }
     print_message("note: near plane, not convex: %zu regions of %zu rings; %zu points, %zu on faces; %zu eyes inside\n",
                   t.regions, t.rings, t.points, t.seen, inside);
@@ -587,12 +547,11 @@ static void test_near_plane_not_convex(void **state)
 static void test_hole(void **state)
 {
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
     roberts_region_list l;
     (void)state;
-    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 0, 0}, (roberts_vec3){0, 4, 0}, (roberts_vec3){0, 0, 1});
-    add_box(&mesh, (roberts_vec3){1, 1, 2}, (roberts_vec3){2, 0, 0}, (roberts_vec3){0, 2, 0}, (roberts_vec3){0, 0, 1});
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 4, 1});
+    mesh_box(&mesh, (roberts_vec3){1, 1, 2}, (roberts_vec3){3, 3, 3});
+    roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_regions(scene, &from_above, NULL, &l, NULL), ROBERTS_OK);
     assert_int_equal(l.count, 2);
     assert_int_equal(l.region[0].solid, 0);
@@ -606,18 +565,6 @@ static void test_hole(void **state)
     assert_true(l.corner[0].x == -2 && l.corner[0].y == -2);
     roberts_regions_free(&l);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
-}
-
-/* Reads from a string, which moves on. */
-static ptrdiff_t read_string(void *context, void *buffer, size_t size)
-{
-    const char **from = context;
-    size_t length = strlen(*from);
-    length = length < size ? length : size;
-    memcpy(buffer, *from, length);
-    *from += length;
-    return (ptrdiff_t)length;
 }
 
 /* By hand: a strip of four squares, the last of them red, and beside it two blocks that are flush with one another. */
@@ -625,14 +572,12 @@ static void test_merged(void **state)
 {
     const char *strip = "OFF\n10 4 0\n0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n3 0 0\n3 1 0\n4 0 0\n4 1 0\n"
                         "4 0 2 3 1\n4 2 4 5 3\n4 4 6 7 5\n4 6 8 9 7 1 0 0\n";
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
+    roberts_mesh mesh = mesh_of_text(strip);
     roberts_region_list l;
     (void)state;
-    assert_int_equal(roberts_mesh_read(&mesh, "strip", read_string, &strip, NULL, NULL), ROBERTS_OK);
-    add_box(&mesh, (roberts_vec3){5, 0, -1}, (roberts_vec3){1, 0, 0}, (roberts_vec3){0, 1, 0}, (roberts_vec3){0, 0, 1});
-    add_box(&mesh, (roberts_vec3){6, 0, -1}, (roberts_vec3){1, 0, 0}, (roberts_vec3){0, 1, 0}, (roberts_vec3){0, 0, 1});
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    mesh_box(&mesh, (roberts_vec3){5, 0, -1}, (roberts_vec3){6, 1, 0});
+    mesh_box(&mesh, (roberts_vec3){6, 0, -1}, (roberts_vec3){7, 1, 0});
+    roberts_scene *scene = build_scene(&mesh);
     for (int n = 0; n < 3; n++) {
         roberts_hide_options options = roberts_hide_options_default();
         options.merge_regions = n > 0;
@@ -647,7 +592,6 @@ static void test_merged(void **state)
         roberts_regions_free(&l);
     }
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 static bool same_regions(const roberts_region_list *a, const roberts_region_list *b)
@@ -667,11 +611,10 @@ static void test_threads_and_grid(void **state)
 {
     rng r = {99};
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
     (void)state;
     for (int i = 0; i < 400; i++)
-        add_box(&mesh, random_point(&r, 20), random_point(&r, 2), random_point(&r, 2), random_point(&r, 2));
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        mesh_block(&mesh, rng_vec3(&r, 20), rng_vec3(&r, 2), rng_vec3(&r, 2), rng_vec3(&r, 2));
+    roberts_scene *scene = build_scene(&mesh);
     roberts_region_list first = {0};
     const uint32_t grids[] = {0, 1, 7, 0}, threads[] = {1, 3, 1, 5};
     for (size_t i = 0; i < 4; i++) {
@@ -690,19 +633,17 @@ static void test_threads_and_grid(void **state)
     assert_true(first.count > 200);
     roberts_regions_free(&first);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 /* Impossible requests give errors. */
 static void test_refused(void **state)
 {
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
     roberts_region_list l;
     roberts_error error = {0};
     (void)state;
-    add_triangle(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){9, -1, 0}, (roberts_vec3){-1, 9, 0});
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+    mesh_triangle(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){9, -1, 0}, (roberts_vec3){-1, 9, 0});
+    roberts_scene *scene = build_scene(&mesh);
     roberts_camera camera = {
         .projection = ROBERTS_PERSPECTIVE, .eye = {1, 1, 1}, .look_at = {6, 1, 0.5}, .has_look_at = true};
     camera.eye = camera.look_at;
@@ -715,7 +656,6 @@ static void test_refused(void **state)
     roberts_regions_free(&l);
     roberts_regions_free(NULL);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 int main(void)

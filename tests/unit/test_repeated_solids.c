@@ -39,14 +39,13 @@ static void fill(model *m, rng *r, uint32_t count, int kinds, winding wound)
 static roberts_scene *build_alone(const model *m, uint32_t s)
 {
     model alone = {0};
-    roberts_scene *scene;
     model_reorder(&alone,
                   &(model){.mesh = m->mesh,
                            .solids = 1,
                            .first_vertex = {m->first_vertex[s], m->first_vertex[s + 1]},
                            .first_face = {m->first_face[s], m->first_face[s + 1]}},
                   (uint32_t[]){0});
-    assert_int_equal(roberts_scene_build(&alone.mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_scene *scene = scene_of_mesh(&alone.mesh, NULL);
     model_free(&alone);
     return scene;
 }
@@ -81,9 +80,8 @@ static void solids_are_as_if_alone(void **state)
     (void)state;
     for (int round = 0; round < 60; round++) {
         model m;
-        roberts_scene *scene;
         fill(&m, &r, (uint32_t)rng_int(&r, 1, 30), rng_int(&r, 1, SHAPES), (winding)(round % 4));
-        assert_int_equal(roberts_scene_build(&m.mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = scene_of_mesh(&m.mesh, NULL);
         assert_int_equal(scene->solid_count, m.solids);
         for (uint32_t s = 0; s < m.solids; s++)
             expect_as_alone(&m, scene, s);
@@ -109,13 +107,12 @@ static void edges_are_stored_once(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         model m = {0};
-        roberts_scene *scene;
         bool first[4] = {false, false, false, false};
         do {
             model_free(&m);
             fill(&m, &r, 100, 1, cases[i].wound);
         } while (cases[i].wound == EITHER && m.mesh.corner[0] != 0);
-        assert_int_equal(roberts_scene_build(&m.mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = scene_of_mesh(&m.mesh, NULL);
         assert_int_equal(scene->shared, cases[i].shared);
         for (uint32_t s = 0; s < 100; s++) {
             assert_true(scene->solid[s].stored % 12 == 0 && scene->solid[s].stored < cases[i].shared);
@@ -131,12 +128,11 @@ static void disagreeing_solids_share_nothing(void **state)
 {
     rng r = {26};
     model m;
-    roberts_scene *scene;
     (void)state;
     fill(&m, &r, 50, 1, OUTWARD);
     for (uint32_t f = 0; f < m.mesh.face_count; f += 6)
         turn_over(&m.mesh, f);
-    assert_int_equal(roberts_scene_build(&m.mesh, NULL, &scene, NULL), ROBERTS_OK);
+    roberts_scene *scene = scene_of_mesh(&m.mesh, NULL);
     assert_int_equal(scene->shared, 0);
     for (uint32_t s = 0; s < 50; s++) {
         assert_int_equal(scene->solid[s].stored, 12 * s);
@@ -194,7 +190,7 @@ static void a_mesh_refused_is_wound_as_it_was(void **state)
         }
 }
 
-/* An open solid beside whole ones that are wound inward: what welding makes of the mesh must not see them turned. */
+/* An open solid beside whole ones that are wound inward: in the mesh that is welded, they must not be turned. */
 static void welding_starts_from_the_mesh(void **state)
 {
     (void)state;
@@ -269,7 +265,7 @@ static void disturb(roberts_mesh *mesh, rng *r)
             corner[j] = corner[j] == swapped ? corner[k] : corner[j] == corner[k] ? swapped : corner[j];
         break;
     case 3: /* a vertex that no face uses */
-        assert_int_equal(roberts_mesh_add_vertex(mesh, (roberts_vec3){0, 0, 0}, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, (roberts_vec3){0, 0, 0});
         break;
     default:
         break;
@@ -320,12 +316,12 @@ static void faces_of(roberts_mesh *mesh, uint32_t vertices, const char *corners)
 {
     *mesh = (roberts_mesh){0};
     for (uint32_t v = 0; v < vertices; v++)
-        assert_int_equal(roberts_mesh_add_vertex(mesh, (roberts_vec3){v, 0, 0}, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, (roberts_vec3){v, 0, 0});
     for (const char *c = corners; *c; c += *c == ' ') {
         uint32_t face[16], n = 0;
         for (; *c && *c != ' '; c++)
             face[n++] = (uint32_t)(*c - 'a');
-        assert_int_equal(roberts_mesh_add_face(mesh, face, n, NULL), ROBERTS_OK);
+        mesh_face(mesh, face, n);
     }
 }
 

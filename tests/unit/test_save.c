@@ -2,10 +2,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,11 +12,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
 #include "temporary.h"
-#include "skip.h"
+#include "testing.h"
 
 #define TABLE                                                                                                          \
     "body,v0,v1,t0,t1,state,x0,y0,x1,y1,by,class,f0,f1\n"                                                              \

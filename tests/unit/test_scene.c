@@ -3,19 +3,14 @@
  * Meshes are given as OFF text or made by small helpers. Whatever is accepted is checked by check_scene(), which tests
  * the invariants of scene.h and computes everything in other ways than src/. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
+#include "folders.h"
 #include "scenes.h"
-#include "skip.h"
+#include "testing.h"
 
 /* Anything that is no convex solid is refused. */
 static const roberts_scene_options only_solids = {.solids = true};
@@ -31,7 +26,7 @@ static uint32_t add_vertex(roberts_mesh *mesh, double x, double y, double z)
 
 static void add_face(roberts_mesh *mesh, const uint32_t *corner, size_t count)
 {
-    assert_int_equal(roberts_mesh_add_face(mesh, corner, count, NULL), ROBERTS_OK);
+    mesh_face(mesh, corner, count);
 }
 
 /* Adds vertices and faces from text like OFF's, but without colours, so that lines do not matter. */
@@ -452,12 +447,11 @@ static void repeated_corners_are_counted(void **state)
 {
     const char *text = "OFF 4 5 0\n" TETRA_VERTICES "\n5 0 0 2 1 2\n3 0 1 3\n3 1 2 3\n3 0 3 2\n4 1 2 1 2\n";
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
     char said[200] = "";
     roberts_scene_options options = {.warnings = {note_warning, said}};
     (void)state;
     assert_int_equal(roberts_mesh_read_memory(&mesh, "test.off", text, strlen(text), NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_OK);
+    roberts_scene *scene = scene_of_mesh(&mesh, &options);
     assert_string_equal(said, "test.off:0: 4 corners that repeat another of the same face ignored");
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
@@ -985,7 +979,6 @@ static const struct {
 
 static void models_of_others(void **state)
 {
-    const char *folder = getenv("ROBERTS_SHARED");
     char path[1024];
     size_t seen = 0;
     (void)state;
@@ -993,7 +986,7 @@ static void models_of_others(void **state)
         roberts_mesh mesh = {0};
         roberts_scene *scene;
         roberts_error error = {0};
-        snprintf(path, sizeof path, "%s/models/%s", folder ? folder : "../shared", models[i].file);
+        snprintf(path, sizeof path, "%s/models/%s", shared_folder(), models[i].file);
         roberts_status status = roberts_mesh_read_file(&mesh, path, NULL, &error);
         if (status == ROBERTS_IO)
             continue;
@@ -1013,7 +1006,7 @@ static void models_of_others(void **state)
         roberts_mesh_free(&mesh);
     }
     if (!seen) {
-        SKIP_BECAUSE("no models in %s/models", folder ? folder : "../shared");
+        SKIP_BECAUSE("no models in %s/models", shared_folder());
     }
     assert_int_equal(seen, sizeof models / sizeof *models);
 }

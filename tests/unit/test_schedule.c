@@ -1,17 +1,12 @@
 /* src/hide/schedule.h with POSIX threads, which the thread sanitizer sees: with any number of threads, segments come in
  * order, each once, and the work ends early on request. */
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
 
 #include "base/array.h"
 #include "base/threads.h"
 #include "hide/schedule.h"
+#include "testing.h"
 
 #define CHUNKS 3000
 #define THREADS_TRIED 5

@@ -1,17 +1,15 @@
 /* Sheets: the place of each view, to the micrometre, and of the symbol; one scale; every format; refusals. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
+#include "sheet_views.h"
 #include "temporary.h"
+#include "testing.h"
+#include "whole_file.h"
 
 enum { VIEWS = ROBERTS_SHEET_VIEWS, POINTS = 400, FIGURES = 3 + 3 * 5 /* of the symbol, with dashes and dots */ };
 
@@ -21,49 +19,11 @@ static const char box[] = "OFF\n8 6 0\n110 220 5\n140 220 5\n140 240 5\n110 240 
 
 static const double micrometre = 0.00101; /* mm; coordinates are rounded to the nearest */
 
-typedef struct views {
-    roberts_drawing drawing[VIEWS];
-    roberts_sheet sheet;
-} views;
-
-static roberts_scene *scene_of(const char *off)
+static void hide_text_views(views *v, const char *off, roberts_sheet_angle angle)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "scene", off, strlen(off), NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
-}
-
-static void hide_views(views *v, const char *off, roberts_sheet_angle angle)
-{
-    roberts_scene *scene = scene_of(off);
     roberts_hide_options options = roberts_hide_options_default();
     options.keep_hidden = true;
-    *v = (views){.sheet = {.angle = angle}};
-    for (int i = 0; i < VIEWS; i++) {
-        roberts_camera camera;
-        assert_true(roberts_sheet_camera(angle, i, &camera));
-        assert_int_equal(roberts_hide(scene, &camera, &options, &v->drawing[i], NULL), ROBERTS_OK);
-        v->sheet.view[i] = &v->drawing[i];
-    }
-    roberts_scene_free(scene);
-}
-
-static void free_views(views *v)
-{
-    for (int i = 0; i < VIEWS; i++)
-        roberts_drawing_free(&v->drawing[i]);
-}
-
-static char *written(const roberts_sheet *sheet, const roberts_draw_options *options)
-{
-    sink to = {0};
-    roberts_error error = {0};
-    if (roberts_sheet_write(sheet, options, sink_write, &to, &error) != ROBERTS_OK)
-        fail_msg("%s", error.message);
-    return to.bytes;
+    hide_scene_views(v, scene_of_text(off), angle, &options);
 }
 
 /* The points of one layer's path. start[i]: the line goes on to another figure with it. */
@@ -177,10 +137,10 @@ static void views_have_their_places(void **state)
         views v;
         path lines;
         print_message("%s\n", place_cases[i].name);
-        hide_views(&v, box, place_cases[i].angle);
+        hide_text_views(&v, box, place_cases[i].angle);
         v.sheet.gap_mm = place_cases[i].gap_mm;
         options.placement = place_cases[i].placement;
-        char *svg = written(&v.sheet, &options);
+        char *svg = sheet_written(&v.sheet, &options).bytes;
         read_layer(svg, "outline", &lines);
         assert_int_equal(lines.count, 4 + 4 + 4 + 6);
         for (size_t k = 0; k < lines.count; k++) {
@@ -246,18 +206,18 @@ static void views_can_be_left_out(void **state)
     rectangle found = empty;
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
-    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
+    hide_text_views(&v, box, ROBERTS_FIRST_ANGLE);
     v.sheet.view[ROBERTS_SHEET_TOP] = v.sheet.view[ROBERTS_SHEET_ISO] = NULL;
     options.symbol.off = true;
     options.page = (roberts_page){85, 30, 10};
-    char *svg = written(&v.sheet, &options);
+    char *svg = sheet_written(&v.sheet, &options).bytes;
     read_layer(svg, "outline", &lines);
     for (size_t i = 0; i < lines.count; i++)
         enlarge(&found, lines.point[i]);
     assert_true(is_same(found, (rectangle){10, 10, 75, 20}));
     free(svg);
     v.sheet.view[ROBERTS_SHEET_FRONT] = v.sheet.view[ROBERTS_SHEET_SIDE] = NULL;
-    svg = written(&v.sheet, &options);
+    svg = sheet_written(&v.sheet, &options).bytes;
     read_layer(svg, "outline", &lines);
     assert_int_equal(lines.count, 0);
     free(svg);
@@ -296,11 +256,11 @@ static void sheets_fill_the_page(void **state)
             views v;
             path lines;
             print_message("%s\n", fit_cases[i].name);
-            hide_views(&v, box, (roberts_sheet_angle)angle);
+            hide_text_views(&v, box, (roberts_sheet_angle)angle);
             options.page = fit_cases[i].page;
             options.frame.off = !fit_cases[i].frame;
             options.symbol.off = !fit_cases[i].symbol;
-            char *svg = written(&v.sheet, &options);
+            char *svg = sheet_written(&v.sheet, &options).bytes;
             read_layer(svg, "outline", &lines);
             for (size_t k = 0; k < lines.count; k++)
                 enlarge(&found, lines.point[k]);
@@ -326,8 +286,8 @@ static void symbols_tell_the_angle(void **state)
         roberts_draw_options options = roberts_draw_options_default();
         views v;
         path lines;
-        hide_views(&v, box, (roberts_sheet_angle)angle);
-        char *svg = written(&v.sheet, &options);
+        hide_text_views(&v, box, (roberts_sheet_angle)angle);
+        char *svg = sheet_written(&v.sheet, &options).bytes;
         read_layer(svg, "symbol", &lines);
         for (size_t i = 0; i < lines.count; i++) {
             if (lines.start[i]) {
@@ -380,7 +340,7 @@ static void symbols_go_with_the_page(void **state)
 {
     views v;
     (void)state;
-    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
+    hide_text_views(&v, box, ROBERTS_FIRST_ANGLE);
     for (size_t i = 0; i < sizeof symbol_cases / sizeof symbol_cases[0]; i++) {
         const roberts_page page = symbol_cases[i].page;
         const double right = page.width_mm - page.margin_mm, low = page.height_mm - page.margin_mm;
@@ -389,7 +349,7 @@ static void symbols_go_with_the_page(void **state)
         roberts_draw_options options = roberts_draw_options_default();
         path lines;
         options.page = page;
-        char *svg = written(&v.sheet, &options);
+        char *svg = sheet_written(&v.sheet, &options).bytes;
         read_layer(svg, "symbol", &lines);
         for (size_t k = 0; k < lines.count; k++)
             enlarge(&all, lines.point[k]);
@@ -417,12 +377,12 @@ static void all_views_share_the_layers(void **state)
     views v;
     char open[64];
     (void)state;
-    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
+    hide_text_views(&v, box, ROBERTS_FIRST_ANGLE);
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.frame.off = false;
     options.placement.scale = 2;
     options.ink = &ink;
-    char *svg = written(&v.sheet, &options);
+    char *svg = sheet_written(&v.sheet, &options).bytes;
     assert_int_equal(count(svg, "<g "), 5);
     for (int i = 0; i < 5; i++) {
         snprintf(open, sizeof open, "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\">", layers[i],
@@ -448,13 +408,11 @@ static void every_page_format(void **state)
                    {ROBERTS_PNG, "\x89PNG"}};
     views v;
     (void)state;
-    hide_views(&v, box, ROBERTS_THIRD_ANGLE);
+    hide_text_views(&v, box, ROBERTS_THIRD_ANGLE);
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         roberts_draw_options options = roberts_draw_options_default();
-        sink one = {0}, two = {0};
         options.format = formats[i].format;
-        assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &one, NULL), ROBERTS_OK);
-        assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &two, NULL), ROBERTS_OK);
+        sink one = sheet_written(&v.sheet, &options), two = sheet_written(&v.sheet, &options);
         assert_memory_equal(one.bytes, formats[i].begins, strlen(formats[i].begins));
         assert_int_equal(one.size, two.size);
         assert_memory_equal(one.bytes, two.bytes, one.size);
@@ -472,42 +430,39 @@ static void tables_name_the_views(void **state)
     for (int angle = 0; angle < 2; angle++)
         for (int without_top = 0; without_top < 2; without_top++) {
             roberts_draw_options options = roberts_draw_options_default();
-            sink sheet = {0};
             views v;
-            hide_views(&v, box, angle ? ROBERTS_THIRD_ANGLE : ROBERTS_FIRST_ANGLE);
+            hide_text_views(&v, box, angle ? ROBERTS_THIRD_ANGLE : ROBERTS_FIRST_ANGLE);
             options.format = ROBERTS_CSV;
             options.column_count = 1;
             options.column[0] = ROBERTS_COLUMN_DEPTH;
             if (without_top)
                 v.sheet.view[ROBERTS_SHEET_TOP] = NULL;
-            assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &sheet, NULL), ROBERTS_OK);
-            const char *at = sheet.bytes;
+            char *sheet = sheet_written(&v.sheet, &options).bytes;
+            const char *at = sheet;
             assert_memory_equal(at, "view,body,v0,", 13);
             at = strchr(at, '\n') + 1;
             for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
-                sink own = {0};
                 if (!v.sheet.view[i])
                     continue;
-                assert_int_equal(roberts_drawing_write(&v.drawing[i], &options, sink_write, &own, NULL), ROBERTS_OK);
-                assert_non_null(strstr(own.bytes, ",z0,z1\n"));
-                for (const char *row = strchr(own.bytes, '\n') + 1; *row; row = strchr(row, '\n') + 1) {
+                char *own = drawing_written(&v.drawing[i], &options).bytes;
+                assert_non_null(strstr(own, ",z0,z1\n"));
+                for (const char *row = strchr(own, '\n') + 1; *row; row = strchr(row, '\n') + 1) {
                     const size_t length = strcspn(row, "\n") + 1, name = strlen(names[angle][i]);
                     assert_memory_equal(at, names[angle][i], name);
                     assert_int_equal(at[name], ',');
                     assert_memory_equal(at + name + 1, row, length);
                     at += name + 1 + length;
                 }
-                free(own.bytes);
+                free(own);
             }
             assert_int_equal(*at, '\0');
-            free(sheet.bytes);
-            sheet = (sink){0};
+            free(sheet);
             options.format = ROBERTS_JSON;
-            assert_int_equal(roberts_sheet_write(&v.sheet, &options, sink_write, &sheet, NULL), ROBERTS_OK);
-            assert_memory_equal(sheet.bytes, "[\n{\"view\":\"front\",\"body\":", 25);
+            sheet = sheet_written(&v.sheet, &options).bytes;
+            assert_memory_equal(sheet, "[\n{\"view\":\"front\",\"body\":", 25);
             assert_non_null(
-                strstr(sheet.bytes, angle ? "\n{\"view\":\"right\",\"body\":" : "\n{\"view\":\"left\",\"body\":"));
-            free(sheet.bytes);
+                strstr(sheet, angle ? "\n{\"view\":\"right\",\"body\":" : "\n{\"view\":\"left\",\"body\":"));
+            free(sheet);
             free_views(&v);
         }
 }
@@ -539,7 +494,7 @@ static void what_makes_no_sheet_is_refused(void **state)
 {
     views v;
     (void)state;
-    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
+    hide_text_views(&v, box, ROBERTS_FIRST_ANGLE);
     for (size_t i = 0; i < sizeof refused_cases / sizeof refused_cases[0]; i++) {
         roberts_draw_options options = roberts_draw_options_default();
         roberts_error error = {0};
@@ -567,15 +522,16 @@ static void size_changes_nothing(void **state)
     char off[1024];
     views v;
     (void)state;
-    hide_views(&v, "OFF\n4 4 0\n0 0 0\n3 0 0\n0 2 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n", ROBERTS_THIRD_ANGLE);
-    char *wanted = written(&v.sheet, NULL);
+    hide_text_views(&v, "OFF\n4 4 0\n0 0 0\n3 0 0\n0 2 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n",
+                    ROBERTS_THIRD_ANGLE);
+    char *wanted = sheet_written(&v.sheet, NULL).bytes;
     free_views(&v);
     for (size_t i = 0; i < 2; i++) {
         double s = scales[i];
         snprintf(off, sizeof off, "OFF\n4 4 0\n0 0 0\n%g 0 0\n0 %g 0\n0 0 %g\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n",
                  3 * s, 2 * s, s);
-        hide_views(&v, off, ROBERTS_THIRD_ANGLE);
-        char *found = written(&v.sheet, NULL);
+        hide_text_views(&v, off, ROBERTS_THIRD_ANGLE);
+        char *found = sheet_written(&v.sheet, NULL).bytes;
         assert_string_equal(found, wanted);
         free(found);
         free_views(&v);
@@ -586,18 +542,15 @@ static void size_changes_nothing(void **state)
 static void saved_as_written(void **state)
 {
     views v;
-    char path_name[TEMPORARY_ROOM + 10], *bytes = malloc(1 << 16);
+    char path_name[TEMPORARY_ROOM + 10];
+    size_t size;
     roberts_error error = {0};
     (void)state;
-    assert_non_null(bytes);
     snprintf(path_name, sizeof path_name, "%s/sheet.svg", temporary);
-    hide_views(&v, box, ROBERTS_FIRST_ANGLE);
-    char *wanted = written(&v.sheet, NULL);
+    hide_text_views(&v, box, ROBERTS_FIRST_ANGLE);
+    char *wanted = sheet_written(&v.sheet, NULL).bytes;
     assert_int_equal(roberts_sheet_save(&v.sheet, NULL, path_name, NULL), ROBERTS_OK);
-    FILE *file = fopen(path_name, "r");
-    assert_non_null(file);
-    bytes[fread(bytes, 1, (1 << 16) - 1, file)] = '\0';
-    (void)fclose(file);
+    char *bytes = whole_file(path_name, &size);
     assert_string_equal(bytes, wanted);
     assert_int_equal(roberts_sheet_save(&v.sheet, NULL, "/no/such/folder/a.svg", &error), ROBERTS_IO);
     assert_string_equal(error.file, "/no/such/folder/a.svg");

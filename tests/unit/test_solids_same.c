@@ -1,18 +1,13 @@
 /* test_solids_same.c - solids built by several threads, or from a mesh that is taken over, give the same scene. If
  * there are several faults, the first one is reported. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "model/scene.h"
 #include "same_scene.h"
 #include "scenes.h"
+#include "testing.h"
 
 enum { CUBES = 6000 }; /* enough for seven threads to have something to do */
 
@@ -40,14 +35,14 @@ static roberts_mesh row_of_cubes(const uint32_t *faulty, const fault *kind, size
             roberts_vec3 p = {2.0 * cube + (c & 1), c >> 1 & 1, wrong == FLAT ? 0.0 : c >> 2};
             if (wrong == DENTED && c == 7)
                 p = vec3_add(p, (roberts_vec3){-0.25, -0.25, 0.5});
-            assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+            mesh_vertex(&mesh, p);
         }
         if (wrong == ENDLESS)
             mesh.vertex[first].x = INFINITY; /* roberts_mesh_add_vertex() refuses this */
         for (int side = wrong == OPEN || wrong == ENDLESS; side < 6; side++) {
             for (int i = 0; i < 4; i++)
                 v[i] = first + face[side][i];
-            assert_int_equal(roberts_mesh_add_face(&mesh, v, 4, NULL), ROBERTS_OK);
+            mesh_face(&mesh, v, 4);
         }
     }
     return mesh;
@@ -100,15 +95,13 @@ static void the_scene_is_the_same(void **state)
 {
     roberts_mesh mesh = row_of_cubes(NULL, NULL, 0);
     roberts_scene_options one = {.threads = 1};
-    roberts_scene *expected;
     (void)state;
-    assert_int_equal(roberts_scene_build(&mesh, &one, &expected, NULL), ROBERTS_OK);
+    roberts_scene *expected = scene_of_mesh(&mesh, &one);
     assert_int_equal(expected->solid_count, CUBES);
     assert_int_equal(expected->edge_count, 12 * CUBES);
     for (uint32_t threads = 0; threads <= 7; threads++) {
         roberts_scene_options options = {.threads = threads};
-        roberts_scene *scene;
-        assert_int_equal(roberts_scene_build(&mesh, &options, &scene, NULL), ROBERTS_OK);
+        roberts_scene *scene = scene_of_mesh(&mesh, &options);
         expect_same_scene(scene, expected);
         roberts_scene_free(scene);
     }
@@ -123,13 +116,13 @@ static roberts_mesh two_cubes(bool vertices_mixed, bool faces_mixed, bool open)
     for (uint32_t i = 0; i < 16; i++) {
         uint32_t cube = vertices_mixed ? i % 2 : i / 8, c = vertices_mixed ? i / 2 : i % 8;
         roberts_vec3 p = {3.0 * cube + (c & 1), c >> 1 & 1, c >> 2};
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&mesh, p);
     }
     for (uint32_t i = 0; i < (open ? 11u : 12u); i++) {
         uint32_t cube = faces_mixed ? i % 2 : i / 6, side = faces_mixed ? i / 2 : i % 6, v[4];
         for (int k = 0; k < 4; k++)
             v[k] = vertices_mixed ? 2 * face[side][k] + cube : 8 * cube + face[side][k];
-        assert_int_equal(roberts_mesh_add_face(&mesh, v, 4, NULL), ROBERTS_OK);
+        mesh_face(&mesh, v, 4);
     }
     return mesh;
 }
@@ -179,9 +172,9 @@ static void a_mesh_taken_over_may_be_welded(void **state)
     roberts_scene *built, *taken;
     (void)state;
     for (size_t i = 0; i < cubes.corner_count; i++)
-        assert_int_equal(roberts_mesh_add_vertex(&loose, cubes.vertex[cubes.corner[i]], NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&loose, cubes.vertex[cubes.corner[i]]);
     for (uint32_t i = 0; i < cubes.corner_count; i += 4)
-        assert_int_equal(roberts_mesh_add_face(&loose, (uint32_t[]){i, i + 1, i + 2, i + 3}, 4, NULL), ROBERTS_OK);
+        mesh_face(&loose, (uint32_t[]){i, i + 1, i + 2, i + 3}, 4);
     assert_int_equal(roberts_scene_build(&loose, NULL, &built, NULL), ROBERTS_OK);
     assert_int_equal(built->solid_count, 2);
     assert_int_equal(roberts_scene_take(&loose, NULL, &taken, NULL), ROBERTS_OK);

@@ -1,18 +1,13 @@
 /* The star polyhedra and other bodies that are not convex in models/, against known properties: counts, regular faces,
  * Euler characteristic, volume, borders. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "make_mesh.h"
 #include "mesh_corners.h"
+#include "testing.h"
 
 /* How much lengths may differ and count as equal, as a part of either: coordinates are rounded to 1e-16, and some are
  * sums of a few terms. */
@@ -23,12 +18,8 @@ static const double PI = 3.14159265358979323846;
 static roberts_mesh read_model(const char *folder, const char *name)
 {
     char path[256];
-    roberts_mesh mesh = {0};
-    roberts_error error = {0};
     snprintf(path, sizeof path, "models/%s/%s.off", folder, name);
-    if (roberts_mesh_read_file(&mesh, path, NULL, &error) != ROBERTS_OK)
-        fail_msg("%s:%zu: %s", path, error.line, error.message);
-    return mesh;
+    return mesh_of_file(path);
 }
 
 /* ---- edges ------------------------------------------------------------------------------------------------------ */
@@ -73,7 +64,7 @@ static edge_counts count_edges(const roberts_mesh *m)
     return counts;
 }
 
-/* How many rings the edges of one face form; each vertex on them is to have two. */
+/* How many rings the edges of one face form; each vertex on them must have two edges. */
 static size_t border_rings(const roberts_mesh *m)
 {
     size_t n = m->vertex_count, rings = 0, left = 0;
@@ -165,17 +156,6 @@ static void check_regular(const char *name, const roberts_mesh *m, size_t f)
         if (fabs(vec3_dot(normal(m, f), vec3_sub(point(m, f, i), point(m, f, 0)))) > ROUNDING * side)
             fail_msg("%s: face %zu is not in one plane", name, f);
     }
-}
-
-/* Corners of the faces round vertex v as one number, whatever their order. */
-static size_t surroundings(const roberts_mesh *m, uint32_t v)
-{
-    size_t code = 1;
-    for (size_t f = 0; f < m->face_count; f++)
-        for (size_t i = 0; i < corner_count(m, f); i++)
-            if (corner(m, f, i) == v)
-                code *= corner_count(m, f) * corner_count(m, f) + 1;
-    return code;
 }
 
 /* Round each vertex of a uniform polyhedron the same faces meet; all edges have one length, all vertices one distance

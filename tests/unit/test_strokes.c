@@ -2,17 +2,13 @@
  * travels little. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "testing.h"
 
 enum { SIDE = 100 }; /* of the page, mm; here a model unit is one mm, and 0,0 the lower left corner */
 
@@ -54,6 +50,8 @@ static void print_strokes(const strokes *s, char *text, size_t size)
 
 /* ---- doubles ---- */
 
+enum { GIVEN_MOST = 6 };
+
 typedef struct given {
     char class; /* o, b, c, i, w, h; 0: no more */
     double x0, y0, x1, y1, z0, z1;
@@ -61,7 +59,7 @@ typedef struct given {
 
 static const struct {
     const char *name;
-    given segment[6];
+    given segment[GIVEN_MOST];
     const char *wanted;
 } cases[] = {
     {"alone", {{'o', 1, 1, 9, 1, 0, 0}}, "outline 1,1 9,1"},
@@ -172,29 +170,34 @@ static roberts_segment segment_of(const given *g)
     return s;
 }
 
+/* The strokes of the segments are those wanted. */
+static void expect_strokes(const char *name, const given *list, const roberts_draw_options *options, const char *wanted)
+{
+    roberts_segment segment[GIVEN_MOST];
+    size_t count = 0;
+    char text[1000];
+    for (; count < GIVEN_MOST && list[count].class; count++)
+        segment[count] = segment_of(&list[count]);
+    strokes s = strokes_of(segment, count, options);
+    print_strokes(&s, text, sizeof text);
+    print_message("%s: %s\n", name, text);
+    assert_string_equal(text, wanted);
+    strokes_free(&s);
+}
+
 static void doubles(void **state)
 {
     roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_segment segment[6];
-        size_t count = 0;
-        char text[1000];
-        for (; count < 6 && cases[i].segment[count].class; count++)
-            segment[count] = segment_of(&cases[i].segment[count]);
-        strokes s = strokes_of(segment, count, &options);
-        print_strokes(&s, text, sizeof text);
-        print_message("%s: %s\n", cases[i].name, text);
-        assert_string_equal(text, cases[i].wanted);
-        strokes_free(&s);
-    }
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
+        expect_strokes(cases[i].name, cases[i].segment, &options, cases[i].wanted);
 }
 
 /* ---- chains ---- */
 
 static const struct {
     const char *name;
-    given segment[6];
+    given segment[GIVEN_MOST];
     const char *wanted, *in_order;
 } chain_cases[] = {
     {"square",
@@ -229,16 +232,8 @@ static void chains(void **state)
     for (size_t i = 0; i < sizeof chain_cases / sizeof chain_cases[0]; i++)
         for (int order = ROBERTS_ORDER_TRAVEL; order <= ROBERTS_ORDER_NONE; order++) {
             roberts_draw_options options = plain_options((roberts_order)order);
-            roberts_segment segment[6];
-            size_t count = 0;
-            char text[1000];
-            for (; count < 6 && chain_cases[i].segment[count].class; count++)
-                segment[count] = segment_of(&chain_cases[i].segment[count]);
-            strokes s = strokes_of(segment, count, &options);
-            print_strokes(&s, text, sizeof text);
-            print_message("%s: %s\n", chain_cases[i].name, text);
-            assert_string_equal(text, order == ROBERTS_ORDER_NONE ? chain_cases[i].in_order : chain_cases[i].wanted);
-            strokes_free(&s);
+            expect_strokes(chain_cases[i].name, chain_cases[i].segment, &options,
+                           order == ROBERTS_ORDER_NONE ? chain_cases[i].in_order : chain_cases[i].wanted);
         }
 }
 
@@ -469,35 +464,19 @@ static void what_touches_is_outline(void **state)
 {
     roberts_draw_options options = roberts_draw_options_default();
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera;
     roberts_hide_options hide = roberts_hide_options_default();
-    static const uint32_t corner[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                          {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     const size_t wanted[][2] = {{3, 8}, {0, 5}}; /* sides of creases, of outlines: iso, front */
     (void)state;
-    for (int block = 0; block < 2; block++) {
-        for (int v = 0; v < 8; v++)
-            assert_int_equal(
-                roberts_mesh_add_vertex(&mesh, (roberts_vec3){v & 1, v >> 1 & 1, block + (v >> 2)}, NULL, NULL),
-                ROBERTS_OK);
-        for (int f = 0; f < 6; f++) {
-            uint32_t own[4];
-            for (int k = 0; k < 4; k++)
-                own[k] = corner[f][k] + 8 * (uint32_t)block;
-            assert_int_equal(roberts_mesh_add_face(&mesh, own, 4, NULL), ROBERTS_OK);
-        }
-    }
-    roberts_scene_options solids = {0};
-    assert_int_equal(roberts_scene_build(&mesh, &solids, &scene, NULL), ROBERTS_OK);
+    for (int block = 0; block < 2; block++)
+        mesh_box(&mesh, (roberts_vec3){0, 0, block}, (roberts_vec3){1, 1, block + 1});
+    roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_scene_solid_count(scene), 2);
     hide.keep_hidden = true;
     options.hidden = ROBERTS_HIDDEN_SOLID;
     for (int view = 0; view < 2; view++) {
-        roberts_drawing drawing;
         strokes s;
-        roberts_camera_preset(view ? "front" : "iso", &camera);
-        assert_int_equal(roberts_hide(scene, &camera, &hide, &drawing, NULL), ROBERTS_OK);
+        roberts_camera camera = preset_camera(view ? "front" : "iso");
+        roberts_drawing drawing = drawing_of(scene, &camera, &hide);
         assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
         char text[2000];
         print_strokes(&s, text, sizeof text);
@@ -514,7 +493,6 @@ static void what_touches_is_outline(void **state)
         roberts_drawing_free(&drawing);
     }
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 /* ---- order ---- */
@@ -670,7 +648,7 @@ static void near_lines_are_told_apart(void **state)
 
 static const struct {
     const char *name;
-    given segment[3];
+    given segment[GIVEN_MOST];
     double dash_mm, gap_mm;
     const char *wanted;
 } dash_cases[] = {
@@ -702,19 +680,10 @@ static void real_dashes(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof dash_cases / sizeof dash_cases[0]; i++) {
         roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
-        roberts_segment segment[3];
-        size_t count = 0;
-        char text[1000];
         options.hidden = ROBERTS_HIDDEN_DASHED;
         options.real_dashes = true;
         options.back = (roberts_pen){.width_mm = 1, .dash_mm = dash_cases[i].dash_mm, .gap_mm = dash_cases[i].gap_mm};
-        for (; count < 3 && dash_cases[i].segment[count].class; count++)
-            segment[count] = segment_of(&dash_cases[i].segment[count]);
-        strokes s = strokes_of(segment, count, &options);
-        print_strokes(&s, text, sizeof text);
-        print_message("%s: %s\n", dash_cases[i].name, text);
-        assert_string_equal(text, dash_cases[i].wanted);
-        strokes_free(&s);
+        expect_strokes(dash_cases[i].name, dash_cases[i].segment, &options, dash_cases[i].wanted);
     }
 }
 
@@ -753,6 +722,24 @@ static void frame_lies_on_the_margins(void **state)
     strokes s = strokes_of(&segment, 1, &options);
     print_strokes(&s, text, sizeof text);
     assert_string_equal(text, "outline 10,10 90,10; frame 10,90 90,90 90,10 10,10 closed");
+    strokes_free(&s);
+}
+
+/* The strokes of the drawing are those wanted; NULL: it is refused. If `wanted` ends in a semicolon and a blank, more
+ * may follow. */
+static void expect_on_page(const char *name, const roberts_drawing *drawing, const roberts_draw_options *options,
+                           const char *wanted)
+{
+    char text[200];
+    strokes s;
+    bool done = strokes_make(&s, drawing, options, NULL) == ROBERTS_OK;
+    print_strokes(&s, text, sizeof text);
+    print_message("%s: %s\n", name, text);
+    assert_int_equal(done, wanted != NULL);
+    if (done) {
+        size_t length = strlen(wanted);
+        assert_memory_equal(text, wanted, length + (wanted[length - 1] != ' '));
+    }
     strokes_free(&s);
 }
 
@@ -815,18 +802,10 @@ static void drawings_keep_from_the_frame(void **state)
                                    .windowed = table[i].windowed,
                                    .window_max = {SIDE, SIDE},
                                    .epsilon = 1e-9};
-        char text[200];
-        strokes s;
         options.page = (roberts_page){table[i].side_mm, table[i].side_mm, table[i].margin_mm};
         options.frame.off = table[i].off;
         options.placement = table[i].placement;
-        bool done = strokes_make(&s, &drawing, &options, NULL) == ROBERTS_OK;
-        print_strokes(&s, text, sizeof text);
-        print_message("%s: %s\n", table[i].name, text);
-        assert_int_equal(done, table[i].wanted != NULL);
-        if (done)
-            assert_memory_equal(text, table[i].wanted, strlen(table[i].wanted));
-        strokes_free(&s);
+        expect_on_page(table[i].name, &drawing, &options, table[i].wanted);
     }
 }
 
@@ -882,18 +861,10 @@ static void fields_of_view_fill_the_page(void **state)
         roberts_segment segment = line_at(ROBERTS_OUTLINE, -1e7, 50, 1e7, 50);
         roberts_drawing drawing = {
             .count = 1, .segment = &segment, .framed = true, .window_max = {SIDE, SIDE}, .epsilon = 1e-9};
-        char text[200];
-        strokes s;
         options.page = table[i].page;
         options.frame.off = table[i].off;
         options.placement = table[i].placement;
-        bool done = strokes_make(&s, &drawing, &options, NULL) == ROBERTS_OK;
-        print_strokes(&s, text, sizeof text);
-        print_message("%s: %s\n", table[i].name, text);
-        assert_int_equal(done, table[i].wanted != NULL);
-        if (done)
-            assert_string_equal(text, table[i].wanted);
-        strokes_free(&s);
+        expect_on_page(table[i].name, &drawing, &options, table[i].wanted);
     }
 }
 
@@ -906,25 +877,21 @@ static roberts_drawing torus_drawing(const char *view)
 {
     const double turn = 6.283185307179586;
     roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    roberts_camera camera;
-    roberts_drawing drawing;
     for (uint32_t i = 0; i < ROUND * ACROSS; i++) {
         const double u = turn * (i / ACROSS) / ROUND, v = turn * (i % ACROSS) / ACROSS, r = 3.0 + cos(v);
         const roberts_vec3 p = {r * cos(u), r * sin(u), sin(v)};
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, p, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&mesh, p);
     }
     for (uint32_t i = 0; i < ROUND; i++)
         for (uint32_t k = 0; k < ACROSS; k++) {
             const uint32_t row = i * ACROSS, next = (i + 1) % ROUND * ACROSS, over = (k + 1) % ACROSS;
             const uint32_t corner[] = {row + k, next + k, next + over, row + over};
-            assert_int_equal(roberts_mesh_add_face(&mesh, corner, 4, NULL), ROBERTS_OK);
+            mesh_face(&mesh, corner, 4);
         }
-    assert_true(roberts_camera_preset(view, &camera));
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing, NULL), ROBERTS_OK);
+    roberts_camera camera = preset_camera(view);
+    roberts_scene *scene = build_scene(&mesh);
+    roberts_drawing drawing = drawing_of(scene, &camera, NULL);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
     return drawing;
 }
 

@@ -3,19 +3,14 @@
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 #include "write/formats.h"
 #include "drawing.h"
-#include "skip.h"
+#include "testing.h"
 
 static double random_unit(uint64_t *seed)
 {
@@ -38,15 +33,6 @@ static roberts_drawing random_drawing(size_t count, double size, roberts_vec2 co
             drawing.segment[i].state = ROBERTS_HIDDEN;
     }
     return drawing;
-}
-
-static char *written(const roberts_drawing *drawing, const roberts_draw_options *options, size_t *size)
-{
-    sink to = {0};
-    assert_int_equal(roberts_drawing_write(drawing, options, sink_write, &to, NULL), ROBERTS_OK);
-    if (size)
-        *size = to.size;
-    return to.bytes;
 }
 
 /* ---- coordinates ---- */
@@ -116,7 +102,7 @@ static void lines_are_true(void **state)
         options.order = ROBERTS_ORDER_NONE;
         options.page = true_cases[i].page;
         options.hidden = ROBERTS_HIDDEN_DASHED;
-        char *text = written(&drawing, &options, NULL);
+        char *text = drawing_written(&drawing, &options).bytes;
         const char *at = text;
         for (int k = 0; k < 3; k++) {
             char open[64];
@@ -220,7 +206,7 @@ static void texts(void **state)
         options.order = ROBERTS_ORDER_NONE;
         options.page = text_cases[i].page;
         options.hidden = text_cases[i].hidden;
-        char *text = written(&drawing, &options, NULL);
+        char *text = drawing_written(&drawing, &options).bytes;
         print_message("%s\n", text_cases[i].name);
         assert_string_equal(text, text_cases[i].wanted);
         free(text);
@@ -243,7 +229,7 @@ static void pens(void **state)
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
     options.outline = (roberts_pen){.width_mm = 1.2347, .dash_mm = 1, .gap_mm = 2, .red = 255, .green = 8, .blue = 160};
-    char *text = written(&drawing, &options, NULL);
+    char *text = drawing_written(&drawing, &options).bytes;
     assert_non_null(strstr(text, "stroke=\"#ff08a0\" stroke-width=\"1.235\""));
     assert_non_null(strstr(text, "stroke-dasharray=\"0 3.235\"")); /* shorter than the pen is wide: dots */
     free(text);
@@ -261,12 +247,12 @@ static void backgrounds(void **state)
     for (int on = 0; on < 2; on++) {
         options.background = (roberts_background){.on = on, .red = 255, .blue = 128};
         options.format = ROBERTS_SVG;
-        char *text = written(&drawing, &options, NULL);
+        char *text = drawing_written(&drawing, &options).bytes;
         assert_int_equal(strstr(text, below) != NULL, on);
         assert_int_equal(strstr(text, "<rect") != NULL, on);
         free(text);
         options.format = ROBERTS_EPS;
-        text = written(&drawing, &options, NULL);
+        text = drawing_written(&drawing, &options).bytes;
         const char *paint = strstr(text, "1 0 0.501961 rg\n"), *line = strstr(text, "0 g\n");
         assert_int_equal(paint != NULL, on);
         assert_true(line && paint < line);
@@ -302,7 +288,7 @@ static void title_and_description(void **state)
         char wanted[200];
         options.title = "A & B";
         options.description = xml_cases[i].given;
-        char *text = written(&drawing, &options, NULL);
+        char *text = drawing_written(&drawing, &options).bytes;
         snprintf(wanted, sizeof wanted, "297\">\n<title>A &amp; B</title>\n<desc>%s</desc>\n<g ", xml_cases[i].wanted);
         assert_non_null(strstr(text, wanted));
         free(text);
@@ -317,7 +303,7 @@ static void closed_lines_are_closed(void **state)
     roberts_drawing drawing = {.count = 4, .segment = square};
     roberts_draw_options options = roberts_draw_options_default();
     (void)state;
-    char *text = written(&drawing, &options, NULL);
+    char *text = drawing_written(&drawing, &options).bytes;
     assert_non_null(strstr(text, " d=\"M 10 243.5 L 200 243.5 L 200 53.5 L 10 53.5 Z \"/>"));
     free(text);
 }
@@ -329,17 +315,16 @@ static void images_know_their_resolution(void **state)
                                            0x23, 0, 0, 0x2e, 0x23, 1,   0x78, 0xa5, 0x3f, 0x76};
     roberts_drawing drawing = {.count = 1, .segment = few};
     roberts_draw_options options = roberts_draw_options_default();
-    size_t size;
     (void)state;
     options.format = ROBERTS_PNG;
     options.page = (roberts_page){.width_mm = 25.4, .height_mm = 50.8, .margin_mm = 1};
     options.dpi = 300;
-    char *bytes = written(&drawing, &options, &size);
-    assert_true(size > 60);
-    assert_memory_equal(bytes + 12, "IHDR\0\0\x01\x2c\0\0\x02\x58", 12); /* 300 x 600 */
-    assert_memory_equal(bytes + 33, at_300, sizeof at_300);
-    assert_memory_equal(bytes + size - 8, "IEND", 4);
-    free(bytes);
+    sink png = drawing_written(&drawing, &options);
+    assert_true(png.size > 60);
+    assert_memory_equal(png.bytes + 12, "IHDR\0\0\x01\x2c\0\0\x02\x58", 12); /* 300 x 600 */
+    assert_memory_equal(png.bytes + 33, at_300, sizeof at_300);
+    assert_memory_equal(png.bytes + png.size - 8, "IEND", 4);
+    free(png.bytes);
 }
 
 /* Readers find the objects of a PDF by its table of offsets, which is found by the number at the end. */
@@ -347,13 +332,14 @@ static void pdf_objects_are_where_the_table_says(void **state)
 {
     roberts_drawing drawing = model_drawing("table", "iso");
     roberts_draw_options options = roberts_draw_options_default();
-    size_t size, table, length = 0;
+    size_t table, length = 0;
     (void)state;
     options.format = ROBERTS_PDF;
-    char *bytes = written(&drawing, &options, &size), *end = bytes + size;
+    sink pdf = drawing_written(&drawing, &options);
+    char *bytes = pdf.bytes, *end = bytes + pdf.size;
     assert_string_equal(end - 6, "%%EOF\n");
     table = strtoul(end - 17, NULL, 10);
-    assert_true(table < size);
+    assert_true(table < pdf.size);
     assert_memory_equal(bytes + table, "xref\n0 6\n0000000000 65535 f \n", 29);
     for (int i = 1; i <= 5; i++) {
         char object[12];
@@ -417,7 +403,7 @@ static void no_stroke_is_lost(void **state)
         for (size_t n = 0; n < drawing.count; n++)
             drawing.segment[n] = line_at(ROBERTS_OUTLINE, (double)(n % 400), (double)(n / 400), (double)(n % 400) + 0.4,
                                          (double)(n / 400) + 0.2); /* none meets another */
-        char *text = written(&drawing, &options, NULL);
+        char *text = drawing_written(&drawing, &options).bytes;
         for (const char *at = strstr(text, "<path"); *at; at++) {
             moves += at[0] == 'M' && at[1] == ' ';
             lines += at[0] == 'L' && at[1] == ' ';
@@ -455,26 +441,25 @@ static void bytes_are_the_same_later(void **state)
 {
     roberts_drawing drawing = random_drawing(300, 1.0, (roberts_vec2){0, 0});
     roberts_draw_options options = roberts_draw_options_default();
-    char *first[FORMATS];
-    size_t size[FORMATS], again;
+    sink first[FORMATS];
     const struct timespec over_a_second = {1, 100000000};
     (void)state;
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.dpi = 30;
     for (int i = 0; i < FORMATS; i++) {
         options.format = format_cases[i].format;
-        first[i] = written(&drawing, &options, &size[i]);
-        assert_int_equal(strncmp(first[i], format_cases[i].begins, strlen(format_cases[i].begins)), 0);
+        first[i] = drawing_written(&drawing, &options);
+        assert_int_equal(strncmp(first[i].bytes, format_cases[i].begins, strlen(format_cases[i].begins)), 0);
     }
     nanosleep(&over_a_second, NULL); /* the clock goes on: dates would differ */
     for (int i = 0; i < FORMATS; i++) {
         options.format = format_cases[i].format;
-        char *second = written(&drawing, &options, &again);
+        sink second = drawing_written(&drawing, &options);
         print_message("%s\n", format_cases[i].begins);
-        assert_int_equal(size[i], again);
-        assert_memory_equal(first[i], second, again);
-        free(first[i]);
-        free(second);
+        assert_int_equal(first[i].size, second.size);
+        assert_memory_equal(first[i].bytes, second.bytes, second.size);
+        free(first[i].bytes);
+        free(second.bytes);
     }
     free(drawing.segment);
 }
@@ -486,9 +471,10 @@ static void failures_are_told(void **state)
     (void)state;
     options.dpi = 30;
     for (int i = 0; i < FORMATS; i++) {
-        size_t size;
         options.format = format_cases[i].format;
-        free(written(&drawing, &options, &size));
+        sink all = drawing_written(&drawing, &options);
+        const size_t size = all.size;
+        free(all.bytes);
         for (size_t room = 1; room < 2 * size; room = room * 4 + 1) {
             sink to = {.room = room};
             roberts_error error = {0};

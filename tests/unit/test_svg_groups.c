@@ -3,16 +3,13 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "drawing.h"
+#include "sheet_views.h"
+#include "testing.h"
 
 /* ---- a scene, drawn ---- */
 
@@ -27,34 +24,19 @@ static void free_drawn(drawn *d)
     roberts_scene_free(d->scene);
 }
 
-static roberts_scene *read_scene(const char *path)
-{
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
-    assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    return scene;
-}
-
 static drawn draw_scene(roberts_scene *scene)
 {
-    drawn d = {.scene = scene};
-    roberts_camera camera;
+    roberts_camera camera = preset_camera("iso");
     roberts_hide_options options = roberts_hide_options_default();
     options.keep_hidden = true;
-    roberts_camera_preset("iso", &camera);
-    assert_int_equal(roberts_hide(scene, &camera, &options, &d.drawing, NULL), ROBERTS_OK);
-    return d;
+    return (drawn){scene, drawing_of(scene, &camera, &options)};
 }
 
 static char *save(const drawn *d, roberts_draw_options options, roberts_grouping grouping)
 {
-    sink to = {0};
     options.scene = d->scene;
     options.grouping = grouping;
-    assert_int_equal(roberts_drawing_write(&d->drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
-    return to.bytes;
+    return drawing_written(&d->drawing, &options).bytes;
 }
 
 static roberts_draw_options with_hidden(void)
@@ -241,7 +223,7 @@ static void lines_are_the_same(void **state)
 {
     (void)state;
     for (size_t m = 0; m < sizeof models / sizeof models[0]; m++) {
-        drawn d = draw_scene(read_scene(models[m]));
+        drawn d = draw_scene(scene_of_file(models[m]));
         char *text[3];
         xml x[3];
         for (int g = ROBERTS_GROUP_CLASS; g <= ROBERTS_GROUP_ELEMENT; g++) {
@@ -288,7 +270,7 @@ static void elements_have_names(void **state)
 {
     (void)state;
     for (size_t m = 0; m < sizeof models / sizeof models[0]; m++) {
-        drawn d = draw_scene(read_scene(models[m]));
+        drawn d = draw_scene(scene_of_file(models[m]));
         roberts_ink ink;
         roberts_draw_options options = with_hidden();
         options.ink = &ink;
@@ -322,7 +304,7 @@ static void elements_have_names(void **state)
 /* The dashes of a piece are one element. */
 static void dashes_stay_together(void **state)
 {
-    drawn d = draw_scene(read_scene("models/platonic/cube.off"));
+    drawn d = draw_scene(scene_of_file("models/platonic/cube.off"));
     roberts_draw_options options = with_hidden();
     size_t hidden = 0;
     (void)state;
@@ -345,7 +327,7 @@ static void elements_are_short(void **state)
 {
     (void)state;
     for (size_t m = 0; m < sizeof models / sizeof models[0]; m++) {
-        drawn d = draw_scene(read_scene(models[m]));
+        drawn d = draw_scene(scene_of_file(models[m]));
         char *by_class = save(&d, with_hidden(), ROBERTS_GROUP_CLASS);
         char *by_element = save(&d, with_hidden(), ROBERTS_GROUP_ELEMENT);
         xml x = read_xml(by_element);
@@ -371,13 +353,8 @@ static const char named_obj[] = "o lid \"A\" <1> & 'b'\n"
 /* Names of files are text, whatever characters they have. */
 static void names_are_escaped(void **state)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene;
+    drawn d = draw_scene(scene_of_text(named_obj));
     (void)state;
-    assert_int_equal(roberts_mesh_read_memory(&mesh, "named", named_obj, sizeof named_obj - 1, NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    roberts_mesh_free(&mesh);
-    drawn d = draw_scene(scene);
     roberts_draw_options options = roberts_draw_options_default();
     options.id_prefix = "p\"<";
     options.number_layers = true;
@@ -400,7 +377,7 @@ static void names_are_escaped(void **state)
 /* A body's group holds the classes; pens are on groups, never on paths. */
 static void bodies_hold_classes(void **state)
 {
-    drawn d = draw_scene(read_scene("models/table.off"));
+    drawn d = draw_scene(scene_of_file("models/table.off"));
     (void)state;
     char *text = save(&d, with_hidden(), ROBERTS_GROUP_BODY);
     xml x = read_xml(text);
@@ -422,31 +399,23 @@ static void bodies_hold_classes(void **state)
 
 static void sheets_have_views(void **state)
 {
-    static const char *const views[] = {"front", "top", "left", "iso"};
-    roberts_scene *scene = read_scene("models/table.off");
-    roberts_sheet sheet = {.angle = ROBERTS_FIRST_ANGLE};
-    roberts_drawing drawing[ROBERTS_SHEET_VIEWS];
+    static const char *const names[] = {"front", "top", "left", "iso"};
+    views v;
     (void)state;
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
-        roberts_camera camera;
-        assert_true(roberts_sheet_camera(sheet.angle, i, &camera));
-        assert_int_equal(roberts_hide(scene, &camera, NULL, &drawing[i], NULL), ROBERTS_OK);
-        sheet.view[i] = &drawing[i];
-    }
+    hide_views(&v, "table", ROBERTS_FIRST_ANGLE);
     for (int g = ROBERTS_GROUP_BODY; g <= ROBERTS_GROUP_ELEMENT; g++) {
         roberts_draw_options options = roberts_draw_options_default();
-        sink to = {0};
         size_t layers = 0;
         options.grouping = (roberts_grouping)g;
-        options.scene = scene;
+        options.scene = v.scene;
         options.frame.off = false;
-        assert_int_equal(roberts_sheet_write(&sheet, &options, sink_write, &to, NULL), ROBERTS_OK);
-        xml x = read_xml(to.bytes);
+        char *text = sheet_written(&v.sheet, &options).bytes;
+        xml x = read_xml(text);
         for (size_t i = 0; i < x.count; i++) {
             const xml_element *e = &x.item[i];
             if (e->depth == 0 && layers < 4) {
                 assert_string_equal(e->class, "view");
-                assert_string_equal(e->view, views[layers++]);
+                assert_string_equal(e->view, names[layers++]);
             } else if (e->depth == 0) {
                 assert_string_equal(e->class, layers++ == 4 ? "frame" : "symbol");
             }
@@ -455,27 +424,25 @@ static void sheets_have_views(void **state)
         }
         assert_int_equal(layers, 6);
         assert_int_equal(x.ids, 6);
-        free(to.bytes);
+        free(text);
         free(x.item);
     }
-    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
-        roberts_drawing_free(&drawing[i]);
-    roberts_scene_free(scene);
+    free_views(&v);
 }
 
 /* Other formats have no groups: the option changes nothing. */
 static void others_have_none(void **state)
 {
     static const roberts_format formats[] = {ROBERTS_PDF, ROBERTS_EPS, ROBERTS_TIKZ, ROBERTS_DXF, ROBERTS_HPGL};
-    drawn d = draw_scene(read_scene("models/platonic/cube.off"));
+    drawn d = draw_scene(scene_of_file("models/platonic/cube.off"));
     (void)state;
     for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++) {
         roberts_draw_options options = with_hidden();
-        sink to[2] = {{0}, {0}};
+        sink to[2];
         options.format = formats[i];
         for (int k = 0; k < 2; k++) {
             options.grouping = k == 0 ? ROBERTS_GROUP_CLASS : ROBERTS_GROUP_ELEMENT;
-            assert_int_equal(roberts_drawing_write(&d.drawing, &options, sink_write, &to[k], NULL), ROBERTS_OK);
+            to[k] = drawing_written(&d.drawing, &options);
         }
         assert_int_equal(to[0].size, to[1].size);
         assert_memory_equal(to[0].bytes, to[1].bytes, to[0].size);

@@ -1,17 +1,13 @@
 /* test_threads.c - several threads call the library at once, each with its own work, and all with one scene: every call
  * gives the same result as alone. `make test-threads` runs it under the thread sanitizer. */
 #include <pthread.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
+#include "build_scene.h"
 #include "roberts.h"
+#include "testing.h"
 
 enum { THREADS = 6, ROUNDS = 3 };
 
@@ -109,14 +105,10 @@ static void each_with_its_own(void **state)
 
 static void all_with_one_scene(void **state)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
+    roberts_scene *scene = scene_of_file(model[0]);
     (void)state;
-    assert_int_equal(roberts_mesh_read_file(&mesh, model[0], NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
     run_together(scene);
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 /* ---- segments one by one --------------------------------------------------------------------------------------- */
@@ -139,17 +131,13 @@ static bool receive(void *context, const roberts_segment *segment)
 /* roberts_hide_each() gives what roberts_hide() keeps, in its order, by any number of threads, and can be stopped. */
 static void segments_one_by_one(void **state)
 {
-    roberts_mesh mesh = {0};
-    roberts_scene *scene = NULL;
-    roberts_drawing drawing = {0}, summary;
-    roberts_camera camera;
+    roberts_scene *scene = scene_of_file(model[2]);
+    roberts_drawing summary;
+    roberts_camera camera = preset_camera("iso");
     roberts_hide_options options = roberts_hide_options_default();
     (void)state;
-    assert_true(roberts_camera_preset("iso", &camera));
-    assert_int_equal(roberts_mesh_read_file(&mesh, model[2], NULL, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, NULL), ROBERTS_OK);
     for (options.threads = 1; options.threads <= 3; options.threads++) {
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         receiver r = {.drawing = &drawing, .same = true}, stopped = {.drawing = &drawing, .same = true, .stop_at = 5};
         const roberts_receiver to_r = {receive, &r}, to_stopped = {receive, &stopped};
         assert_int_equal(roberts_hide_each(scene, &camera, &options, &to_r, &summary, NULL), ROBERTS_OK);
@@ -162,7 +150,6 @@ static void segments_one_by_one(void **state)
         roberts_drawing_free(&drawing);
     }
     roberts_scene_free(scene);
-    roberts_mesh_free(&mesh);
 }
 
 int main(void)

@@ -1,13 +1,8 @@
 /* Text for LaTeX. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "write/formats.h"
+#include "testing.h"
 
 static char written[200];
 static size_t used;

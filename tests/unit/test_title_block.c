@@ -1,18 +1,15 @@
 /* Title blocks and dimensions: their texts; nothing collides on pages from A4 to A0. */
 #include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "draw/dimensions.h"
 #include "drawing.h"
+#include "letters_box.h"
 #include "sheet_views.h"
+#include "testing.h"
 
 static const roberts_field fields[] = {{"author", "É. Dvořák"},
                                        {"number", "R-17"},
@@ -34,24 +31,6 @@ static roberts_draw_options lettered(size_t page)
     return options;
 }
 
-static space_box letters_box(const text_line *line)
-{
-    polylines out = {0};
-    space_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    assert_true(letters_draw(line, 1000.0, &out));
-    for (size_t k = 0; k < out.point_count; k++) {
-        box.min = (roberts_vec2){fmin(box.min.x, out.point[k].x / 1000.0), fmin(box.min.y, out.point[k].y / 1000.0)};
-        box.max = (roberts_vec2){fmax(box.max.x, out.point[k].x / 1000.0), fmax(box.max.y, out.point[k].y / 1000.0)};
-    }
-    polylines_free(&out);
-    return box;
-}
-
-static bool is_apart(space_box a, space_box b)
-{
-    return a.max.x < b.min.x || b.max.x < a.min.x || a.max.y < b.min.y || b.max.y < a.min.y;
-}
-
 /* The boxes of straight pieces: lines here are level, upright, or have all of their box near a view. */
 static space_box piece_box(page_point p, page_point q)
 {
@@ -65,14 +44,14 @@ static void check_collisions(const strokes *s, const char *what)
     const polylines *sets[] = {&s->lines, &s->notes.lines};
     for (size_t i = 0; i < s->notes.count; i++) {
         const text_line text = notes_line(&s->notes, i);
-        const space_box box = letters_box(&text);
+        const space_box box = letters_box(text);
         if (!*text.text)
             continue;
         assert_true(box.min.x > 0.0 && box.min.y > 0.0 && box.max.x < s->options->page.width_mm &&
                     box.max.y < s->options->page.height_mm);
         for (size_t k = 0; k < i; k++) {
             const text_line other = notes_line(&s->notes, k);
-            if (!is_apart(box, letters_box(&other)))
+            if (!is_apart(box, letters_box(other)))
                 fail_msg("%s: \"%s\" lies on \"%s\"", what, text.text, other.text);
         }
         for (int set = 0; set < 2; set++)

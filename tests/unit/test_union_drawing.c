@@ -370,8 +370,7 @@ static void check_rays(const model *m, const char *name)
     roberts_verification found;
     options.unite = verify.unite = options.keep_hidden = true;
     roberts_scene *scene = model_build(m);
-    roberts_drawing drawing;
-    assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+    roberts_drawing drawing = drawing_of(scene, &camera, &options);
     assert_int_equal(roberts_verify(scene, &camera, &drawing, &verify, &found, NULL), ROBERTS_OK);
     if (found.contradictions > 0 || found.points == 0)
         fail_msg("%s: %zu contradictions at %zu points", name, found.contradictions, found.points);
@@ -491,12 +490,11 @@ static void test_same_result(void **state)
     roberts_scene *scene = model_build(&m);
     for (uint32_t i = 0; i < 6; i++) {
         roberts_hide_options options = roberts_hide_options_default();
-        roberts_drawing drawing = {0};
         options.unite = true;
         options.keep_hidden = true;
         options.threads = (uint32_t[]){1, 2, 3, 8, 1, 4}[i];
         options.grid = (uint32_t[]){0, 0, 0, 0, 1, 30}[i];
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         if (i == 0) {
             first = drawing;
             continue;

@@ -1,51 +1,19 @@
 /* test_verify.c - the second opinion on drawings: none contradicts correct drawings, and some always contradicts
  * spoiled ones; picking by table; the tree of boxes, compared with testing every box. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cmocka.h>
 
 #include "base/vec.h"
 #include "build_scene.h"
 #include "ray/tree.h"
 #include "rng.h"
 #include "roberts.h"
+#include "testing.h"
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
-
-/* A parallelepiped with corner o and sides u, v, w. */
-static void add_block(roberts_mesh *mesh, roberts_vec3 o, roberts_vec3 u, roberts_vec3 v, roberts_vec3 w)
-{
-    static const uint32_t face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-    uint32_t first = (uint32_t)mesh->vertex_count;
-    for (int i = 0; i < 8; i++) {
-        roberts_vec3 p = o;
-        p = i & 1 ? vec3_add(p, u) : p;
-        p = i & 2 ? vec3_add(p, v) : p;
-        p = i & 4 ? vec3_add(p, w) : p;
-        assert_int_equal(roberts_mesh_add_vertex(mesh, p, NULL, NULL), ROBERTS_OK);
-    }
-    for (int i = 0; i < 6; i++) {
-        uint32_t corner[4];
-        for (int k = 0; k < 4; k++)
-            corner[k] = first + face[i][k];
-        assert_int_equal(roberts_mesh_add_face(mesh, corner, 4, NULL), ROBERTS_OK);
-    }
-}
-
-/* A box from lo to hi. Faces, from its first: z least, z greatest, y least, y greatest, x least, x greatest. */
-static void add_box(roberts_mesh *mesh, roberts_vec3 lo, roberts_vec3 hi)
-{
-    add_block(mesh, lo, (roberts_vec3){hi.x - lo.x, 0, 0}, (roberts_vec3){0, hi.y - lo.y, 0},
-              (roberts_vec3){0, 0, hi.z - lo.z});
-}
 
 /* `count` blocks of random shape and turn in a cube of side 2, overlapping as they may. */
 static roberts_scene *random_scene(rng *r, int count, double size)
@@ -58,7 +26,7 @@ static roberts_scene *random_scene(rng *r, int count, double size)
             v = rng_vec3(r, size);
             w = rng_vec3(r, size);
         } while (fabs(vec3_dot(u, vec3_cross(v, w))) < 0.1 * size * size * size);
-        add_block(&mesh, rng_vec3(r, 1.0), u, v, w);
+        mesh_block(&mesh, rng_vec3(r, 1.0), u, v, w);
     }
     return build_scene(&mesh);
 }
@@ -71,27 +39,16 @@ static roberts_scene *brick_scene(int nx, int ny, int nz)
         for (int y = 0; y < ny; y++)
             for (int x = 0; x < nx; x++) {
                 roberts_vec3 lo = {2.0 * x + (z % 2), 3.0 * y, 4.0 * z};
-                add_box(&mesh, lo, vec3_add(lo, (roberts_vec3){2, 3, 4}));
+                mesh_box(&mesh, lo, vec3_add(lo, (roberts_vec3){2, 3, 4}));
             }
     return build_scene(&mesh);
-}
-
-static roberts_camera preset(const char *name)
-{
-    roberts_camera camera;
-    assert_true(roberts_camera_preset(name, &camera));
-    return camera;
 }
 
 static roberts_drawing hide(const roberts_scene *scene, const roberts_camera *camera, bool keep_hidden)
 {
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_drawing drawing;
-    roberts_error error = {0};
     options.keep_hidden = keep_hidden;
-    if (roberts_hide(scene, camera, &options, &drawing, &error) != ROBERTS_OK)
-        fail_msg("hide: %s", error.message);
-    return drawing;
+    return drawing_of(scene, camera, &options);
 }
 
 /* ---- right drawings -------------------------------------------------------------------------------------------- */
@@ -156,7 +113,7 @@ static void test_bricks(void **state)
     roberts_scene *scene = brick_scene(4, 3, 4);
     (void)state;
     for (size_t i = 0; i < COUNT(views); i++) {
-        roberts_camera camera = preset(views[i]);
+        roberts_camera camera = preset_camera(views[i]);
         check_right(views[i], scene, &camera, 5);
     }
     const roberts_vec3 eyes[] = {{4, -20, 8}, {2, -20, 16}, {30, 6, 4}, {20, -20, 30}, {4.5, 4.5, 60}};
@@ -202,20 +159,20 @@ static void test_scales(void **state)
         roberts_mesh mesh = {0};
         for (int k = 0; k < 20; k++) {
             double s = scales[i], x = 1.5 * (k % 4), y = 1.25 * (k % 5), z = 0.75 * k;
-            add_box(&mesh, (roberts_vec3){s * x, s * y, s * z},
-                    (roberts_vec3){s * (x + 1.5), s * (y + 2.5), s * (z + 1.25)});
+            mesh_box(&mesh, (roberts_vec3){s * x, s * y, s * z},
+                     (roberts_vec3){s * (x + 1.5), s * (y + 2.5), s * (z + 1.25)});
         }
         roberts_scene *scene = build_scene(&mesh);
-        roberts_camera camera = preset("trimetric");
+        roberts_camera camera = preset_camera("trimetric");
         check_right("scaled", scene, &camera, 5);
         roberts_scene_free(scene);
     }
     roberts_mesh mesh = {0};
     for (int k = 0; k < 8; k++)
-        add_box(&mesh, (roberts_vec3){1e8 + k, 1e8 + k % 2, -1e8 + k},
-                (roberts_vec3){1e8 + k + 1, 1e8 + 2, -1e8 + k + 2});
+        mesh_box(&mesh, (roberts_vec3){1e8 + k, 1e8 + k % 2, -1e8 + k},
+                 (roberts_vec3){1e8 + k + 1, 1e8 + 2, -1e8 + k + 2});
     roberts_scene *scene = build_scene(&mesh);
-    roberts_camera camera = preset("iso");
+    roberts_camera camera = preset_camera("iso");
     check_right("far away", scene, &camera, 5);
     roberts_scene_free(scene);
 }
@@ -261,7 +218,7 @@ static void test_spoiled_rows(void **state)
 {
     rng r = {2};
     roberts_scene *scene = random_scene(&r, 5, 0.8);
-    roberts_camera camera = preset("dimetric");
+    roberts_camera camera = preset_camera("dimetric");
     size_t flipped = 0, cut = 0;
     (void)state;
     for (int keep = 0; keep < 2; keep++) {
@@ -319,7 +276,7 @@ static void test_threads(void **state)
     static findings found[4];
     rng r = {5};
     roberts_scene *scene = random_scene(&r, 400, 0.2);
-    roberts_camera camera = preset("trimetric");
+    roberts_camera camera = preset_camera("trimetric");
     roberts_drawing drawing = hide(scene, &camera, true);
     (void)state;
     for (size_t i = 0; i < drawing.count; i += 3)
@@ -357,13 +314,13 @@ static void test_copies(void **state)
 {
     static const uint32_t first = 1, copies = 5;
     roberts_mesh mesh = {0};
-    roberts_camera camera = preset("trimetric"), eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, -8, 20}};
+    roberts_camera camera = preset_camera("trimetric"), eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, -8, 20}};
     size_t flipped = 0;
     (void)state;
-    add_box(&mesh, (roberts_vec3){-1, -1, -3}, (roberts_vec3){3, 3, -1});
+    mesh_box(&mesh, (roberts_vec3){-1, -1, -3}, (roberts_vec3){3, 3, -1});
     for (uint32_t i = 0; i < copies; i++)
-        add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 2, 2});
-    add_box(&mesh, (roberts_vec3){0.5, 0.5, 0.5}, (roberts_vec3){1, 1, 1});
+        mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 2, 2});
+    mesh_box(&mesh, (roberts_vec3){0.5, 0.5, 0.5}, (roberts_vec3){1, 1, 1});
     roberts_scene *scene = build_scene(&mesh);
     check_right("copies", scene, &camera, 5);
     check_right("copies", scene, &eye, 5);
@@ -389,11 +346,11 @@ static void test_bars(void **state)
     for (int i = 0; i < 60; i++) {
         double angle = rng_between(&r, 0.0, 3.0), x = 50 * cos(angle), y = 50 * sin(angle);
         roberts_vec3 o = {-x / 2 + rng_between(&r, -5, 5), -y / 2 + rng_between(&r, -5, 5), i};
-        add_block(&mesh, o, (roberts_vec3){x, y, rng_between(&r, -0.2, 0.2)}, (roberts_vec3){-y / 200, x / 200, 0},
-                  (roberts_vec3){0, 0, 0.5});
+        mesh_block(&mesh, o, (roberts_vec3){x, y, rng_between(&r, -0.2, 0.2)}, (roberts_vec3){-y / 200, x / 200, 0},
+                   (roberts_vec3){0, 0, 0.5});
     }
     roberts_scene *scene = build_scene(&mesh);
-    roberts_camera camera = preset("top"), iso = preset("iso"),
+    roberts_camera camera = preset_camera("top"), iso = preset_camera("iso"),
                    eye = {.projection = ROBERTS_PERSPECTIVE, .eye = {9, 8, 200}};
     assert_true(check_right("bars", scene, &camera, 5) > 20000);
     check_right("bars", scene, &iso, 5);
@@ -455,7 +412,7 @@ static void test_crossed_in_contact(void **state)
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         roberts_mesh mesh = {0};
         for (int k = 0; k < 2; k++)
-            add_block(&mesh, table[i].o[k], table[i].u[k], table[i].v[k], table[i].w);
+            mesh_block(&mesh, table[i].o[k], table[i].u[k], table[i].v[k], table[i].w);
         roberts_scene *scene = build_scene(&mesh);
         for (int keep = 0; keep < 2; keep++) { /* here many points are undecided */
             roberts_drawing drawing = hide(scene, &table[i].camera, keep);
@@ -486,16 +443,15 @@ static void test_sliver(void **state)
     for (int i = 0; i < 3; i++) {
         const double epsilon[] = {1e-10, 3.9e-9, 1e-8};
         roberts_mesh mesh = {0};
-        add_block(&mesh, o, u, v, (roberts_vec3){0, 0, 0.000790569414});
-        add_block(&mesh, (roberts_vec3){130.517223, 268.619390, 147.020613}, (roberts_vec3){0.757015, -3.583583, 0},
-                  (roberts_vec3){2.208371, 0.466508, 0}, (roberts_vec3){0, 0, 0.000790569414});
+        mesh_block(&mesh, o, u, v, (roberts_vec3){0, 0, 0.000790569414});
+        mesh_block(&mesh, (roberts_vec3){130.517223, 268.619390, 147.020613}, (roberts_vec3){0.757015, -3.583583, 0},
+                   (roberts_vec3){2.208371, 0.466508, 0}, (roberts_vec3){0, 0, 0.000790569414});
         roberts_scene *scene = build_scene(&mesh);
         roberts_camera camera = {.dir = {.31, .47, .83}, .up = {0, 0, 1}};
         roberts_hide_options options = roberts_hide_options_default();
-        roberts_drawing drawing = {0};
         roberts_verification result;
         options.epsilon = epsilon[i];
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         assert_int_equal(roberts_verify(scene, &camera, &drawing, NULL, &result, NULL), ROBERTS_OK);
         assert_true(result.points > 0);
         assert_int_equal(result.contradictions, 0);
@@ -516,7 +472,6 @@ static void test_wide_epsilon(void **state)
         roberts_camera camera = {.dir = rng_vec3(&r, 1.0)};
         roberts_hide_options options = roberts_hide_options_default();
         roberts_verify_options verify = roberts_verify_options_default();
-        roberts_drawing drawing = {0};
         roberts_verification found;
         int told = 0;
         options.epsilon = pow(10.0, -2.0 - i % 5);
@@ -524,7 +479,7 @@ static void test_wide_epsilon(void **state)
         verify.rays = 7;
         verify.contradiction = tell;
         verify.context = &told;
-        assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
         assert_int_equal(roberts_verify(scene, &camera, &drawing, &verify, &found, NULL), ROBERTS_OK);
         if (found.contradictions)
             fail_msg("epsilon %g: %zu points contradict", options.epsilon, found.contradictions);
@@ -570,13 +525,13 @@ static void count_on_edge(void *context, const roberts_contradiction *c)
 
 static void test_rule(void **state)
 {
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     (void)state;
     for (size_t i = 0; i < COUNT(rule_cases); i++) {
         roberts_mesh mesh = {0};
         roberts_verification found;
-        add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
-        add_box(&mesh, rule_cases[i].lo, rule_cases[i].hi);
+        mesh_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
+        mesh_box(&mesh, rule_cases[i].lo, rule_cases[i].hi);
         roberts_scene *scene = build_scene(&mesh);
         roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
         roberts_drawing drawing = {.count = 1, .segment = &row};
@@ -596,14 +551,14 @@ static void test_rule(void **state)
  * contradiction. */
 static void test_corner_over_edge(void **state)
 {
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     roberts_mesh mesh = {0};
     roberts_verification found;
     size_t wrong = 0;
     (void)state;
-    add_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
-    add_block(&mesh, (roberts_vec3){4, 0, 1}, (roberts_vec3){2, 2, 0}, (roberts_vec3){-2, 2, 0},
-              (roberts_vec3){0, 0, 1});
+    mesh_box(&mesh, (roberts_vec3){0, -8, -8}, (roberts_vec3){8, 0, 0}); /* the edge is 6-7 */
+    mesh_block(&mesh, (roberts_vec3){4, 0, 1}, (roberts_vec3){2, 2, 0}, (roberts_vec3){-2, 2, 0},
+               (roberts_vec3){0, 0, 1});
     roberts_scene *scene = build_scene(&mesh);
     roberts_segment row = {.solid = 0, .v0 = 6, .v1 = 7, .t0 = 0, .t1 = 1, .by = ROBERTS_NONE};
     roberts_drawing drawing = {.count = 1, .segment = &row};
@@ -630,7 +585,7 @@ static void test_bad_drawings(void **state)
         {.solid = 0, .v0 = 0, .v1 = 1, .t0 = 0, .t1 = 1, .state = 7},
     };
     roberts_scene *scene = brick_scene(1, 1, 1);
-    roberts_camera camera = preset("iso"), blind = {0};
+    roberts_camera camera = preset_camera("iso"), blind = {0};
     roberts_verification found;
     roberts_error error = {0};
     (void)state;
@@ -674,11 +629,11 @@ static const struct {
 static void test_pick_table(void **state)
 {
     roberts_mesh mesh = {0};
-    roberts_camera camera = preset("top");
+    roberts_camera camera = preset_camera("top");
     (void)state;
-    add_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 4, 1});
-    add_box(&mesh, (roberts_vec3){1, 1, 1}, (roberts_vec3){3, 3, 2});
-    add_box(&mesh, (roberts_vec3){5, 1, 0}, (roberts_vec3){8, 4, 2});
+    mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){4, 4, 1});
+    mesh_box(&mesh, (roberts_vec3){1, 1, 1}, (roberts_vec3){3, 3, 2});
+    mesh_box(&mesh, (roberts_vec3){5, 1, 0}, (roberts_vec3){8, 4, 2});
     roberts_scene *scene = build_scene(&mesh);
     for (size_t i = 0; i < COUNT(pick_cases); i++) {
         roberts_picked picked;
@@ -713,8 +668,8 @@ static void test_pick_perspective(void **state)
     roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {0, 0, 11}, .up = {0, 1, 0}};
     roberts_picked picked;
     (void)state;
-    add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
-    add_box(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 3}); /* the box's middle: (0, 0, 1), D = 10 */
+    mesh_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
+    mesh_box(&mesh, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 3}); /* the box's middle: (0, 0, 1), D = 10 */
     roberts_scene *scene = build_scene(&mesh);
     /* the tower's top, at height 3, reaches to 1 * 10 / 8 = 1.25 of the picture; behind it lies the floor */
     assert_int_equal(roberts_pick(scene, &camera, 1.2, 0, &picked, NULL), ROBERTS_OK);
@@ -741,8 +696,8 @@ static void test_pick_cut(void **state)
     roberts_picked picked;
     (void)state;
     camera.has_look_at = true;
-    add_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
-    add_box(&mesh, (roberts_vec3){1, -1, 0}, (roberts_vec3){2, 1, 5});
+    mesh_box(&mesh, (roberts_vec3){-4, -4, -1}, (roberts_vec3){4, 4, 0});
+    mesh_box(&mesh, (roberts_vec3){1, -1, 0}, (roberts_vec3){2, 1, 5});
     roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_pick(scene, &camera, 6, 0, &picked, NULL), ROBERTS_OK); /* the tower is cut at 4 .. 8 */
     assert_int_equal(picked.count, 1);
@@ -762,11 +717,11 @@ static void test_pick_cut(void **state)
 static void test_pick_ties(void **state)
 {
     roberts_mesh mesh = {0};
-    roberts_camera top = preset("top"), iso = preset("iso");
+    roberts_camera top = preset_camera("top"), iso = preset_camera("iso");
     roberts_picked picked;
     (void)state;
     for (int i = 0; i < 3; i++)
-        add_box(&mesh, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1 - 1e-13 * i});
+        mesh_box(&mesh, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1 - 1e-13 * i});
     roberts_scene *scene = build_scene(&mesh);
     assert_int_equal(roberts_pick(scene, &top, 0, 0, &picked, NULL), ROBERTS_OK);
     assert_int_equal(picked.count, 3);
@@ -808,7 +763,7 @@ static void test_pick_agrees(void **state)
                 assert_true(picked.count && picked.hit[0].solid == row->solid);
                 seen++;
             } else if (camera.projection ==
-                       ROBERTS_ORTHOGRAPHIC) { /* else the middle of t is not that of the picture */
+                       ROBERTS_ORTHOGRAPHIC) { /* otherwise the middle of t is not that of the picture */
                 assert_true(picked.count && picked.hit[0].solid == row->by);
                 behind++;
             }

@@ -8,20 +8,18 @@ static void add_vertices(roberts_mesh *mesh, const double (*p)[3], size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         roberts_vec3 at = {p[i][0], p[i][1], p[i][2]};
-        assert_int_equal(roberts_mesh_add_vertex(mesh, at, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(mesh, at);
     }
 }
 
 static void add_face(roberts_mesh *mesh, const uint32_t *corner, size_t count)
 {
-    assert_int_equal(roberts_mesh_add_face(mesh, corner, count, NULL), ROBERTS_OK);
+    mesh_face(mesh, corner, count);
 }
 
 static roberts_drawing draw(const roberts_scene *scene, const roberts_camera *camera)
 {
-    roberts_drawing drawing = {0};
-    assert_int_equal(roberts_hide(scene, camera, NULL, &drawing, NULL), ROBERTS_OK);
-    return drawing;
+    return drawing_of(scene, camera, NULL);
 }
 
 static roberts_verification verify(const roberts_scene *scene, const roberts_camera *camera,
@@ -143,7 +141,7 @@ static void test_smooth(void **state)
     for (int i = 0; i < SIDE * SIDE; i++) {
         double x = i % SIDE - SIDE / 2, y = i / SIDE - SIDE / 2;
         roberts_vec3 at = {x, y, 0.01 * (x * x + y * y)};
-        assert_int_equal(roberts_mesh_add_vertex(&mesh, at, NULL, NULL), ROBERTS_OK);
+        mesh_vertex(&mesh, at);
     }
     for (uint32_t i = 0; i + 1 < SIDE; i++)
         for (uint32_t k = 0; k + 1 < SIDE; k++) {

@@ -2,6 +2,7 @@
  * in the drawing as it was. */
 #include "roberts.h"
 #include "scenes.h"
+#include "segments.h"
 
 #define COUNT(a) (sizeof(a) / sizeof(a)[0])
 
@@ -206,12 +207,6 @@ typedef enum fault {
 static const char *const fault_names[FAULTS] = {"end off by 1e-3", "end off by 1e-4",  "end off by 1e-6", "wrong by",
                                                 "gap swallowed",   "hider overlooked", "left out"};
 
-static bool same_edge(const roberts_segment *a, const roberts_segment *b)
-{
-    return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 &&
-           (a->v0 != ROBERTS_NONE || a->edge == b->edge); /* an edge, or an intersection */
-}
-
 static void drop_rows(roberts_drawing *drawing, size_t first, size_t count)
 {
     roberts_segment *row = drawing->segment;
@@ -245,8 +240,8 @@ static bool continues(const roberts_segment *row, const roberts_segment *next)
     return row->state == next->state && row->t1 == next->t0;
 }
 
-/* Joins row i with those before and after it, as what these are. Parts so short that a pen shows nothing of them may be
- * swallowed rightly. */
+/* Joins row i with the rows before and after it, and gives it their state. Parts so short that a pen shows nothing
+ * of them may be swallowed rightly. */
 static bool swallow(roberts_drawing *drawing, size_t i, roberts_state what)
 {
     roberts_segment *row = &drawing->segment[i];
@@ -259,7 +254,7 @@ static bool swallow(roberts_drawing *drawing, size_t i, roberts_state what)
     return true;
 }
 
-/* Puts the fault in row i. False: that cannot be, and nothing has changed. */
+/* Puts the fault into row i. False: this row cannot have it, and nothing has changed. */
 static bool spoil(const roberts_scene *scene, roberts_drawing *drawing, size_t i, fault what, rng *r)
 {
     static const double off[] = {1e-3, 1e-4, 1e-6};

@@ -102,8 +102,7 @@ static void presets_foreshorten(void **state)
     roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        roberts_camera camera = {0};
-        assert_true(roberts_camera_preset(table[i].name, &camera));
+        roberts_camera camera = preset_camera(table[i].name);
         view v = prepare(scene, &camera);
         roberts_vec3 x = view_point(&v, (roberts_vec3){1, 0, 0}), y = view_point(&v, (roberts_vec3){0, 1, 0}),
                      z = view_point(&v, (roberts_vec3){0, 0, 1});
@@ -117,9 +116,8 @@ static void presets_foreshorten(void **state)
 static void trimetric_has_three_scales(void **state)
 {
     roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
-    roberts_camera camera = {0};
     (void)state;
-    assert_true(roberts_camera_preset("trimetric", &camera));
+    roberts_camera camera = preset_camera("trimetric");
     view v = prepare(scene, &camera);
     const double c[3] = {camera.dir.x, camera.dir.y, camera.dir.z}, square = vec3_dot(camera.dir, camera.dir);
     const roberts_vec3 axis[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -268,8 +266,7 @@ static void oblique_presets(void **state)
     roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
-        roberts_camera camera = {0};
-        assert_true(roberts_camera_preset(table[i].name, &camera));
+        roberts_camera camera = preset_camera(table[i].name);
         view v = prepare(scene, &camera);
         double d = table[i].depth * sqrt(0.5) / v.unit, one = 1 / v.unit;
         assert_true(distance3(view_point(&v, (roberts_vec3){1, 0, 0}), (roberts_vec3){one, 0, 0}) < ROUNDING);

@@ -56,18 +56,21 @@ void menger_sponge(body *b)
 
 /* ---- a locomotive ----------------------------------------------------------------------------------------------- */
 
-/* The axis of a column. */
-typedef enum axis { ALONG_X, ALONG_Y, ALONG_Z } axis;
+/* The axis of a column: its direction, and where its point 0 is. */
+typedef struct axis {
+    enum { ALONG_X, ALONG_Y, ALONG_Z } along;
+    roberts_vec3 origin;
+} axis;
 
-/* Adds a column of n sides from z0 to z1 on its axis; point 0 of the axis is at `at`. */
-static void add_column(body *b, axis along, uint32_t n, double radius, double z0, double z1, roberts_vec3 at)
+/* Adds a column of n sides from z0 to z1 on its axis. */
+static void add_column(body *b, axis a, uint32_t n, double radius, double z0, double z1)
 {
     static const motion axes[] = {[ALONG_X] = {{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 0}},
                                   [ALONG_Y] = {{{0, 1, 0}, {0, 0, 1}, {1, 0, 0}}, {0, 0, 0}},
                                   [ALONG_Z] = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}}};
-    motion move = axes[along];
+    motion move = axes[a.along];
     body column = {0};
-    move.shift = at;
+    move.shift = a.origin;
     column_make(&column, n, radius, z0, z1);
     body_add(b, &column, move);
     body_free(&column);
@@ -82,8 +85,9 @@ static void add_pair(body *b, roberts_vec3 lo, roberts_vec3 hi)
 
 static void add_wheels(body *b, double x, double radius)
 {
-    add_column(b, ALONG_Y, 24, radius, 3, 3.75, vec3(x, 0, radius));
-    add_column(b, ALONG_Y, 24, radius, -3.75, -3, vec3(x, 0, radius));
+    const axis axle = {ALONG_Y, {x, 0, radius}};
+    add_column(b, axle, 24, radius, 3, 3.75);
+    add_column(b, axle, 24, radius, -3.75, -3);
 }
 
 static void running_gear(body *b)
@@ -98,8 +102,9 @@ static void running_gear(body *b)
     add_pair(b, vec3(15.5, 4.25, 4), vec3(18, 4.75, 4.5));     /* pistons, which go into the cylinder */
     body_box(b, vec3(24, -4, 2.5), vec3(24.5, 4, 4.25));       /* the buffer beam */
     for (int side = -1; side < 2; side += 2) {
-        add_column(b, ALONG_X, 12, 0.5, 24.5, 25.5, vec3(0, 2.5 * side, 3.375));
-        add_column(b, ALONG_X, 12, 0.875, 25.5, 25.75, vec3(0, 2.5 * side, 3.375));
+        const axis buffer = {ALONG_X, {0, 2.5 * side, 3.375}};
+        add_column(b, buffer, 12, 0.5, 24.5, 25.5);
+        add_column(b, buffer, 12, 0.875, 25.5, 25.75);
     }
 }
 
@@ -117,17 +122,17 @@ static void cab(body *b)
 /* The boiler goes through the cab's wall, the smoke box and the saddles; the parts on top go into it. */
 static void boiler(body *b)
 {
-    const roberts_vec3 axle = {0, 0, 7.5};
-    add_column(b, ALONG_X, 16, 2.75, 6, 19.5, axle);
-    add_column(b, ALONG_X, 16, 3, 19, 23.5, axle);
-    add_column(b, ALONG_X, 16, 1.75, 23.5, 23.75, axle);
+    const axis middle = {ALONG_X, {0, 0, 7.5}}, chimney = {ALONG_Z, {21.25, 0, 0}}, dome = {ALONG_Z, {14, 0, 0}};
+    add_column(b, middle, 16, 2.75, 6, 19.5);
+    add_column(b, middle, 16, 3, 19, 23.5);
+    add_column(b, middle, 16, 1.75, 23.5, 23.75);
     for (int i = 0; i < 2; i++)
-        add_column(b, ALONG_X, 16, 2.875, 11 + 5 * i, 11.5 + 5 * i, axle);
+        add_column(b, middle, 16, 2.875, 11 + 5 * i, 11.5 + 5 * i);
     body_box(b, vec3(19.5, -2, 4), vec3(23, 2, 6));
     body_box(b, vec3(8, -2.5, 4), vec3(10, 2.5, 7));
-    add_column(b, ALONG_Z, 12, 1, 9.5, 14, vec3(21.25, 0, 0));
-    add_column(b, ALONG_Z, 12, 1.375, 14, 14.75, vec3(21.25, 0, 0));
-    add_column(b, ALONG_Z, 12, 1.375, 9, 11.5, vec3(14, 0, 0));
+    add_column(b, chimney, 12, 1, 9.5, 14);
+    add_column(b, chimney, 12, 1.375, 14, 14.75);
+    add_column(b, dome, 12, 1.375, 9, 11.5);
     cone_make(b, 12, 1.375, 11.5, 12.5);
     for (size_t v = b->vertex_count - 13; v < b->vertex_count; v++)
         b->vertex[v].x += 14;

@@ -195,12 +195,10 @@ class Scene:
                       vertex=points.ctypes.data, face_start=start.ctypes.data, corner=corners.ctypes.data)
         mesh.arrays = points, start, corners  # they live as long as the mesh
         c.check("mesh_check", ctypes.byref(mesh))
-        self._build(mesh, hull, solids, tolerance, even_odd, _Warned())
+        self._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd), _Warned())
 
-    def _build(self, mesh: c.mesh, hull: bool, solids: bool, tolerance: float, even_odd: bool,
-               warned: _Warned) -> None:
-        options = c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
-                                  warnings=warned.struct)
+    def _build(self, mesh: c.mesh, options: c.scene_options, warned: _Warned) -> None:
+        options.warnings = warned.struct
         handle = ctypes.c_void_p()
         c.check("scene_build", ctypes.byref(mesh), ctypes.byref(options), ctypes.byref(handle))
         weakref.finalize(self, c.lib.roberts_scene_free, handle)
@@ -320,7 +318,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
         path = os.fspath(what)
         name = name or os.path.basename(path)
         c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
-    scene._build(mesh, hull, solids, tolerance, even_odd, warned)
+    scene._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd), warned)
     scene.name = name or ""
     return scene
 

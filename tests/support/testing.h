@@ -1,7 +1,16 @@
-/* skip.h - skips a test with a reason, which run.sh prints beside the test's name. Include it after cmocka.h. */
-#ifndef ROBERTS_TESTS_SKIP_H
-#define ROBERTS_TESTS_SKIP_H
+/* testing.h - cmocka, after the headers that it needs, and how a test is skipped. */
+#ifndef ROBERTS_TESTS_TESTING_H
+#define ROBERTS_TESTS_TESTING_H
 
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* Skips a test with a reason, which run.sh prints beside the test's name. */
 #define SKIP_BECAUSE(...)                                                                                              \
     do {                                                                                                               \
         print_message("skipped: " __VA_ARGS__);                                                                        \
