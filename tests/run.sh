@@ -4,8 +4,8 @@
 # A program's output goes to PROGRAM.out and PROGRAM.err and is shown if the program fails. Lines that start with
 # "note: " are always shown, and so is each skipped test with its reason (support/testing.h). Each line gives the number
 # of tests that cmocka reported (on standard output; its final listings are on standard error). The last line is their
-# sum, which is also appended to the file TEST_RESULTS. A program that dies, or ends without having run a test, counts as
-# one failure, and so does one that leaves a temporary folder (support/temporary.h).
+# sum, which is also appended to the file TEST_RESULTS. A program that dies, or ends without having run a test, counts
+# as one failure, and so does one that leaves a temporary folder (support/temporary.h).
 #
 # JOBS: how many programs run at a time (default: one more than there are processors, as some of them wait)
 set -u
