@@ -9,7 +9,7 @@
  * open if it is new, or if another node is near that it has not become. A part of a line is open if an end of it is, or
  * if a node is near the line but does not touch it. Two lines that are not open have nothing to do with one another:
  * the division moves a line by less than four touching distances in all rounds, so it makes two lines meet only where
- * an end of one was near the other. MARGIN leaves ample room for that. */
+ * an end of one was near the other: see REGION_MARGIN. */
 #include "hide/map_search.h"
 
 #include <math.h>

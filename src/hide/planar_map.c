@@ -10,14 +10,12 @@
 #include "base/orient.h"
 #include "base/sort.h"
 #include "hide/map_search.h"
+#include "hide/tolerance.h"
 #include "model/sweep_order.h"
 
 /* Rounds of division. From the second one on, the distance at which a node divides a line is halved, so that the
  * division ends. */
 enum { MOST_ROUNDS = 60 };
-
-/* Touching distances: see map_search.c. */
-#define MARGIN 16.0
 
 /* The numbers of nodes, and those of both ends of all lines, are 32 bits wide. */
 #define NODES_MOST ((size_t)(UINT32_MAX / 4))
@@ -213,7 +211,7 @@ static bool divide_lines(map_search *s)
 
 bool planar_map_divide(planar_map *m, double touching)
 {
-    map_search s = {.m = m, .touching = touching, .margin = MARGIN * touching};
+    map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * touching};
     s.open = alloc_array(m->line_count, 1);
     bool enough = s.open != NULL, more;
     if (enough)

@@ -511,15 +511,13 @@ roberts_status roberts_hide_with_regions(const roberts_scene *scene, const rober
     *regions = (roberts_region_list){0};
     if (options && (options->keep_hidden || options->unite)) {
         status = roberts_hide(scene, camera, options, drawing, error);
-        if (status == ROBERTS_OK)
-            status = roberts_regions(scene, camera, options, regions, error);
-    } else {
-        status = hide_scene(&job, scene, camera, drawing, error);
+        if (status == ROBERTS_OK && (status = roberts_regions(scene, camera, options, regions, error)) != ROBERTS_OK)
+            roberts_drawing_free(drawing);
+        return status;
     }
-    if (status != ROBERTS_OK) {
-        roberts_drawing_free(drawing);
+    status = hide_scene(&job, scene, camera, drawing, error);
+    if (status != ROBERTS_OK)
         roberts_regions_free(regions);
-    }
     return status;
 }
 

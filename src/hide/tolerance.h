@@ -134,6 +134,11 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
  * this. */
 #define REGION_TOUCHING 8.0
 
+/* Touching distances of regions: what is farther apart cannot meet by the division of lines. A round moves a line by at
+ * most two of its touching distances, and each round has half the one of the round before, so a line moves by less than
+ * four. The rest is for both lines, and for ends that are beside one another. */
+#define REGION_MARGIN 16.0
+
 /* Epsilons, and roundings of a depth: corners made by the near plane are nearer to it than this. */
 #define CUT_TOUCHING 16.0
 

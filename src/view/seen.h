@@ -249,10 +249,10 @@ typedef struct seen_walk {
     uint32_t body;
     uint32_t edge, end; /* edges of seen.source: the next one; the end */
     uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
-    bool slow; /* the body is not convex, the near plane has clipped the scene, there is a union, or rules.rest holds */
-    bool passing;     /* seen_pass_flat() may be called */
-    bool hidden, all; /* as in seen_rules */
-    size_t surviving; /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
+    bool slow;          /* a body that is not convex, a scene that the near plane has clipped, a union, or rules.rest */
+    bool passing;       /* seen_pass_flat() may be called */
+    bool hidden, all;   /* as in seen_rules */
+    size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* pointers to the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;

@@ -9,6 +9,7 @@
 #include <errno.h>
 #include <stdbool.h>
 #include <stddef.h>
+
 #include "roberts.h"
 #include "testing.h"
 
