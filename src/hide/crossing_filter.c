@@ -8,118 +8,63 @@
 
 /* ---- stars ------------------------------------------------------------------------------------------------------- */
 
-/* The star of a vertex is the set of all faces at it. Suppose that each edge there has one face on its left in the
- * picture and one on its right, that the faces go round the vertex once, and that no side of a face runs through it.
- * Then no two of them overlap in the picture: they share only the vertex or a side. */
-
-/* What is known about a star: whether faces go round it once, or more often, or whether it is no sheet. */
-enum { ROUND_ONCE = 1, ROUND_TWICE = 2, NO_SHEET = 4 };
-
-typedef struct stars {
-    const hide_fronts *fronts;
-    atomic_uchar *star; /* [vertices] */
-    bool alone;         /* there is one thread */
-} stars;
+/* The star of a vertex is the set of all faces at it. Suppose that no edge there is a fold (see layers.h), and that the
+ * faces go round the vertex once in the picture. Then no two of them overlap: they share only the vertex or a side. */
 
 /* Returns what was known before. */
-static unsigned char mark(const stars *s, uint32_t vertex, unsigned char what)
+static unsigned char mark(const crossing_filter *p, uint32_t vertex, unsigned char what)
 {
-    atomic_uchar *star = &s->star[vertex];
-    if (!s->alone)
+    atomic_uchar *star = &p->star[vertex];
+    if (!p->alone)
         return atomic_fetch_or_explicit(star, what, memory_order_relaxed);
     unsigned char before = atomic_load_explicit(star, memory_order_relaxed);
     atomic_store_explicit(star, (unsigned char)(before | what), memory_order_relaxed);
     return before;
 }
 
-/* Marks those ends of an edge that are not corners of both its faces. */
-static void mark_divided(const stars *s, const scene_solid *own, const scene_edge *edge)
-{
-    const roberts_scene *scene = s->fronts->scene;
-    for (int i = 0; i < 2; i++)
-        for (int k = 0; k < 2 && edge->f[k] != ROBERTS_NONE; k++) {
-            uint32_t f = own->face + edge->f[k], v = own->vertex + edge->v[i], c = scene->face_start[f];
-            while (c < scene->face_start[f + 1] && scene->corner[c] != v)
-                c++;
-            if (c == scene->face_start[f + 1])
-                mark(s, v, NO_SHEET);
-        }
-}
-
-/* If no edge is divided, each side of a face is one side of an edge. Where vertices lie on a side of a face, that side
- * belongs to several edges, and does not end at these vertices. */
-static void mark_folds(const stars *s, uint32_t body)
-{
-    const roberts_scene *scene = s->fronts->scene;
-    const scene_solid *own = &scene->solid[body];
-    const scene_edge *edge = scene->edge + own->stored;
-    const uint8_t *is = scene->surface->edge_is + own->edge;
-    uint32_t count = own[1].edge - own->edge, sides = 2 * count;
-    bool many = false;
-    for (uint32_t e = 0; e < count; e++)
-        if (!seen_joins_faces(s->fronts->seen->facing + own->face, &edge[e], is[e])) {
-            sides -= (edge[e].f[0] == ROBERTS_NONE) + (edge[e].f[1] == ROBERTS_NONE);
-            many = many || is[e] & EDGE_MANY;
-            mark(s, own->vertex + edge[e].v[0], NO_SHEET);
-            mark(s, own->vertex + edge[e].v[1], NO_SHEET);
-        }
-    if (many || sides != scene->face_start[own[1].face] - scene->face_start[own->face])
-        for (uint32_t e = 0; e < count; e++)
-            mark_divided(s, own, &edge[e]);
-}
-
 /* A triangle goes round one of its corners if it extends from there on both sides of the direction +x. It has at most
  * one such corner. Its corners run counter-clockwise in the picture, or clockwise if the viewer sees its back. */
-static void mark_round(const stars *s, const uint32_t *corner, bool back)
+static void mark_round(const crossing_filter *p, const uint32_t *corner, bool back)
 {
-    const roberts_vec3 *P = s->fronts->P;
-    const uint32_t v[3] = {corner[0], corner[back ? 2 : 1], corner[back ? 1 : 2]};
-    const double y[3] = {P[v[0]].y, P[v[1]].y, P[v[2]].y};
-    for (int i = 0; i < 3; i++)
-        if (y[i < 2 ? i + 1 : 0] < y[i] && y[i] <= y[i > 0 ? i - 1 : 2] && mark(s, v[i], ROUND_ONCE) & ROUND_ONCE)
-            mark(s, v[i], ROUND_TWICE);
+    const roberts_vec3 *P = p->fronts->P;
+    const uint32_t a = corner[0], b = corner[back ? 2 : 1], c = corner[back ? 1 : 2];
+    const double u = P[a].y, v = P[b].y, w = P[c].y;
+    uint32_t round = v < u && u <= w ? a : w < v && v <= u ? b : u < w && w <= v ? c : ROBERTS_NONE;
+    if (round != ROBERTS_NONE && mark(p, round, STAR_ONCE) & STAR_ONCE)
+        mark(p, round, STAR_TWICE);
 }
 
-static void mark_front(const stars *s, const hide_front *front)
+static void mark_face(const crossing_filter *p, uint32_t face)
 {
-    const roberts_scene *scene = s->fronts->scene;
-    if (front->kind != HIDE_SURFACE_FACE)
-        return;
-    uint32_t first = scene->face_start[front->piece], end = scene->face_start[front->piece + 1];
+    const roberts_scene *scene = p->fronts->scene;
+    uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
     if (end - first == 3)
-        mark_round(s, scene->corner + first, s->fronts->seen->facing[front->piece] == VIEW_BACK);
+        mark_round(p, scene->corner + first, p->fronts->seen->facing[face] == VIEW_BACK);
     else
         for (uint32_t c = first; c < end; c++)
-            mark(s, scene->corner[c], NO_SHEET);
+            mark(p, scene->corner[c], STAR_FOLD);
 }
 
-/* Finds such vertices of triangles of surfaces. *sheet, [vertices]: 1 for such a vertex, else 0; NULL: none is known.
- * False: no memory. A border made by the near plane is no edge. */
-static bool stars_find(const hide_fronts *fronts, int threads, unsigned char **sheet)
+/* Does the face wait to become a front, or has it waited? */
+static bool is_late(const hide_fronts *fronts, uint32_t body, uint32_t face)
 {
-    const roberts_scene *scene = fronts->scene;
-    if (!scene->surface || fronts->seen->clip.clipped)
-        return true;
-    const stars s = {fronts, alloc_zeroed(scene->vertex_count, sizeof *s.star), threads == 1};
-    *sheet = alloc_array(scene->vertex_count, sizeof **sheet);
-    if (s.star && *sheet) {
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 64) num_threads(threads)
-#endif
-        for (uint32_t body = 0; body < scene->solid_count; body++)
-            if (!scene_is_convex(scene, body) && !fronts->culled[body])
-                mark_folds(&s, body);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#endif
-        for (uint32_t k = 0; k < fronts->front_count; k++)
-            mark_front(&s, &fronts->front[k]);
-        for (uint32_t v = 0; v < scene->vertex_count; v++)
-            (*sheet)[v] = atomic_load_explicit(&s.star[v], memory_order_relaxed) == ROUND_ONCE;
-    }
-    bool found = s.star && *sheet;
-    free(s.star);
-    return found;
+    return fronts->late && !fronts->culled[body] && fronts->late[body] != VIEW_UNKNOWN &&
+           fronts->seen->facing[face] == fronts->late[body];
+}
+
+static void mark_front(const crossing_filter *p, const hide_front *front)
+{
+    if (front->kind == HIDE_SURFACE_FACE && !is_late(p->fronts, front->solid, front->piece))
+        mark_face(p, front->piece);
+}
+
+/* A face that is no front, because it is hidden, still belongs to the stars of its corners. */
+static void mark_late(const crossing_filter *p, uint32_t body)
+{
+    const scene_solid *own = &p->fronts->scene->solid[body];
+    for (uint32_t face = own->face; face < own[1].face; face++)
+        if (is_late(p->fronts, body, face))
+            mark_face(p, face);
 }
 
 /* ---- boxes ------------------------------------------------------------------------------------------------------- */
@@ -137,15 +82,6 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front)
     unsigned char flat = edge < end ? FLAT_SOMEWHERE : FLAT_NOWHERE;
     atomic_store_explicit(&p->model[front].flat, flat, memory_order_relaxed);
     return edge < end;
-}
-
-/* A box of at most two columns and two rows stands for its front, since all its cells list the front. */
-static first_cell first_cell_of(const scan_frame *frame, const hide_box *box, double loose)
-{
-    double m = frame->margin + loose;
-    uint32_t column = scan_column(frame, (double)box->x0 - m), row = scan_row(frame, (double)box->y0 - m);
-    bool small = scan_column(frame, (double)box->x1 + m) - column < 2 && scan_row(frame, (double)box->y1 + m) - row < 2;
-    return (first_cell){small ? (uint16_t)column : NO_CELL, (uint16_t)row};
 }
 
 static void box_solid(const crossing_filter *p, uint32_t front)
@@ -170,30 +106,151 @@ static double touching_distance(const hide_fronts *fronts)
 /* If points have low parts, boxes of their high parts prove nothing. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
-    uint32_t count = fronts->front_count;
-    *p = (crossing_filter){.fronts = fronts};
-    while (!fronts->scene->low && p->whole < count && !hide_is_face(&fronts->front[p->whole]))
-        p->whole++;
+    *p = (crossing_filter){.fronts = fronts,
+                           .star = grid->star,
+                           .alone = threads == 1,
+                           .whole = fronts->scene->low ? 0 : fronts->whole_count};
     p->touching = p->whole > 0 ? touching_distance(fronts) : 0.0;
-    p->first = alloc_array(count, sizeof *p->first);
     p->model = alloc_array(p->whole, sizeof *p->model);
-    if (!p->first || !p->model)
+    if (!p->model)
         return false;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads)
+#else
+    (void)threads;
 #endif
-    for (uint32_t k = 0; k < count; k++) {
-        p->first[k] = first_cell_of(&grid->frame, &fronts->front_box[k], hide_loose(fronts, k));
-        if (k < p->whole)
-            box_solid(p, k);
-    }
-    return stars_find(fronts, threads, &p->sheet);
+    for (uint32_t k = 0; k < p->whole; k++)
+        box_solid(p, k);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(static) num_threads(threads)
+#endif
+    for (uint32_t k = fronts->whole_count; k < fronts->front_count; k++)
+        if (p->star)
+            mark_front(p, &fronts->front[k]);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
+#endif
+    for (uint32_t body = 0; body < fronts->scene->solid_count; body++)
+        if (p->star && fronts->late)
+            mark_late(p, body);
+    return true;
 }
 
 void filter_end(crossing_filter *p)
 {
-    free(p->first);
     free(p->model);
-    free(p->sheet);
     *p = (crossing_filter){0};
+}
+
+/* ---- two faces --------------------------------------------------------------------------------------------------- */
+
+/* Faces with more corners are not tested in the picture. */
+#define FEW_CORNERS 8
+/* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
+ * outside. */
+#define LOOSE 4.0
+/* A corner this many touching distances off a plane does not touch it; the error of a height, in roundings. */
+#define TOUCHING 4.0
+#define HEIGHT_ROUNDINGS 64.0
+
+static double sum_of_parts(roberts_vec3 d)
+{
+    return fabs(d.x) + fabs(d.y) + fabs(d.z);
+}
+
+/* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
+static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
+{
+    double dx = B.x - A.x, dy = B.y - A.y;
+    for (uint32_t k = 0; k < f->count; k++)
+        if (!(dx * (P[f->corner[k]].y - A.y) - dy * (P[f->corner[k]].x - A.x) <= most))
+            return false;
+    return true;
+}
+
+/* Does a side of f separate the two faces in the picture? A corner within rounding of the side may be on either side of
+ * it. The picture of a face that is nearly edge-on may be turned, or cross itself, as far as its corners are not in one
+ * plane. So f itself is tested as well. */
+static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    const roberts_vec3 *P = fronts->P;
+    double loose = LOOSE * fronts->space.rounding;
+    roberts_vec3 A = P[f->corner[f->count - 1]];
+    for (uint32_t i = 0; i < f->count; i++) {
+        roberts_vec3 B = P[f->corner[i]];
+        double most = loose * (fabs(B.x - A.x) + fabs(B.y - A.y));
+        if (is_right_of(P, A, B, g, most) && is_right_of(P, B, A, f, most))
+            return true;
+        A = B;
+    }
+    return false;
+}
+
+/* Do all corners of triangle g lie plainly on one side of the plane of triangle f, except for one that both share?
+ * Heights are in lengths of the normal. Rounding in each is below the margin. */
+static bool is_beside_plane(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    const roberts_vec3 *P = fronts->P;
+    roberts_vec3 A = P[f->corner[0]], AB = vec3_sub(P[f->corner[1]], A), AC = vec3_sub(P[f->corner[2]], A);
+    roberts_vec3 n = vec3_cross(AB, AC);
+    double size = sum_of_parts(AB) + sum_of_parts(AC), rounding = fronts->space.depth_rounding;
+    double touching = TOUCHING * sum_of_parts(n) * (fronts->space.epsilon + rounding);
+    int side = 0;
+    for (uint32_t k = 0; k < 3; k++) {
+        uint32_t v = g->corner[k];
+        if (v == f->corner[0] || v == f->corner[1] || v == f->corner[2])
+            continue;
+        roberts_vec3 d = vec3_sub(P[v], A);
+        double h = vec3_dot(n, d), margin = touching + HEIGHT_ROUNDINGS * rounding * size * (size + sum_of_parts(d));
+        if (!(fabs(h) > margin) || (h > 0.0 ? side < 0 : side > 0))
+            return false;
+        side = h > 0.0 ? 1 : -1;
+    }
+    return true;
+}
+
+/* Are two faces plainly apart in space? Used only if all faces are triangles, with planes of their own, and the view is
+ * parallel. */
+static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
+{
+    return !fronts->scene->face_plane && !fronts->seen->view.perspective &&
+           (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
+}
+
+bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b)
+{
+    uint32_t turned[2][SEEN_TURNED] = {{0}};
+    hide_face F = hide_outline(fronts, a, turned[0]), G = hide_outline(fronts, b, turned[1]);
+    return is_apart(fronts, &F, &G) || (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+                                        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)));
+}
+
+/* A direction in the picture, and how far beside it a point may lie to count as on it, times its length. */
+typedef struct ray {
+    double x, y, loose;
+} ray;
+
+static ray ray_of(const hide_fronts *fronts, uint32_t from, uint32_t to)
+{
+    const roberts_vec3 *P = fronts->P;
+    double x = P[to].x - P[from].x, y = P[to].y - P[from].y;
+    return (ray){x, y, LOOSE * fronts->space.rounding * (fabs(x) + fabs(y))};
+}
+
+static double turn(const ray *a, const ray *b)
+{
+    return a->x * b->y - a->y * b->x;
+}
+
+/* Does a side of triangle f = (a, b), as seen from the common corner, separate it from g = (c, d)? */
+bool filter_fan(const hide_fronts *fronts, const uint32_t f[3], int i, const uint32_t g[3])
+{
+    uint32_t v = f[i];
+    int k = g[0] == v ? 0 : g[1] == v ? 1 : 2;
+    const ray a = ray_of(fronts, v, f[(i + 1) % 3]), b = ray_of(fronts, v, f[(i + 2) % 3]);
+    const ray c = ray_of(fronts, v, g[(k + 1) % 3]), d = ray_of(fronts, v, g[(k + 2) % 3]);
+    double ac = turn(&a, &c), ad = turn(&a, &d), bc = turn(&b, &c), bd = turn(&b, &d);
+    double s = turn(&a, &b) > 0.0 ? 1.0 : -1.0, t = turn(&c, &d) > 0.0 ? 1.0 : -1.0;
+    return (s * ac <= a.loose && s * ad <= a.loose) || (-s * bc <= b.loose && -s * bd <= b.loose) ||
+           (-t * ac <= c.loose && -t * bc <= c.loose) || (t * ad <= d.loose && t * bd <= d.loose);
 }

@@ -7,14 +7,6 @@
 
 #include "hide/objet.h"
 
-/* No cell. Grids have fewer columns. */
-#define NO_CELL UINT16_MAX
-
-/* The first of the cells that list a front, if its box touches no other cells than these; else NO_CELL. */
-typedef struct first_cell {
-    uint16_t column, row;
-} first_cell;
-
 /* The box of a whole solid along the axes of the model. Many solids are such boxes themselves. */
 typedef struct model_box {
     hide_bounds is;
@@ -26,11 +18,11 @@ typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 
 typedef struct crossing_filter {
     const hide_fronts *fronts;
-    first_cell *first;    /* [front_count] */
-    model_box *model;     /* [whole] */
-    uint32_t whole;       /* number of whole solids, which come before single faces */
-    double touching;      /* model units; whole solids farther apart do not touch */
-    unsigned char *sheet; /* [vertices] all faces about it are one sheet; NULL: nothing is known */
+    model_box *model;   /* [whole] */
+    uint32_t whole;     /* number of whole solids, which come before single faces */
+    double touching;    /* model units; whole solids farther apart do not touch */
+    atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
+    bool alone;         /* there is one thread */
 } crossing_filter;
 
 /* False: no memory; call filter_end() in any case. */
@@ -39,6 +31,13 @@ void filter_end(crossing_filter *p);
 
 /* Finds model[front].flat. */
 bool filter_find_flat(const crossing_filter *p, uint32_t front);
+
+/* Are two faces plainly apart, in the picture or in space? */
+bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
+
+/* Two triangles share corner f[i], and no other. Does a side at that corner separate them in the picture? So it is with
+ * nearly all neighbours. */
+bool filter_fan(const hide_fronts *fronts, const uint32_t f[3], int i, const uint32_t g[3]);
 
 static inline bool filter_flat(const crossing_filter *p, uint32_t front)
 {

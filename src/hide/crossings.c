@@ -17,21 +17,17 @@
 #define WORTH_A_THREAD 8192
 /* How many faces of a cell are kept. */
 #define KEPT_FACES 512
-/* Faces with more corners are not tested in the picture. */
-#define FEW_CORNERS 8
-/* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
- * outside. */
-#define LOOSE 4.0
-/* A corner this many touching distances off a plane does not touch it; the error of a height, in roundings. */
-#define TOUCHING 4.0
-#define HEIGHT_ROUNDINGS 64.0
-
-/* The corners of a triangle about which all faces are one sheet (see crossing_filter.c). Any other corner gets a number
- * that no vertex and no other entry has. */
-typedef struct star_corners {
-    uint32_t v[4]; /* v[3] is none */
-    float z1;      /* nearest depth of the face */
-} star_corners;
+/* Boxes that take no more than this part of a cell's width and height are in no more than two columns and rows. */
+#define MOST_OF_CELL 0.999
+/* Cells are widened by this many margins. Fronts are listed with one. */
+#define CELL_MARGINS 2.0
+/* Four entries of a cell's list side by side. Their boxes are cut to the cell. Unused lanes meet nothing. */
+typedef struct four_entries {
+    float x0[4], x1[4], y0[4], y1[4], z0[4], z1[4];
+    uint32_t v[3][4];    /* corners of a triangle of a surface; else numbers beyond those of vertices, each used once */
+    uint32_t star[3][4]; /* 15: all faces about that corner are one sheet; else 0 */
+    uint32_t kin[4];     /* two fronts with the same number do not cross */
+} four_entries;
 
 /* The data of one thread. */
 typedef struct finder {
@@ -45,96 +41,14 @@ typedef struct finder {
     size_t pair_count, pair_room;
     crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
-    star_corners *star; /* [KEPT_FACES] of the entries of this cell; NULL: there are no surfaces */
+    four_entries *four; /* the entries of this cell */
+    size_t four_room;
     face_list list[2];
     crossing_face last; /* the first face of the last pair, if hidden lines are kept */
     char apart[THREADS_APART];
 } finder;
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
-
-static double sum_of_parts(roberts_vec3 d)
-{
-    return fabs(d.x) + fabs(d.y) + fabs(d.z);
-}
-
-/* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
-static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
-{
-    double dx = B.x - A.x, dy = B.y - A.y;
-    for (uint32_t k = 0; k < f->count; k++)
-        if (!(dx * (P[f->corner[k]].y - A.y) - dy * (P[f->corner[k]].x - A.x) <= most))
-            return false;
-    return true;
-}
-
-/* Does a side of f separate the two faces in the picture? A corner within rounding of the side may be on either side of
- * it. The picture of a face that is nearly edge-on may be turned, or cross itself, as far as its corners are not in one
- * plane. So f itself is tested as well. */
-static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
-{
-    const roberts_vec3 *P = fronts->P;
-    double loose = LOOSE * fronts->space.rounding;
-    roberts_vec3 A = P[f->corner[f->count - 1]];
-    for (uint32_t i = 0; i < f->count; i++) {
-        roberts_vec3 B = P[f->corner[i]];
-        double most = loose * (fabs(B.x - A.x) + fabs(B.y - A.y));
-        if (is_right_of(P, A, B, g, most) && is_right_of(P, B, A, f, most))
-            return true;
-        A = B;
-    }
-    return false;
-}
-
-/* Do all corners of triangle g lie plainly on one side of the plane of triangle f, except for one that both share?
- * Heights are in lengths of the normal. Rounding in each is below the margin. */
-static bool is_beside_plane(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
-{
-    const roberts_vec3 *P = fronts->P;
-    roberts_vec3 A = P[f->corner[0]], AB = vec3_sub(P[f->corner[1]], A), AC = vec3_sub(P[f->corner[2]], A);
-    roberts_vec3 n = vec3_cross(AB, AC);
-    double size = sum_of_parts(AB) + sum_of_parts(AC), rounding = fronts->space.depth_rounding;
-    double touching = TOUCHING * sum_of_parts(n) * (fronts->space.epsilon + rounding);
-    int side = 0;
-    for (uint32_t k = 0; k < 3; k++) {
-        uint32_t v = g->corner[k];
-        if (v == f->corner[0] || v == f->corner[1] || v == f->corner[2])
-            continue;
-        roberts_vec3 d = vec3_sub(P[v], A);
-        double h = vec3_dot(n, d), margin = touching + HEIGHT_ROUNDINGS * rounding * size * (size + sum_of_parts(d));
-        if (!(fabs(h) > margin) || (h > 0.0 ? side < 0 : side > 0))
-            return false;
-        side = h > 0.0 ? 1 : -1;
-    }
-    return true;
-}
-
-/* Are two faces plainly apart in space? Used only if all faces are triangles, with planes of their own, and the view is
- * parallel. */
-static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
-{
-    return !fronts->scene->face_plane && !fronts->seen->view.perspective &&
-           (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
-}
-
-/* The corners of a single face, in either direction. */
-static inline hide_face corners_of(const hide_fronts *fronts, const hide_front *front)
-{
-    const roberts_scene *scene = fronts->scene;
-    uint32_t first = scene->face_start[front->piece];
-    return (hide_face){.corner = scene->corner + first, .count = scene->face_start[front->piece + 1] - first};
-}
-
-/* Do two triangles share a side? */
-static bool share_side(const hide_face *f, const hide_face *g)
-{
-    uint32_t shared = 0;
-    if (f->count != 3 || g->count != 3)
-        return false;
-    for (uint32_t i = 0; i < 3; i++)
-        shared += f->corner[i] == g->corner[0] || f->corner[i] == g->corner[1] || f->corner[i] == g->corner[2];
-    return shared > 1;
-}
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
@@ -229,22 +143,9 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_solids(t, list[i].front, list[k].front);
-    hide_face F = corners_of(fronts, f), G = corners_of(fronts, g);
-    if (share_side(&F, &G) || is_apart(fronts, &F, &G))
+    if (filter_faces(fronts, list[i].front, list[k].front))
         return true;
-    uint32_t turned[2][SEEN_TURNED] = {{0}};
-    F = hide_outline(fronts, list[i].front, turned[0]);
-    G = hide_outline(fronts, list[k].front, turned[1]);
-    if (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
-        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)))
-        return true; /* so are nearly all neighbours */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
-}
-
-/* Does the cell test a pair that it lists? deeper: the nearest depth of the deeper front. */
-static inline bool is_sought(const finder *t, size_t cell, float deeper)
-{
-    return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
 }
 
 /* The entries of a cell that are tested. */
@@ -254,44 +155,89 @@ typedef struct cell_list {
     uint32_t column, row;
 } cell_list;
 
-/* Has an earlier cell tested the pair? False if that is not known. */
-static inline bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
+/* Does the cell test a pair that it lists? deeper: the nearest depth of the deeper front. */
+static inline bool is_sought(const finder *t, size_t cell, float deeper)
 {
-    const first_cell *f = &t->filter->first[a], *g = &t->filter->first[b];
-    if (f->column == NO_CELL || g->column == NO_CELL)
+    return !(t->grid->apart && t->grid->apart[cell]) && !(t->nearest && deeper < t->nearest[cell]);
+}
+
+/* Is the front no larger than a cell? Then its box touches at most two columns and two rows, and all its cells list it
+ * (see objet.c). */
+static bool is_small(const finder *t, uint32_t front)
+{
+    const scan_frame *frame = &t->grid->frame;
+    const hide_box *box = &t->fronts->front_box[front];
+    double m = 2.0 * (frame->margin + hide_loose(t->fronts, front));
+    return (double)(box->x1 - box->x0) + m < MOST_OF_CELL * frame->dx &&
+           (double)(box->y1 - box->y0) + m < MOST_OF_CELL * frame->dy;
+}
+
+/* Has an earlier cell tested the pair? False if that is not known. */
+static bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint32_t b)
+{
+    const scan_frame *frame = &t->grid->frame;
+    const hide_box *p = &t->fronts->front_box[a], *q = &t->fronts->front_box[b];
+    uint32_t left = scan_column(frame, greater((double)p->x0, (double)q->x0) - frame->margin);
+    uint32_t low = scan_row(frame, greater((double)p->y0, (double)q->y0) - frame->margin);
+    if ((left >= c->column && low >= c->row) || !is_small(t, a) || !is_small(t, b))
         return false;
-    uint32_t left = f->column > g->column ? f->column : g->column, low = f->row > g->row ? f->row : g->row;
-    float deeper = t->fronts->front_box[b].z1;
     for (uint32_t i = left; i <= c->column; i++)
         for (uint32_t j = low; j <= c->row; j++)
-            if ((i < c->column || j < c->row) && is_sought(t, (size_t)i * t->grid->frame.ny + j, deeper))
+            if ((i < c->column || j < c->row) && is_sought(t, (size_t)i * frame->ny + j, q->z1))
                 return true;
     return false;
 }
 
-/* Fills `star` for a list. */
-static void find_stars(finder *t, const objet_entry *list, uint32_t count)
+/* Packs entry k of a list, to lane k of `four`. */
+static void pack_entry(const finder *t, const hide_box *cell, uint32_t front, uint32_t k)
 {
     const hide_fronts *fronts = t->fronts;
-    uint32_t none = ROBERTS_NONE;
-    for (uint32_t k = 0; k < count && k < KEPT_FACES; k++) {
-        const hide_front *front = &fronts->front[list[k].front];
-        star_corners *star = &t->star[k];
-        hide_face F = {.corner = NULL};
-        if (front->kind == HIDE_SURFACE_FACE)
-            F = corners_of(fronts, front);
-        for (uint32_t i = 0; i < 3; i++)
-            star->v[i] = F.count == 3 && t->filter->sheet[F.corner[i]] ? F.corner[i] : none--;
-        star->v[3] = none--;
-        star->z1 = fronts->front_box[list[k].front].z1;
+    const hide_box *box = &fronts->front_box[front];
+    const hide_front *f = &fronts->front[front];
+    four_entries *to = &t->four[k / 4];
+    const uint32_t lane = k % 4;
+    to->x0[lane] = box->x0 > cell->x0 ? box->x0 : cell->x0;
+    to->x1[lane] = box->x1 < cell->x1 ? box->x1 : cell->x1;
+    to->y0[lane] = box->y0 > cell->y0 ? box->y0 : cell->y0;
+    to->y1[lane] = box->y1 < cell->y1 ? box->y1 : cell->y1;
+    to->z0[lane] = box->z0;
+    to->z1[lane] = box->z1;
+    to->kin[lane] = f->kind == HIDE_SURFACE_FACE ? k : seen_body_key(f->solid);
+    const uint32_t *start = fronts->scene->face_start + f->piece, *corner = fronts->scene->corner;
+    atomic_uchar *star = t->filter->star;
+    const bool triangle = f->kind == HIDE_SURFACE_FACE && start[1] - start[0] == 3;
+    for (uint32_t i = 0; i < 3; i++) {
+        uint32_t v = triangle ? corner[start[0] + i] : ROBERTS_NONE - 3 * k - i;
+        to->v[i][lane] = v;
+        to->star[i][lane] =
+            triangle && star && atomic_load_explicit(&star[v], memory_order_relaxed) == STAR_ONCE ? 15 : 0;
     }
 }
 
-/* Do two faces share a corner about which all faces are one sheet? Then they do not cross. */
-static inline bool share_star(const star_corners *f, const star_corners *g)
+/* Packs the list of a cell. The cell is widened by more than the margin by which its fronts are listed. */
+static bool pack_cell(finder *t, const cell_list *c)
 {
-    return four_signs(four_either(four_same(g->v, f->v[0]),
-                                  four_either(four_same(g->v, f->v[1]), four_same(g->v, f->v[2])))) != 0;
+    const scan_frame *frame = &t->grid->frame;
+    uint32_t full = (c->count + 3) & ~3u;
+    if (!array_reserve(&t->four, &t->four_room, full / 4, sizeof *t->four))
+        return false;
+    const double m = CELL_MARGINS * frame->margin, x = frame->x0 + c->column * frame->dx,
+                 y = frame->y0 + c->row * frame->dy;
+    const bool edge[4] = {c->column == 0, c->column + 1 == frame->nx, c->row == 0, c->row + 1 == frame->ny};
+    const hide_box cell = {.x0 = edge[0] ? -INFINITY : hide_float_below(x - m),
+                           .x1 = edge[1] ? INFINITY : hide_float_above(x + frame->dx + m),
+                           .y0 = edge[2] ? -INFINITY : hide_float_below(y - m),
+                           .y1 = edge[3] ? INFINITY : hide_float_above(y + frame->dy + m)};
+    for (uint32_t k = 0; k < c->count; k++)
+        pack_entry(t, &cell, c->list[k].front, k);
+    for (uint32_t k = c->count; k < full; k++) {
+        t->four[k / 4].x0[k % 4] = INFINITY;
+        t->four[k / 4].z1[k % 4] = -INFINITY;
+        t->four[k / 4].kin[k % 4] = ROBERTS_NONE;
+        for (uint32_t i = 0; i < 3; i++)
+            t->four[k / 4].v[i][k % 4] = ROBERTS_NONE - 3 * k - i;
+    }
+    return true;
 }
 
 /* How many entries of a list begin nearer than `least`? */
@@ -308,42 +254,102 @@ static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t co
     return count;
 }
 
-/* Tests entry i with entry k, unless they surely do not cross or an earlier cell has tested them. */
-BITS_INLINE bool meet_listed(finder *t, const cell_list *c, uint32_t i, uint32_t k)
+/* Do covers hide all points that two boxes have in common? */
+static bool is_covered(const hide_fronts *fronts, const hide_box *p, const hide_box *q)
+{
+    const hide_box both = {p->x0 > q->x0 ? p->x0 : q->x0, p->x1 < q->x1 ? p->x1 : q->x1, p->y0 > q->y0 ? p->y0 : q->y0,
+                           p->y1 < q->y1 ? p->y1 : q->y1, p->z0 > q->z0 ? p->z0 : q->z0, p->z1 < q->z1 ? p->z1 : q->z1};
+    return fronts->cover.depth &&
+           cover_nearer(&fronts->cover, 0.5 * ((double)both.x0 + (double)both.x1),
+                        0.5 * ((double)both.y0 + (double)both.y1), both.z1) &&
+           cover_hides(&fronts->cover, &both);
+}
+
+/* Tests entry i with entry k, unless they surely do not cross, or where nobody sees it, or an earlier cell has tested
+ * them. */
+static bool meet_listed(finder *t, const cell_list *c, uint32_t i, uint32_t k)
 {
     const uint32_t a = c->list[i].front, b = c->list[k].front;
-    return filter_apart(t->filter, a, b) || !boxes_meet(&t->fronts->front_box[a], &t->fronts->front_box[b]) ||
-           is_met_before(t, c, a, b) || meet_entries(t, c->list, i, k);
+    return is_met_before(t, c, a, b) || is_covered(t->fronts, &t->fronts->front_box[a], &t->fronts->front_box[b]) ||
+           meet_entries(t, c->list, i, k);
+}
+
+/* Which lanes have this corner? */
+BITS_INLINE unsigned lanes_with(const four_entries *e, uint32_t v)
+{
+    return four_signs(four_either(four_same(e->v[0], v), four_either(four_same(e->v[1], v), four_same(e->v[2], v))));
+}
+
+/* Which of the lanes `near` of `e` may cross a triangle of a surface? Not those that share a side with it, or a corner
+ * about which all faces are one sheet, or lie beside it at a corner. */
+BITS_INLINE unsigned drop_neighbours(const finder *t, const four_entries *own, uint32_t lane, const four_entries *e,
+                                     unsigned near)
+{
+    const uint32_t v[3] = {own->v[0][lane], own->v[1][lane], own->v[2][lane]};
+    const unsigned a = lanes_with(e, v[0]), b = lanes_with(e, v[1]), c = lanes_with(e, v[2]);
+    near &= ~((a & (b | c)) | (b & c) | (a & own->star[0][lane]) | (b & own->star[1][lane]) | (c & own->star[2][lane]));
+    for (unsigned one = (a | b | c) & near; one; one &= one - 1) {
+        uint32_t at = (uint32_t)bits_trailing_zeros(one);
+        const uint32_t g[3] = {e->v[0][at], e->v[1][at], e->v[2][at]};
+        if (filter_fan(t->fronts, v, a >> at & 1 ? 0 : b >> at & 1 ? 1 : 2, g))
+            near &= ~(1u << at);
+    }
+    return near;
+}
+
+static bool may_cross(const finder *t, uint32_t i, uint32_t k)
+{
+    const four_entries *own = &t->four[i / 4], *e = &t->four[k / 4];
+    return own->kin[i % 4] != e->kin[k % 4] && drop_neighbours(t, own, i % 4, e, 1u << k % 4);
 }
 
 /* Tests entry i with those that follow it. Fronts are listed nearest first, so the first front behind it ends the
  * search. */
 static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
 {
-    const objet *grid = t->grid;
-    const hide_fronts *fronts = t->fronts;
-    const hide_box *own = &fronts->front_box[c->list[i].front];
-    const hide_front *front = &fronts->front[c->list[i].front];
-    uint32_t most = objet_most(objet_sides(c->list[i].sides)), first = c->first, end = first + c->count;
-    uint32_t kept = t->star ? first + (c->count < KEPT_FACES ? c->count : KEPT_FACES) : 0;
-    bool of_solid = grid->next && front->kind == HIDE_SOLID_FACE; /* faces of one solid do not cross */
-    for (uint32_t k = first + i + 1; k < end; k += 4) {
-        if (of_solid && fronts->front[grid->entry[k].front].solid == front->solid) {
-            k = grid->next[k] - 4;
+    const four_entries *own = &t->four[i / 4];
+    const uint32_t lane = i % 4, kin = own->kin[lane];
+    const four x0 = four_all(own->x0[lane]), x1 = four_all(own->x1[lane]), y0 = four_all(own->y0[lane]),
+               y1 = four_all(own->y1[lane]), z0 = four_all(own->z0[lane]);
+    const bool of_solid = t->grid->next && kin & SEEN_BODY; /* faces of one solid do not cross */
+    for (uint32_t k = i + 1, next; k < c->count; k = next) {
+        const four_entries *e = &t->four[k / 4];
+        next = (k | 3) + 1;
+        if (e->z1[k % 4] < own->z0[lane])
+            return true;
+        unsigned same = four_signs(four_same(e->kin, kin));
+        if (of_solid && same >> k % 4 & 1) {
+            next = t->grid->next[c->first + k] - c->first;
             continue;
         }
-        if (k < kept && t->star[k - first].z1 < own->z0)
-            return true;
-        for (unsigned near = objet_near(grid, k, end, most); near; near &= near - 1) {
-            uint32_t at = k + (uint32_t)bits_trailing_zeros(near);
-            if (at < kept && share_star(&t->star[i], &t->star[at - first]))
-                continue;
-            if (fronts->front_box[grid->entry[at].front].z1 < own->z0)
-                return true;
-            if (!meet_listed(t, c, i, at - first))
+        unsigned near = four_at_most(x0, four_load(e->x1)) & four_at_most(four_load(e->x0), x1) &
+                        four_at_most(y0, four_load(e->y1)) & four_at_most(four_load(e->y0), y1) &
+                        four_at_most(z0, four_load(e->z1)) & ~same & 15u << k % 4;
+        if (near)
+            near = drop_neighbours(t, own, lane, e, near);
+        for (; near; near &= near - 1) {
+            const uint32_t at = (k & ~3u) + (uint32_t)bits_trailing_zeros(near);
+            if (!filter_apart(t->filter, c->list[i].front, c->list[at].front) && !meet_listed(t, c, i, at))
                 return false;
         }
     }
+    return true;
+}
+
+/* The same if all fronts are whole solids: their lists are short, and are not packed. */
+static bool meet_solids_behind(finder *t, const cell_list *c, uint32_t i)
+{
+    const hide_box *box = t->fronts->front_box, *own = &box[c->list[i].front];
+    const uint32_t most = objet_most(objet_sides(c->list[i].sides)), end = c->first + c->count;
+    for (uint32_t k = c->first + i + 1; k < end; k += 4)
+        for (unsigned near = objet_near(t->grid, k, end, most); near; near &= near - 1) {
+            const uint32_t at = k - c->first + (uint32_t)bits_trailing_zeros(near);
+            if (box[c->list[at].front].z1 < own->z0)
+                return true;
+            if (!filter_apart(t->filter, c->list[i].front, c->list[at].front) &&
+                boxes_meet(own, &box[c->list[at].front]) && !meet_listed(t, c, i, at))
+                return false;
+        }
     return true;
 }
 
@@ -351,16 +357,19 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
 static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, uint32_t i)
 {
     uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1;
-    front_shape own;
-    front_shape_of(&own, t->fronts, c->list[i].front);
+    const hide_box *box = t->fronts->front_box;
+    const bool packed = t->fronts->front_count > t->fronts->whole_count;
+    front_shape shape;
+    front_shape_of(&shape, t->fronts, c->list[i].front);
     while (depth > 0) {
         const uint32_t child = stack[--depth], k = child & ~FRONT_TREE_LEAF;
         if (k == child) {
-            for (unsigned met = front_node_touches(&tree->node[k], &own, i); met; met &= met - 1)
+            for (unsigned met = front_node_touches(&tree->node[k], &shape, i); met; met &= met - 1)
                 stack[depth++] = tree->node[k].child[bits_trailing_zeros(met)];
             continue;
         }
-        if (k <= i || k >= c->count || (k < KEPT_FACES && t->star && share_star(&t->star[i], &t->star[k])))
+        if (k <= i || k >= c->count || !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) ||
+            filter_apart(t->filter, c->list[i].front, c->list[k].front) || (packed && !may_cross(t, i, k)))
             continue;
         if (!meet_listed(t, c, i, k))
             return false;
@@ -379,12 +388,17 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
         return true;
     if (t->nearest)
         c.count = count_seen(t, c.list, c.count, t->nearest[cell]);
-    memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
-    if (t->star)
-        find_stars(t, c.list, c.count);
+    const bool solids = t->fronts->front_count == t->fronts->whole_count;
+    if (!solids) {
+        memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
+        if (!pack_cell(t, &c))
+            return false;
+    }
     const front_tree *tree = grid->tree && grid->tree[cell].node ? &grid->tree[cell] : NULL;
     for (uint32_t i = 0; i + 1 < c.count; i++)
-        if (!(tree ? meet_by_tree(t, &c, tree, i) : meet_those_behind(t, &c, i)))
+        if (!(tree     ? meet_by_tree(t, &c, tree, i)
+              : solids ? meet_solids_behind(t, &c, i)
+                       : meet_those_behind(t, &c, i)))
             return false;
     return true;
 }
@@ -549,8 +563,7 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].nearest = grid->sheet.depth;
         finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        finders[i].star = filter->sheet ? alloc_array(KEPT_FACES, sizeof *finders[i].star) : NULL;
-        if (!finders[i].face || (filter->sheet && !finders[i].star))
+        if (!finders[i].face)
             return false;
     }
     return true;
@@ -646,7 +659,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         crossing_list_free(&finders[i].found);
         free(finders[i].pair);
         free(finders[i].face);
-        free(finders[i].star);
+        free(finders[i].four);
         free(finders[i].list[0].item);
         free(finders[i].list[1].item);
     }

@@ -53,8 +53,13 @@ static void fold_box(const layers *l, const hide_box *box, double loose)
             fold_cell(l, i, j, box->z1);
 }
 
-static bool fold_edge(const layers *l, objet_walk *walk, roberts_vec3 A, roberts_vec3 B)
+static bool fold_edge(const layers *l, objet_walk *walk, uint32_t v, uint32_t w)
 {
+    const roberts_vec3 A = l->fronts->P[v], B = l->fronts->P[w];
+    if (l->grid->star) {
+        atomic_store_explicit(&l->grid->star[v], STAR_FOLD, memory_order_relaxed);
+        atomic_store_explicit(&l->grid->star[w], STAR_FOLD, memory_order_relaxed);
+    }
     if (!objet_cells(l->grid, A, B, walk))
         return false;
     for (size_t k = 0; k < walk->count; k++) {
@@ -69,17 +74,15 @@ static bool fold_edge(const layers *l, objet_walk *walk, roberts_vec3 A, roberts
 static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32_t end)
 {
     const roberts_scene *scene = l->fronts->scene;
-    const roberts_vec3 *P = l->fronts->P;
     for (uint32_t body = scene_body_of_edge(scene, first), e = first; e < end; body++) {
         const scene_solid *own = &scene->solid[body];
         uint32_t last = own[1].edge < end ? own[1].edge : end;
         const unsigned char *facing = l->fronts->seen->facing + own->face;
         const scene_edge *edge = scene->edge + own->stored + (e - own->edge);
-        const roberts_vec3 *V = P + own->vertex;
         bool out = scene_is_convex(scene, body) || l->fronts->culled[body];
         for (; e < last; e++, edge++)
             if (!out && !seen_joins_faces(facing, edge, scene->surface->edge_is[e]) &&
-                !fold_edge(l, walk, V[edge->v[0]], V[edge->v[1]]))
+                !fold_edge(l, walk, own->vertex + edge->v[0], own->vertex + edge->v[1]))
                 return false;
     }
     return true;
@@ -278,6 +281,12 @@ void layers_end_late(const layers *l)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
+/* Do corners of faces and ends of edges have the same numbers, and does no vertex lie on a side of a face? */
+static bool has_plain_edges(const scene_surface *surface)
+{
+    return !surface->plane_of && surface->part_count == 0 && surface->many_count == 0;
+}
+
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
 {
     const roberts_scene *scene = fronts->scene;
@@ -292,7 +301,10 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
     grid->below = alloc_array(cells, sizeof *grid->below);
     grid->sheet.frame = grid->frame;
     grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
-    if (!l->fold || !l->walk || !grid->apart || !grid->below || !grid->sheet.depth || !fold_all(l))
+    bool stars = !fronts->seen->rules.hidden && has_plain_edges(scene->surface);
+    grid->star = stars ? alloc_zeroed(scene->vertex_count, sizeof *grid->star) : NULL;
+    if (!l->fold || !l->walk || (stars && !grid->star) || !grid->apart || !grid->below || !grid->sheet.depth ||
+        !fold_all(l))
         return false;
     fold_fronts(l);
     return true;

@@ -341,6 +341,7 @@ void objet_free(objet *grid)
     free(grid->tree);
     free(grid->apart);
     free(grid->below);
+    free(grid->star);
     cover_free(&grid->sheet);
     *grid = (objet){0};
 }

@@ -6,6 +6,7 @@
 #ifndef ROBERTS_HIDE_OBJET_H
 #define ROBERTS_HIDE_OBJET_H
 
+#include <stdatomic.h>
 #include <string.h>
 
 #include "base/lanes.h"
@@ -17,6 +18,9 @@ typedef struct objet_entry {
     uint32_t front; /* of hide_fronts.front */
     uint32_t sides; /* its box, cut to the cell, in 256ths of the cell: x0, 255 - x1, y0, 255 - y1, a byte each */
 } objet_entry;
+
+/* What is known of the faces about a vertex: a fold ends there; they go round it once, or more often. */
+enum { STAR_FOLD = 1, STAR_ONCE = 2, STAR_TWICE = 4 };
 
 /* This many entries can be read beyond the end of any list. */
 #define OBJET_SPARE 3
@@ -38,6 +42,7 @@ typedef struct objet {
     unsigned char *apart; /* 1: no two faces cross in the cell; unless hidden lines are wanted: none before the sheet */
     cover sheet;          /* everything deeper lies behind a sheet that fills the cell; `by` is not used */
     float *below;         /* every line that is nearer than this lies in that sheet */
+    atomic_uchar *star;   /* [vertices] STAR_FOLD: a fold ends there. (crossing_filter.c adds more.) NULL: not known */
 } objet;
 
 /* A cell that an edge meets, from parameter t0 of the edge to t1. */
