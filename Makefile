@@ -210,6 +210,8 @@ install-python: install ## the same, and the Python package (PYTHON=python3, PYT
 	$(Q)sed 's|^INSTALLED = .*|INSTALLED = "$(LIBDIR)/$(SONAME)"|' src/python/roberts/_library.py \
 	    >'$(DESTDIR)$(PYTHONTO)/roberts/_library.py'
 	@echo 'the package is in $(DESTDIR)$(PYTHONTO)'
+	@$(PYTHON) -c 'import sys; sys.exit("$(PYTHONTO)" not in sys.path)' || \
+	    echo '$(PYTHON) does not look there; set PYTHONPATH=$(PYTHONTO)'
 	@$(PYTHON) -c 'import numpy' 2>/dev/null || echo 'it needs numpy, which $(PYTHON) lacks (Debian: python3-numpy)'
 
 uninstall: ## removes the installed files

@@ -155,6 +155,9 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
  * _BAD_INDEX. */
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error);
 
+/** Stands a mesh up whose y axis points up: each vertex x, y, z becomes x, -z, y. The library takes z to point up. */
+void roberts_mesh_stand_up(roberts_mesh *mesh);
+
 /**
  * Checks a mesh that you have filled yourself: set the counts, point the pointers to your own arrays, and leave the
  * rest 0 or NULL. roberts_scene_build() then reads the arrays in place, without a copy. You keep them: pass this mesh

@@ -137,8 +137,8 @@ static bool find_place(const char *name, place *at)
 
 int batch_files_check_places(const batch_files *b)
 {
-    const char *const other[] = {b->options->list, b->options->manifest};
-    place *taken = malloc((b->count + 2) * sizeof *taken), output;
+    const char *const other[] = {b->options->list, b->options->manifest, b->options->names};
+    place *taken = malloc((b->count + sizeof other / sizeof other[0]) * sizeof *taken), output;
     size_t count = 0;
     int result = EXIT_DONE;
     if (!taken)
@@ -150,8 +150,8 @@ int batch_files_check_places(const batch_files *b)
     qsort(taken, count, sizeof *taken, by_place);
     for (size_t i = 0; i < b->count && result == EXIT_DONE; i++)
         if (find_place(b->file[i].output, &output) && bsearch(&output, taken, count, sizeof *taken, by_place))
-            result = message_misuse("--batch: %s is an input, the list or the manifest; the drawing of %s would take "
-                                    "its place",
+            result = message_misuse("--batch: %s is an input, the list, the manifest or the file of --labels; the "
+                                    "drawing of %s would take its place",
                                     b->file[i].output, b->file[i].input);
     free(taken);
     return result;

@@ -55,9 +55,9 @@ static int check_turntable(const cli_options *options)
     return message_misuse("%s; \"%s\" has a %% of another kind", how, options->output);
 }
 
-static bool ends_like_input(const char *name)
+static bool ends_like_model(const char *name)
 {
-    static const char *const endings[] = {".off", ".stl", ".obj", ".ply"};
+    static const char *const endings[] = {".off", ".stl", ".obj", ".ply", ".mtl"};
     const char *dot = strrchr(name, '.');
     for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)
         if (strcasecmp(dot, endings[i]) == 0)
@@ -73,7 +73,7 @@ static int check_batch(const cli_options *options)
     if (!options->batch)
         return EXIT_DONE;
     bool there = stat(options->batch, &found) == 0;
-    if ((there && !S_ISDIR(found.st_mode)) || (!there && ends_like_input(options->batch)))
+    if ((there && !S_ISDIR(found.st_mode)) || (!there && ends_like_model(options->batch)))
         return message_misuse("--batch: %s is %s, where the folder for the drawings should be: %s", options->batch,
                               there ? "a file" : "the name of a file", how);
     for (size_t i = 0; i < options->input_count; i++)
@@ -118,26 +118,69 @@ static bool is_same_file(const struct stat *a, const struct stat *b)
     return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-/* The drawing must not replace a model, and a name meant for the drawing must not be read as a model. */
-static int check_files(const cli_options *options, bool output_given)
+/* Is this a file that exists? Not standard input, and no folder or device. */
+static bool is_there(const char *name, struct stat *found)
 {
-    struct stat output, input;
+    return name && strcmp(name, "-") != 0 && stat(name, found) == 0 && S_ISREG(found->st_mode);
+}
+
+static bool is_file_of(const char *name, const struct stat *file)
+{
+    struct stat found;
+    return is_there(name, &found) && is_same_file(&found, file);
+}
+
+/* The run will write a file. It must not replace one that it reads, nor any other model or its colours: a name behind
+ * the wrong option costs the user a model. */
+static int check_written(const cli_options *options, const char *by, const char *what, const char *name)
+{
+    struct stat written;
+    const char *is = NULL;
+    if (!is_there(name, &written))
+        return EXIT_DONE;
+    for (size_t i = 0; i < options->input_count && !is; i++)
+        is = is_file_of(options->input[i], &written) ? "an input" : NULL;
+    if (!is && is_file_of(options->names, &written))
+        is = "the file of --labels";
+    if (!is && ends_like_model(name))
+        is = "a model";
+    return is ? message_misuse("--%s: %s is %s; %s would take its place", by, name, is, what) : EXIT_DONE;
+}
+
+/* Checks all files that the run will write, except those of --batch. */
+static int check_outputs(const cli_options *options)
+{
+    char name[NAME_SIZE];
+    int status = check_written(options, "regions", "the regions", options->regions);
+    if (options->draw.format == ROBERTS_NULL || status != EXIT_DONE)
+        return status;
+    for (uint32_t i = 0; i < options->turntable && status == EXIT_DONE; i++)
+        if (parse_numbered(options->output, i, name, sizeof name))
+            status = check_written(options, "output", "the drawing", name);
+    for (int i = 0; options->is_sheet && is_table(options->draw.format) && i < ROBERTS_SHEET_VIEWS; i++)
+        if (status == EXIT_DONE &&
+            parse_named(options->output, roberts_sheet_view_name(options->sheet, i), name, sizeof name))
+            status = check_written(options, "output", "the table", name);
+    if (status == EXIT_DONE && options->regions && strcmp(options->output, "-") != 0 &&
+        strcmp(options->output, options->regions) == 0)
+        return message_misuse("--regions: %s is the file of the drawing, too", options->regions);
+    return status == EXIT_DONE ? check_written(options, "output", "the drawing", options->output) : status;
+}
+
+/* A name meant for the drawing must not be read as a model. */
+static int check_inputs(const cli_options *options, bool output_given)
+{
+    struct stat input;
     size_t streams = 0;
-    bool there = output_given && options->draw.format != ROBERTS_NULL && strcmp(options->output, "-") != 0 &&
-                 stat(options->output, &output) == 0;
     for (size_t i = 0; i < options->input_count; i++) {
         roberts_format format;
         const char *name = options->input[i];
         if (!*name)
             return message_misuse("the name of an input is empty");
-        if (strcmp(name, "-") == 0) {
+        if (strcmp(name, "-") == 0)
             streams++;
-        } else if (stat(name, &input) == 0) {
-            if (there && S_ISREG(output.st_mode) && is_same_file(&output, &input))
-                return message_misuse("--output: %s is an input; the drawing would take its place", options->output);
-        } else if (!output_given && !options->batch && roberts_format_by_path(name, &format)) {
+        else if (stat(name, &input) != 0 && !output_given && !options->batch && roberts_format_by_path(name, &format))
             return message_misuse("%s: there is no such file to read; to draw into it: -o %s", name, name);
-        }
     }
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
@@ -167,7 +210,8 @@ int check_options(const cli_options *options, const options_given *given)
     if ((status = check_margin(options)) != EXIT_DONE || (status = check_turntable(options)) != EXIT_DONE ||
         (status = check_batch(options)) != EXIT_DONE || (status = check_parts(options, given)) != EXIT_DONE)
         return status;
-    return check_files(options, options_is_given(given, "output"));
+    status = check_inputs(options, options_is_given(given, "output"));
+    return status == EXIT_DONE ? check_outputs(options) : status;
 }
 
 /* ---- warnings ---- */
@@ -317,7 +361,7 @@ static void warn_ending(const cli_options *options)
     char text[80];
     roberts_format told;
     const roberts_format written = options->draw.format;
-    const bool model = ends_like_input(options->output);
+    const bool model = ends_like_model(options->output);
     if (written == ROBERTS_NULL || !(model || (roberts_format_by_path(options->output, &told) && told != written)))
         return;
     if (model)
@@ -334,9 +378,14 @@ static void warn_regions(const cli_options *options)
 {
     char text[80];
     roberts_format told;
-    if (!options->regions || !roberts_format_by_path(options->regions, &told) || is_table(told))
+    if (!options->regions)
         return;
-    snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
+    if (ends_like_model(options->regions))
+        snprintf(text, sizeof text, "its ending says that it is a model, but regions are written as json");
+    else if (roberts_format_by_path(options->regions, &told) && !is_table(told))
+        snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
+    else
+        return;
     message_warning(stderr, options->regions, 0, text);
 }
 

@@ -348,6 +348,16 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
+bool hint_flat(const cli_options *options, const roberts_drawing *drawing)
+{
+    if (!options->hide.crease_auto || options->hide.all_edges || drawing->drawn_edges > drawing->edges / 2)
+        return false;
+    for (size_t i = 0; i < drawing->count; i++)
+        if (drawing->segment[i].line != ROBERTS_BORDER)
+            return false;
+    return drawing->count > 0;
+}
+
 bool hint_idle_union(const roberts_scene *scene)
 {
     const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);

@@ -47,6 +47,9 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
 /* Do all visible faces lack a colour, so that --fill model fills none? */
 bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
+/* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */
+bool hint_flat(const cli_options *options, const roberts_drawing *drawing);
+
 /* Is no body closed, so that --union changes nothing? */
 bool hint_idle_union(const roberts_scene *scene);
 

@@ -87,10 +87,11 @@ static const option rows[] = {
      .needs = "regions",
      .brief = "one region for coplanar neighbours",
      .help = "join neighbouring regions that have one plane and one colour; with --union, those of several bodies too",
-     .manual = "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
-               "the number of the first of them. With --union faces of several bodies do so, too. This is for "
-               "--regions; fills are joined by colour anyway. With --group element such a region is one element, and "
-               "data-face is that number alone. Without --merge-regions each face has an element."},
+     .manual =
+         "Faces of one body that lie side by side in one plane and have one colour become one region, which has "
+         "the number of the first of them. With --union faces of several bodies do so, too. This is for "
+         "--regions; fills are joined by colour anyway. With --group element such a region is one element, and its "
+         "data-face is the number of that first face."},
     {.group = GROUP_OUTPUT,
      .name = "turntable",
      .flags = OPTION_DRAWS,
@@ -157,10 +158,11 @@ static const option rows[] = {
      .brief = "leave out flatter edges",
      .help = "leave out edges between two front faces, or two back ones, flatter than this (default: auto, which is "
              "0.1, and 30 for curved bodies of many faces)",
-     .manual = "Leaves out edges between two front faces that are flatter than this; of hidden lines, also those "
-               "between two back faces. Default: auto, which is 0.1; for a body that is not convex and has more than "
-               "500 faces, half of which meet their neighbours at less than 20 degrees, it is 30. A larger angle thins "
-               "out the slivers of scanned models."},
+     .manual = "Leaves out edges at which two front faces bend by less than this angle; of hidden lines, also those "
+               "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
+               "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
+               "bends by less than 20 degrees at half of its edges. A larger angle thins out the slivers of scanned "
+               "models."},
     {.group = GROUP_OUTPUT,
      .name = "all-edges",
      .flags = OPTION_DRAWS,
@@ -328,8 +330,9 @@ static const option rows[] = {
      .brief = "memory for each file",
      .help = "give up a file that needs more than MB megabytes; each file is then drawn by one thread",
      .manual = "Gives a file up, as failed, if it needs more than MB megabytes of address space, beyond what the "
-               "program itself takes. Each file is then drawn by one thread. What other files have needed before does "
-               "not count: a file that does not find enough memory is tried once more in a fresh process."},
+               "program itself takes. Each file is then drawn by one thread. A file that does not "
+               "find enough memory is tried once more in a fresh process, so that the memory of earlier files does not "
+               "count."},
     /* ---- parts ---- */
     {.group = GROUP_PARTS,
      .name = "plan",
@@ -483,7 +486,8 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
-         "Below the borders between colours lie lines of at most 0.4 mm, so that no gap shines through on a screen. "
+         "Where two colours meet, a line of at most 0.4 mm lies below the border, so that no gap shines through on a "
+         "screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
          "background, or with white. A line below the border of translucent colours would be seen, so there is none: a "
          "screen may show a hairline there. In svg the fills are a layer, which has no number. dxf and hpgl cannot "
@@ -572,13 +576,12 @@ static const option rows[] = {
          "its steepest line, or along a level line. Faces that lie in one plane have strokes in line with one another. "
          "In perspective, too, strokes are parallel on paper.\n"
          "angle=DEGREES: how far strokes are turned counter-clockwise. Default: 45 in the picture, 0 on faces.\n"
-         "cross=PART: a tone darker than this part of the darkest has its further strokes across the others. 0.5 is a "
-         "good value. Default: none.\n"
+         "cross=PART: dark tones have strokes in two directions: in the first one up to this part of the darkest tone, "
+         "across them what they need beyond it. 0.5 is a good value. Default: none.\n"
          "lines=even (the default): the strokes of a tone are equally far apart. nested: a darker tone has the strokes "
          "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
-         "surfaces, with cross=0.5. On a face with fewer than 20 strokes, these are up to one more or one less than "
-         "its "
-         "tone asks for.\n"
+         "surfaces, with cross=0.5. A face with fewer than 20 strokes may "
+         "have one more or one less than its tone asks for.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
@@ -615,7 +618,9 @@ static const option rows[] = {
      .manual =
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
          "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch, 10 text and 11 hidden-text, the same in every "
-         "drawing. The software of AxiDraw finds layers by their numbers."},
+         "drawing. The software of AxiDraw finds layers by their numbers. With --group body layers are bodies, "
+         "numbered "
+         "from 1."},
     {.group = GROUP_LINES,
      .name = "group",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -847,7 +852,19 @@ static const option rows[] = {
      .help =
          "the direction that points up in the drawing (default: 0,0,1, or 0,1,0 where that is parallel to the view)",
      .manual =
-         "The direction that points up in the drawing. Default: 0,0,1, or 0,1,0 where that is parallel to the view."},
+         "The direction that points up in the drawing. Default: 0,0,1, or 0,1,0 where that is parallel to the view. It "
+         "turns the drawing only. For a model that lies on its side see --y-up."},
+    {.group = GROUP_VIEW,
+     .name = "y-up",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(y_up),
+     .excludes = "plan part join",
+     .brief = "the y axis of the model points up",
+     .help = "stand the model up: its y axis points up, as in many OBJ and STL files",
+     .manual = "Stands the model up before anything else: the point x,y,z becomes x,-z,y. For models whose y axis "
+               "points up, as in many OBJ and STL files; roberts takes z to point up. All other options mean the model "
+               "that stands: --view front, --azimuth, --eye X,Y,Z."},
     {.group = GROUP_VIEW,
      .name = "roll",
      .flags = OPTION_DRAWS,

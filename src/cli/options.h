@@ -43,6 +43,7 @@ typedef struct cli_options {
     FILE *log;         /* for messages */
     const char *label; /* NULL, or the name of this picture among several: messages begin with it */
     roberts_scene_options scene;
+    bool y_up; /* the y axis of the model points up */
     roberts_camera camera;
     roberts_vec3 up;                 /* goes into the camera last, like --roll, so the order of options is free */
     double azimuth, elevation, roll; /* degrees */

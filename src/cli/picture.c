@@ -73,6 +73,8 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
         if (status != ROBERTS_OK)
             hint_unread(options, options->input[i], error);
     }
+    if (status == ROBERTS_OK && options->y_up)
+        roberts_mesh_stand_up(mesh);
     return status;
 }
 
@@ -330,9 +332,14 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
              "--union has no effect: no body is closed");
+    if (page && hint_flat(options, &v->drawing[0]))
+        warn(options, name_inputs(options, options->input[0], name, sizeof name),
+             "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
-             "--fill model has no effect: no face that is seen has a colour");
+             "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in the .mtl files "
+             "beside "
+             "it that it names)");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }

@@ -202,8 +202,8 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {whole ? NULL : "edge_parts", "parts of them, and cuts between pieces", d->edges},
         {"surviving_edges", "of them with a front face", d->surviving_edges},
         {"drawn_edges",
-         options->hide.keep_hidden ? "to draw: those at the back too, none flatter than the crease"
-                                   : "to draw: none at the back, none flatter than the crease",
+         options->hide.keep_hidden ? "to draw, which leaves out those below the crease angle"
+                                   : "to draw, which leaves out those at the back and below the crease angle",
          d->drawn_edges},
         {"segments", "segments", d->count},
         {"visible", "of them visible", run->segments[ROBERTS_VISIBLE]},
@@ -326,7 +326,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
     if (status == ROBERTS_OK && (found.contradictions > 0 || !options->quiet)) {
         message_begin(log, options->label);
         fprintf(log,
-                "verify: %zu points of %zu segments checked, visible ones and hidden ones, drawn or not; "
+                "verify: %zu points of %zu segments checked, visible and hidden, drawn or not; "
                 "contradictions: %zu, undecided: %zu\n",
                 found.points, found.segments, found.contradictions, found.undecided);
     }

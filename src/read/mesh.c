@@ -269,6 +269,12 @@ static roberts_status check_starts(const roberts_mesh *mesh, roberts_error *erro
     return ROBERTS_OK;
 }
 
+void roberts_mesh_stand_up(roberts_mesh *mesh)
+{
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        mesh->vertex[v] = (roberts_vec3){mesh->vertex[v].x, 0.0 - mesh->vertex[v].z, mesh->vertex[v].y};
+}
+
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error)
 {
     error_set_file(error, "");

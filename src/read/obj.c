@@ -30,6 +30,10 @@ typedef struct obj_reader {
     reader *r;
     obj_materials materials;
     bool sorted;           /* are the materials sorted? */
+    bool has_library;      /* was any .mtl found? */
+    size_t lacking;        /* number of uses of materials that no .mtl has, */
+    size_t first_lacking;  /* the line of the first of them, */
+    char lacking_name[32]; /* and its name */
     roberts_color color;   /* of the following faces */
     int64_t greatest;      /* greatest vertex named so far, counted over the whole mesh; -1: none */
     size_t greatest_line;  /* the first line that names it */
@@ -190,7 +194,7 @@ void obj_materials_sort(obj_materials *m)
         qsort(m->item, m->count, sizeof *m->item, by_name);
 }
 
-roberts_color obj_materials_color(const obj_materials *m, const char *name)
+const roberts_color *obj_materials_color(const obj_materials *m, const char *name)
 {
     size_t low = 0, high = m->count; /* the last item that is not after `name` is before `low` */
     while (low < high) {
@@ -200,7 +204,7 @@ roberts_color obj_materials_color(const obj_materials *m, const char *name)
         else
             high = middle;
     }
-    return low && strcmp(m->item[low - 1].name, name) == 0 ? m->item[low - 1].color : (roberts_color){0};
+    return low && strcmp(m->item[low - 1].name, name) == 0 ? &m->item[low - 1].color : NULL;
 }
 
 void obj_materials_free(obj_materials *m)
@@ -241,7 +245,7 @@ static bool read_library(obj_reader *o, const char *name, bool *found)
         const input_source source = input_from_file(&f);
         good = obj_materials_read(&o->materials, &source);
         o->sorted = false;
-        *found = true;
+        o->has_library = *found = true;
     }
     close(f.descriptor);
     return good;
@@ -268,7 +272,12 @@ static void use_material(obj_reader *o)
     if (!o->sorted)
         obj_materials_sort(&o->materials);
     o->sorted = true;
-    o->color = obj_materials_color(&o->materials, name);
+    const roberts_color *color = obj_materials_color(&o->materials, name);
+    o->color = color ? *color : (roberts_color){0};
+    if (!color && o->has_library && o->lacking++ == 0) {
+        o->first_lacking = o->r->in.line;
+        snprintf(o->lacking_name, sizeof o->lacking_name, "%.31s", name);
+    }
 }
 
 /* ---- vertices -------------------------------------------------------------------------------------------------- */
@@ -509,6 +518,10 @@ roberts_status obj_read(reader *r)
     if (status == ROBERTS_OK && o.unknown)
         warning_send(r->warnings, r->name, o.first_unknown, "%zu line%s ignored, the first with \"%s\"", o.unknown,
                      o.unknown == 1 ? "" : "s", o.unknown_word);
+    if (status == ROBERTS_OK && o.lacking)
+        warning_send(r->warnings, r->name, o.first_lacking,
+                     "no colour for %zu use%s of materials that the .mtl files lack, the first of \"%s\"", o.lacking,
+                     o.lacking == 1 ? "" : "s", o.lacking_name);
     obj_materials_free(&o.materials);
     return status;
 }

@@ -20,8 +20,8 @@ typedef struct obj_materials {
 bool obj_materials_read(obj_materials *m, const input_source *source);
 void obj_materials_sort(obj_materials *m);
 
-/* Returns the colour of a material; count 0: it has none, or there is no such material. */
-roberts_color obj_materials_color(const obj_materials *m, const char *name);
+/* Returns the colour of a material (count 0: none given), or NULL if there is no such material. */
+const roberts_color *obj_materials_color(const obj_materials *m, const char *name);
 void obj_materials_free(obj_materials *m);
 
 #endif

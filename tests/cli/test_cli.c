@@ -287,6 +287,8 @@ static void angles_are_views(void **state)
         {"--view top --roll 90", "--roll 90 --dir 0,0,1"},
         {"--view top --roll 90", "--view top --up 1,0,0"},
         {"--eye 18,12,90 --look-at 18,12,0 --roll 90", "--eye 18,12,90 --look-at 18,12,0 --up 1,0,0"},
+        {"--y-up --view front", "--view top"},
+        {"--y-up --view top", "--dir 0,1,0 --up 0,0,-1"},
     };
     static char text[TEXT], line[512];
     (void)state;
@@ -1116,7 +1118,9 @@ static void regions(void **state)
     assert_string_equal(last.err, ""); /* it is filled, and so not empty */
     assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
     assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
-    assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour\n"));
+    assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour (those of an OBJ "
+                                     "are in the .mtl files beside it "
+                                     "that it names)\n"));
     assert_int_equal(run("--fill shade:pink -o a.svg models/table.off"), 2);
     assert_int_equal(run("--light 0,0,0 -o a.svg models/table.off"), 2);
     assert_int_equal(run("--view top -f null --regions plate.csv plate.off"), 0);

@@ -53,13 +53,13 @@ static void test_report(void **state)
     assert_string_equal(text, ""); /* right, and quiet */
     options.quiet = false;
     assert_false(report(&options, &drawing, text, sizeof text));
-    assert_string_equal(text, "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "
+    assert_string_equal(text, "roberts: verify: 12 points of 8 segments checked, visible and hidden, drawn "
                               "or not; contradictions: 0, undecided: 0\n");
     drawing.count = 5;
     options.quiet = true; /* faults are still reported */
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_string_equal(text, "roberts: verify: body 0, edge 4-5, t = 0.5: drawn visible, but body 1 hides it\n"
-                              "roberts: verify: 12 points of 8 segments checked, visible ones and hidden ones, drawn "
+                              "roberts: verify: 12 points of 8 segments checked, visible and hidden, drawn "
                               "or not; contradictions: 1, undecided: 0\n");
     rows[4].state = ROBERTS_HIDDEN; /* behind the plate, but it is drawn as hidden by the cube */
     rows[4].by = 0;
@@ -67,17 +67,16 @@ static void test_report(void **state)
     assert_string_equal(text,
                         "roberts: verify: body 0, edge 4-5, t = 0.5: drawn hidden, but it is body 1 that hides it, "
                         "not body 0\n"
-                        "roberts: verify: 13 points of 8 segments checked, visible ones and hidden ones, drawn or not; "
+                        "roberts: verify: 13 points of 8 segments checked, visible and hidden, drawn or not; "
                         "contradictions: 1, undecided: 0\n");
     rows[0].state = ROBERTS_HIDDEN;
     drawing.count = 4;
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_int_equal(strncmp(text, "roberts: verify: body 1, edge 12-13, t = ", 41), 0);
-    assert_non_null(
-        strstr(text, ": drawn hidden, but nothing hides it\n"
-                     "roberts: verify: body 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
-                     "roberts: verify: 14 points of 8 segments checked, visible ones and hidden ones, drawn or not; "
-                     "contradictions: 2, undecided: 0\n"));
+    assert_non_null(strstr(text, ": drawn hidden, but nothing hides it\n"
+                                 "roberts: verify: body 1, edge 12-13, t = 0.5: drawn hidden, but nothing hides it\n"
+                                 "roberts: verify: 14 points of 8 segments checked, visible and hidden, drawn or not; "
+                                 "contradictions: 2, undecided: 0\n"));
     options.label = "turn-3.svg"; /* one of several pictures */
     assert_true(report(&options, &drawing, text, sizeof text));
     assert_int_equal(strncmp(text, "roberts: turn-3.svg: verify: body 1, edge 12-13, t = ", 53), 0);

@@ -122,7 +122,8 @@ static void reads_materials(void **state)
         const input_source source = input_from_memory(&text);
         assert_true(obj_materials_read(&m, &source));
         obj_materials_sort(&m);
-        roberts_color found = obj_materials_color(&m, libraries[i].name);
+        const roberts_color *color = obj_materials_color(&m, libraries[i].name);
+        const roberts_color found = color ? *color : (roberts_color){0};
         assert_int_equal(found.count, libraries[i].color.count);
         assert_memory_equal(found.value, libraries[i].color.value, sizeof found.value);
         obj_materials_free(&m);
@@ -142,17 +143,18 @@ static void put(const char *name, const char *text)
 static void reads_files_beside(void **state)
 {
     static const struct row {
-        const char *text, *mesh;
+        const char *text, *mesh, *warnings;
     } rows[] = {
         {"mtllib m.mtl\nusemtl red\nf 1 2 3\nusemtl none\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
-         " | 0-1-2(1,0,0) 0-1-2 0-1-2(0,0,1)"},
-        {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)"},
-        {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)"},
-        {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)"},
-        {"mtllib ../m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)"},
-        {"mtllib ..\nusemtl red\nf 1 2 3\n", " | 0-1-2"},
-        {"mtllib inner/\nusemtl red\nf 1 2 3\n", " | 0-1-2"},
-        {"mtllib\nusemtl red\nf 1 2 3\nmtllib m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2 0-1-2(1,0,0)"},
+         " | 0-1-2(1,0,0) 0-1-2 0-1-2(0,0,1)",
+         "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";"},
+        {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL},
+        {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
+        {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
+        {"mtllib ../m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
+        {"mtllib ..\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL},
+        {"mtllib inner/\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL},
+        {"mtllib\nusemtl red\nf 1 2 3\nmtllib m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2 0-1-2(1,0,0)", NULL},
     };
     char path[600];
     (void)state;
@@ -164,7 +166,10 @@ static void reads_files_beside(void **state)
         snprintf(text, sizeof text, "%s%s", THREE, rows[i].text);
         put("a.obj", text);
         snprintf(path, sizeof path, "%s/a.obj", temporary);
-        assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
+        char warnings[1000] = "";
+        const roberts_warnings sink = {read_rows_warn, warnings};
+        assert_int_equal(roberts_mesh_read_file(&mesh, path, &sink, NULL), ROBERTS_OK);
+        assert_string_equal(warnings, rows[i].warnings ? rows[i].warnings : "");
         mesh_text found = mesh_as_text(&mesh);
         snprintf(text, sizeof text, "%s%s", THREE_TEXT, rows[i].mesh);
         assert_string_equal(found.text, text);
