@@ -41,6 +41,10 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
 
 /* ---- options that change nothing in this drawing ---- */
 
+/* Writes which names of --labels belong to nothing in this model: the first one, and how many there are. False: each
+ * belongs to something. */
+bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies, char *text, size_t size);
+
 /* Does --style set pens of classes that none of the drawings has? Then `text` names them. */
 bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size);
 

@@ -168,16 +168,22 @@ static int by_thing(const void *a, const void *b)
     return (p->other > q->other) - (p->other < q->other);
 }
 
-static roberts_status refuse_twice(roberts_error *error, const char *path, const roberts_name *name)
+void names_thing(const roberts_name *name, char *text, size_t size)
 {
     const char *kind = name->of == ROBERTS_LABEL_VERTICES ? "vertex"
+                       : name->of == ROBERTS_LABEL_EDGES  ? "edge"
                        : name->of == ROBERTS_LABEL_FACES  ? "face"
                                                           : "body";
-    char why[80];
-    if (name->of == ROBERTS_LABEL_EDGES)
-        snprintf(why, sizeof why, "edge %u-%u has two names", (unsigned)name->number, (unsigned)name->other);
-    else
-        snprintf(why, sizeof why, "%s %u has two names", kind, (unsigned)name->number);
+    const int length = snprintf(text, size, "%s %u", kind, (unsigned)name->number);
+    if (name->of == ROBERTS_LABEL_EDGES && length > 0 && (size_t)length < size)
+        snprintf(text + length, size - (size_t)length, "-%u", (unsigned)name->other);
+}
+
+static roberts_status refuse_twice(roberts_error *error, const char *path, const roberts_name *name)
+{
+    char thing[40], why[80];
+    names_thing(name, thing, sizeof thing);
+    snprintf(why, sizeof why, "%s has two names", thing);
     return lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, why);
 }
 

@@ -36,4 +36,7 @@ typedef struct name_list {
 roberts_status names_read(name_list *n, const char *path, roberts_error *error);
 void names_free(name_list *n);
 
+/* Writes what a name belongs to: "vertex 4", "edge 4-17". */
+void names_thing(const roberts_name *name, char *text, size_t size);
+
 #endif

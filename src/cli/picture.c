@@ -159,6 +159,15 @@ static size_t count_lines(const roberts_mesh *mesh)
     return count;
 }
 
+/* With --batch, names may be for other models. */
+static void warn_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies)
+{
+    char text[256], name[NAME_SIZE];
+    if (options->names && !options->quiet && !options->batch &&
+        hint_idle_names(options, mesh, bodies, text, sizeof text))
+        warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
+}
+
 /* Reads the inputs and builds the scene. The mesh is released. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
@@ -174,10 +183,13 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (status == ROBERTS_OK) {
         start = report_now();
         progress_stage("finding the bodies");
-        status = roberts_scene_take(&mesh, &solids, scene, error);
+        status = options->names ? roberts_scene_build(&mesh, &solids, scene, error)
+                                : roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = report_since(start);
         if (status != ROBERTS_OK)
             hint_refused(options, &mesh, error);
+        else
+            warn_names(options, &mesh, roberts_scene_solid_count(*scene));
     }
     roberts_mesh_free(&mesh);
     if (status != ROBERTS_OK)

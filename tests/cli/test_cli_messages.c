@@ -687,6 +687,63 @@ static void sizes_of_paper(void **state)
 
 /* ---- drawings that show nothing ---- */
 
+/* Writes a sheet of n x n squares. */
+static void put_tiles(const char *path, int n)
+{
+    char text[4096];
+    size_t used = (size_t)snprintf(text, sizeof text, "OFF %d %d 0\n", (n + 1) * (n + 1), n * n);
+    for (int v = 0; v < (n + 1) * (n + 1); v++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%d %d 0\n", v % (n + 1), v / (n + 1));
+    for (int f = 0, a; f < n * n; f++) {
+        a = f / n * (n + 1) + f % n;
+        used += (size_t)snprintf(text + used, sizeof text - used, "4 %d %d %d %d\n", a, a + 1, a + n + 2, a + n + 1);
+    }
+    put(path, text);
+}
+
+/* 2 n (n - 1) of 2 n (n + 1) edges are flat: few of two squares a side, most of six. */
+static void flat_sheets_are_told(void **state)
+{
+    static const char said[] = "edges between faces in one plane are left out, so that only borders are drawn; "
+                               "--all-edges draws them\n";
+    (void)state;
+    put_tiles("few.off", 2);
+    put_tiles("many.off", 6);
+    assert_int_equal(run("many.off --view top -o a.svg"), 0);
+    assert_said(said);
+    static const char *const silent[] = {"few.off", "--all-edges many.off", "--crease 1 many.off",
+                                         "many.off models/table.off"};
+    for (size_t i = 0; i < sizeof silent / sizeof silent[0]; i++) {
+        char line[100];
+        snprintf(line, sizeof line, "--view top -o a.svg %s", silent[i]);
+        assert_int_equal(run(line), 0);
+        assert_null(strstr(last.err, said));
+    }
+}
+
+/* Names of things that the model does not have. */
+static void idle_names_are_told(void **state)
+{
+    static const struct {
+        const char *names, *said;
+    } rows[] = {
+        {"vertex,7,A\nedge,1-0,B\nface,5,C\nbody,0,D\n", ""},
+        {"vertex,8,A\n", "--labels: 1 name has no effect, the first because there is no vertex 8\n"},
+        {"edge,0-7,A\nedge,0-1,B\n", "--labels: 1 name has no effect, the first because there is no edge 0-7\n"},
+        {"face,6,A\nbody,1,B\n", "--labels: 2 names have no effect, the first because there is no face 6\n"},
+        {"body,1,B\n", "--labels: 1 name has no effect, the first because there is no body 1\n"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        put("names", rows[i].names);
+        assert_int_equal(run("--labels names models/platonic/cube.off -o a.svg"), 0);
+        if (*rows[i].said)
+            assert_said(rows[i].said);
+        else
+            assert_string_equal(last.err, "");
+    }
+}
+
 static const struct {
     const char *arguments, *why; /* empty: the drawing shows something */
 } empty_cases[] = {
@@ -880,6 +937,8 @@ int main(void)
         IN_FOLDER(closed_streams_stay_taken),
         IN_FOLDER(several_points_are_picked),
         IN_FOLDER(sizes_of_paper),
+        IN_FOLDER(flat_sheets_are_told),
+        IN_FOLDER(idle_names_are_told),
         IN_FOLDER(empty_drawings_are_warned_of),
         IN_FOLDER(cuts_in_the_middle_are_warned_of),
         IN_FOLDER(each_of_several_pictures_is_named),
