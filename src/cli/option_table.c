@@ -490,7 +490,9 @@ static const option rows[] = {
          "screen. "
          "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
          "background, or with white. A line below the border of translucent colours would be seen, so there is none: a "
-         "screen may show a hairline there. In svg the fills are a layer, which has no number. dxf and hpgl cannot "
+         "screen may show a hairline there. In svg the fills are a layer without a number; with --layers numbered its "
+         "name "
+         "is %fill, since AxiDraw's software skips layers with %. dxf and hpgl cannot "
          "fill."},
     {.group = GROUP_PAGE,
      .name = "light",
@@ -840,8 +842,8 @@ static const option rows[] = {
      .help = "with --eye: cut off everything nearer than this (default: a thousandth of the way to look-at)",
      .manual =
          "Cuts off everything nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
-         "the way to the look-at point, and at least 1e-5 of the scene's diameter. Anything nearer than 1e-6 of "
-         "the diameter is always cut off."},
+         "the way to the look-at point, or 1e-5 of the scene's diameter if that is more. The least value that has an "
+         "effect is 1e-6 of the diameter."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,

@@ -781,7 +781,8 @@ static int set_hatch_key(roberts_hatching *h, const char *item, bool *turned)
     const char *value = parse_word(item, '=', key, sizeof key, &fits);
     const size_t i = parse_find(key, values_hatch_keys);
     if (!values_hatch_keys[i])
-        return hint_unknown("--hatch", key, values_hatch_keys, "as in spacing=0.8,angle=45");
+        return hint_unknown("--hatch", key, values_hatch_keys,
+                            "as in spacing=0.8,angle=45; --hatch on takes the defaults");
     if ((i < KEY_OFF) != (value != NULL))
         return message_misuse("--hatch: %s %s", key, i < KEY_OFF ? "needs a value" : "takes no value");
     h->on = i != KEY_OFF;
