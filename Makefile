@@ -395,8 +395,8 @@ lint-cppcheck:
 	    --suppress=missingIncludeSystem --suppress=uninitvar -j $(CPUS) --std=c11 -Iinclude -Isrc src tools
 
 .PHONY: all bench bench-baseline bench-meshes bench-web check check-includes check-long check-map clean demo \
-    drawings figures force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format lint-tidy models \
-    test test-quick test-sanitize test-threads to-install tools uninstall web
+    drawings figures force fuzz fuzzers gallery goldens help install install-python lint lint-cppcheck lint-format \
+    lint-tidy models test test-quick test-sanitize test-threads to-install tools uninstall web
 .SECONDARY:
 .DELETE_ON_ERROR:
 -include $(patsubst %.c,$(BUILD)/obj/%.d,$(C_SRC)) $(ORACLE_CGAL:.o=.d)

@@ -4,7 +4,7 @@
 # A room may include headers of its own and of the rooms below it:
 #     web > cli > part > write > draw, ray, hide > view > model > read > base
 # Rooms on one level never include one another, so that hide and ray can check each other. cli is a client of roberts.h
-# alone. Cairo is included in write only, Qhull in model only. `make check` runs this.
+# alone. Cairo is included in write only, Qhull in model only. `make test` runs this.
 set -eu
 cd "${1:-$(dirname "$0")/..}"
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Checks the map of the house, src/README.md: tools/check-map.sh [FOLDER] (default: the top folder). `make check` runs it.
+# Checks the map of the house, src/README.md: tools/check-map.sh [FOLDER] (default: the top folder). `make test` runs
+# it.
 #
 # "The files of each room" names every source of src/, by itself, by its folder, or by the .c file of the same name. The
 # names in italics after a file occur in that file, in its header, or in that folder. A blank in one may be a _ there.

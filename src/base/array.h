@@ -10,7 +10,7 @@
  * for a count of 0. Release with free(). */
 void *alloc_array(size_t count, size_t size);
 
-/* Allocates the same for an array of which large parts may never be written; these parts cost no memory. */
+/* Does the same for an array of which large parts may never be written. Such parts cost no memory. */
 void *alloc_sparse(size_t count, size_t size);
 
 /* Allocates the same, zeroed. */

@@ -1,5 +1,5 @@
-/* free_space.h - where there is room on the page: lines and boxes that text must keep away from, in a
- * grid; and which point of a region has most room round it. */
+/* free_space.h - where there is room on the page: lines and boxes that text must keep away from, in a grid; and which
+ * point of a region has most room round it. */
 #ifndef ROBERTS_DRAW_FREE_SPACE_H
 #define ROBERTS_DRAW_FREE_SPACE_H
 

@@ -384,8 +384,8 @@ static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
            memcmp(is, is + 1, (count - 1) * sizeof *is) == 0;
 }
 
-/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, those faces wait
- * that turn the other side to the viewer than the nearest one does. */
+/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces wait if
+ * they turn the other side to the viewer than its nearest face. */
 static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;

@@ -15,8 +15,8 @@
 #include <time.h>
 
 #include "base/array.h"
-#include "base/error.h"
 #include "base/bits.h"
+#include "base/error.h"
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/region_faces.h"

@@ -39,14 +39,15 @@ void layers_end(layers *l);
 /* Finds the sheets of a cell whose list is complete and in order. */
 void layers_find(const layers *l, uint32_t column, uint32_t row);
 
-/* Makes those faces fronts that wait (hide_fronts.late), unless sheets hide them in all cells that they may touch. They
- * follow the other fronts. No list may have them where the sheet known so far hides them. False: no memory. */
+/* Makes fronts of the faces that wait (hide_fronts.late), unless sheets hide them in all cells that they may touch.
+ * They come after the other fronts. No cell may list them if the sheet that it has so far hides them. False: no
+ * memory. */
 bool layers_add_late(layers *l, hide_fronts *fronts);
 
-/* Finds the sheets of a cell again, when its list has got such fronts. */
+/* Finds the sheets of a cell again, after such fronts have been added to its list. */
 void layers_find_again(const layers *l, uint32_t column, uint32_t row);
 
-/* Takes into account what sheets have kept out of the lists. */
+/* Takes into account the faces that sheets have kept out of the lists. */
 void layers_end_late(const layers *l);
 
 #endif

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/sort.h"
 #include "base/box.h"
+#include "base/sort.h"
 #include "base/threads.h"
 #include "hide/layers.h"
 
@@ -153,7 +153,7 @@ static bool sort_list(const filling *job, size_t cell, lister *own)
     return true;
 }
 
-/* Has the list of a cell got fronts that are listed now? They are at its end. */
+/* Have fronts just been added to the list of a cell? They are at its end. */
 static bool has_news(const filling *job, size_t cell)
 {
     const uint32_t *start = job->grid->start + cell;

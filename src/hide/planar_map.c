@@ -17,7 +17,7 @@
  * division ends. */
 enum { MOST_ROUNDS = 60 };
 
-/* The numbers of nodes, and those of both ends of all lines, are 32 bits wide. */
+/* Numbers of nodes, and of half-edges, have 32 bits, and unite_lines() needs one bit more. */
 #define NODES_MOST ((size_t)(UINT32_MAX / 4))
 
 /* ---- input ----------------------------------------------------------------------------------------------------- */
@@ -175,6 +175,8 @@ static bool divide_lines(map_search *s)
     planar_map *m = s->m;
     const size_t most = m->line_count + s->stop_count;
     size_t to = 0, k = 0;
+    if (m->node_count > 2 * NODES_MOST || most > 2 * NODES_MOST)
+        return false;
     uint32_t *start = NULL, (*line)[2] = alloc_array(most, sizeof *line);
     uint8_t *open = alloc_array(most, 1);
     bool enough = line && open && sort_stops(s, &start);

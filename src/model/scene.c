@@ -579,7 +579,7 @@ static bool find_line(const roberts_scene *scene, const roberts_drawing *drawing
     const uint32_t body = segment->solid, e = segment->edge;
     *known = (roberts_known_edge){.t1 = 1.0};
     if (scene_crosses(segment)) {
-        if (e >= drawing->crossing_count)
+        if (!drawing || e >= drawing->crossing_count)
             return false;
         memcpy(known->end, drawing->crossing[e].end, sizeof known->end);
         return true;

@@ -130,11 +130,16 @@ seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
 /* The line of edge `e` of seen.scene, of a body that is not convex. False: it is no line. */
 static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_line *line)
 {
-    const roberts_scene *scene = w->of->scene;
+    const seen *s = w->of;
+    const roberts_scene *scene = s->scene;
     uint8_t is = scene->surface->edge_is[e];
     bool joins = w->all && !(is & EDGE_CUT) && seen_joins_faces(w->facing, edge, is);
     line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are drawn */
-    bool is_line = joins || classify(w, scene, e, line);
+    bool is_line;
+    if (!joins)
+        is_line = classify(w, scene, e, line);
+    else
+        is_line = !s->rules.rest || is_flatter(scene, scene->solid[w->body].face, edge, e, crease_of(s, w->body));
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;

@@ -25,7 +25,7 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. Of meshes nearly all is
+/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. Nearly all of a mesh is
  * mapped. */
 bool seen_begin_points(seen *s)
 {

@@ -3,7 +3,6 @@
  * The stream is written here and not by Cairo's PDF surface, which takes 2.8 times the time of SVG: it prints each
  * number by printf() and compresses at zlib's level 6. Here coordinates are whole units of the page, which a matrix
  * turns into points, and the compression is zlib's fastest. */
-
 #include <stdlib.h>
 
 #include "base/error.h"

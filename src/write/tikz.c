@@ -4,7 +4,6 @@
  * Each stroke is a path, each class a style: "roberts outline", "roberts crease", ... A style that the document has
  * defined is left as it is. Units are mm, the origin is the lower left corner of the page, and y is up. Each vertex
  * that is seen is a coordinate: v12 is vertex 12. */
-
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>

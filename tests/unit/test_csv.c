@@ -319,6 +319,7 @@ static void ends_lie_where_the_picture_has_them(void **state)
                 assert_true(fabs(end[e].y - p.y - 0.5) < 1e-12);
             }
             parts += s->state == ROBERTS_VISIBLE && s->v0 == 0 && s->v1 == 1;
+            assert_int_equal(roberts_segment_ends(scene, NULL, s, end), s->line != ROBERTS_INTERSECTION);
         }
         assert_int_equal(parts, i ? 1 : 2);
         roberts_segment none = drawing.segment[0];

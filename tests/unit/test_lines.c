@@ -1,6 +1,7 @@
 /* Lines that are no edges (seen.further): hidden by all faces but those whose keys they list. */
 #include "hide/cells.h"
 #include "hide/segments.h"
+#include "build_scene.h"
 #include "scenes.h"
 
 /* The drawing of a scene with one further line of body 0. */
@@ -113,8 +114,76 @@ static void further_lines(void **state)
     }
 }
 
+/* ---- edges that the rules leave out ----------------------------------------------------------------------------- */
+
+/* Adds one to times[e] for each line that is edge e. Returns how many lines there are. */
+static size_t count_lines(const seen *s, const unsigned char *culled, unsigned char *times)
+{
+    size_t count = 0;
+    for (uint32_t body = 0; body < s->scene->solid_count; body++) {
+        if (culled[body])
+            continue;
+        seen_walk walk = seen_walk_begin(s, body);
+        for (seen_line line; seen_next(&walk, &line, walk.slow); count++)
+            times[line.edge]++;
+    }
+    return count;
+}
+
+static const struct {
+    const char *model;
+    roberts_camera camera;
+    bool all; /* all edges are lines at once, so that none is left out */
+} rests[] = {
+    {"models/archimedean-solids.off", {.dir = {0.31, 0.47, 0.83}}, false},
+    {"models/archimedean-solids.off",
+     {.projection = ROBERTS_PERSPECTIVE, .eye = {2, 3, 20}, .near_distance = 22},
+     false},
+    {"models/shapes/bracket.off", {.dir = {0.31, 0.47, 0.83}}, false},
+    {"models/shapes/bracket.off", {.dir = {0.31, 0.47, 0.83}}, true},
+    {"models/shapes/goblet.off", {.dir = {0.31, 0.47, 0.83}}, false},
+    {"models/shapes/goblet.off", {.dir = {0.31, 0.47, 0.83}}, true},
+    {"models/shapes/moebius-strip.off", {.dir = {0.31, 0.47, 0.83}}, false},
+    {"models/shapes/bracket.off", {.projection = ROBERTS_PERSPECTIVE, .eye = {0, 5, 40}, .near_distance = 32}, false},
+    {"models/shapes/goblet.off", {.projection = ROBERTS_PERSPECTIVE, .eye = {30, 0, 5}, .near_distance = 29}, true},
+};
+
+/* Each edge that is a line if all edges are drawn is a line by the rules, or one of the rest, and never both. */
+static void rest_of_lines(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof rests / sizeof rests[0]; i++) {
+        roberts_scene *scene = scene_of_file(rests[i].model);
+        roberts_hide_options options = roberts_hide_options_default();
+        hide_fronts fronts;
+        seen s;
+        options.crease_degrees = 110;
+        options.threads = 1;
+        assert_int_equal(seen_begin(&s, scene, &rests[i].camera, 0.0, NULL), ROBERTS_OK);
+        assert_int_equal(s.clip.clipped, rests[i].camera.projection == ROBERTS_PERSPECTIVE);
+        assert_true(hide_fronts_build(&fronts, &s, &options));
+        unsigned char *drawn = calloc(scene->edge_count, 1), *all = calloc(scene->edge_count, 1);
+        assert_true(drawn && all);
+        options.all_edges = true;
+        seen_set_rules(&s, &options);
+        size_t whole = count_lines(&s, fronts.culled, all);
+        options.all_edges = rests[i].all;
+        seen_set_rules(&s, &options);
+        size_t some = count_lines(&s, fronts.culled, drawn);
+        seen_set_rest(&s);
+        size_t left = count_lines(&s, fronts.culled, drawn);
+        if (some + left != whole || memcmp(drawn, all, scene->edge_count) != 0 || (left > 0) == rests[i].all)
+            fail_msg("row %zu, %s: %zu lines and %zu left out, of %zu", i, rests[i].model, some, left, whole);
+        free(drawn);
+        free(all);
+        hide_fronts_free(&fronts);
+        seen_end(&s);
+        roberts_scene_free(scene);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(further_lines)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(further_lines), cmocka_unit_test(rest_of_lines)};
     return cmocka_run_group_tests_name("lines", tests, NULL, NULL);
 }
