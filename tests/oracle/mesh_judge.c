@@ -210,22 +210,63 @@ void mesh_judge_keep(const char *name, const mesh_scene *scene, const char *opti
         fprintf(out, "  build/roberts %s %s\n", command, path);
 }
 
-/* Draws the scene. False: the program refuses it. */
-static bool draw(const char *name, const mesh_scene *scene, bool all_edges, roberts_scene **built,
-                 roberts_drawing *drawing, FILE *out)
+/* Hides the lines of a scene that is built. */
+static roberts_status hide(const roberts_scene *built, const mesh_scene *scene, bool all_edges, bool keep_hidden,
+                           roberts_drawing *drawing, roberts_error *error)
 {
     roberts_camera camera = mesh_judge_camera(scene);
     roberts_hide_options options = roberts_hide_options_default();
-    roberts_scene_options bodies = {.even_odd = scene->even_odd};
-    roberts_error error;
-    options.keep_hidden = true;
+    options.keep_hidden = keep_hidden;
     options.all_edges = all_edges;
     options.unite = scene->united;
+    return roberts_hide(built, &camera, &options, drawing, error);
+}
+
+/* Draws the scene with hidden lines. False: the program refuses it. */
+static bool draw(const char *name, const mesh_scene *scene, bool all_edges, roberts_scene **built,
+                 roberts_drawing *drawing, FILE *out)
+{
+    roberts_scene_options bodies = {.even_odd = scene->even_odd};
+    roberts_error error;
     if (roberts_scene_build(&scene->mesh, &bodies, built, &error) == ROBERTS_OK &&
-        roberts_hide(*built, &camera, &options, drawing, &error) == ROBERTS_OK)
+        hide(*built, scene, all_edges, true, drawing, &error) == ROBERTS_OK)
         return true;
     fprintf(out, "%s: the program refuses: %s\n", name, error.message);
     return false;
+}
+
+/* Do two visible segments of two drawings agree? */
+static bool agree(const roberts_drawing *a, const roberts_segment *s, const roberts_drawing *b,
+                  const roberts_segment *u)
+{
+    bool crossing = s->line == ROBERTS_INTERSECTION;
+    if (s->solid != u->solid || s->v0 != u->v0 || s->v1 != u->v1 || s->line != u->line ||
+        fabs(s->t0 - u->t0) > MESH_JUDGE_LIMIT || fabs(s->t1 - u->t1) > MESH_JUDGE_LIMIT)
+        return false;
+    return !crossing || memcmp(&a->crossing[s->edge], &b->crossing[u->edge], sizeof *a->crossing) == 0;
+}
+
+/* Compares the visible segments with those drawn if hidden lines are not wanted: then crossings are sought in another
+ * way, and only where they are seen. Returns the number of failures. */
+static size_t judge_seen(const cross_case *c, const roberts_scene *built, const roberts_drawing *drawing,
+                         mesh_total *total, FILE *out)
+{
+    roberts_drawing seen = {0};
+    roberts_error error;
+    size_t at = 0;
+    bool same = hide(built, c->scene, c->all_edges, false, &seen, &error) == ROBERTS_OK;
+    for (size_t k = 0; same && k < drawing->count; k++)
+        if (drawing->segment[k].state == ROBERTS_VISIBLE) {
+            same = at < seen.count && agree(drawing, &drawing->segment[k], &seen, &seen.segment[at]);
+            at++;
+        }
+    same = same && at == seen.count;
+    if (!same) {
+        fprintf(out, "%s: without hidden lines, visible segment %zu of %zu is not the same\n", c->name, at, seen.count);
+        total->disagreements++;
+    }
+    roberts_drawing_free(&seen);
+    return same ? 0 : 1;
 }
 
 /* Judges a scene whose bodies are drawn as one. */
@@ -243,6 +284,7 @@ static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total
     if (draw(name, scene, false, &built, &drawing, out)) {
         const union_case c = {scene, &truth, name};
         failed = union_judge_drawing(&c, &drawing, total, out);
+        failed += judge_seen(&(cross_case){.scene = scene, .name = name}, built, &drawing, total, out);
     } else {
         total->disagreements++;
     }
@@ -288,6 +330,7 @@ static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_t
         for (size_t i = 0; c->all_edges && j.piece && j.hidden && j.any && i < truth->edge_count; i++)
             judge_edge(&j, &truth->edge[i], c->name, total, &failed, out);
         failed += judge_lines(c, built, &drawing, total, out);
+        failed += judge_seen(c, built, &drawing, total, out);
         free(j.piece);
         free(j.hidden);
         free(j.any);

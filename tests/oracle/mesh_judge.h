@@ -36,8 +36,9 @@ roberts_camera mesh_judge_camera(const mesh_scene *scene);
 void mesh_judge_keep(const char *name, const mesh_scene *scene, const char *options, const char *folder, FILE *out);
 
 /* Draws all edges and compares them and the lines in which faces cross; then leaves flat edges out and compares these
- * lines again. Adds to `total`. The first few that fail are told on `out`, with the command that draws the
- * scene, which is written to FOLDER/failures/NAME.off. Returns whether everything agreed. */
+ * lines again. What is visible must be the same without hidden lines. Adds to `total`. The first few that fail are told
+ * on `out`, with the command that draws the scene, which is written to FOLDER/failures/NAME.off. Returns whether
+ * everything agreed. */
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out);
 
 #endif
