@@ -578,16 +578,20 @@ static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, 
 /* A search for the solid seen at a point: the result so far. */
 typedef struct look {
     double x, y;
-    double best;    /* the nearest depth */
-    uint32_t solid; /* the smallest number that touches there */
-    bool touching;  /* the nearest depth is known; now find who touches it */
-    bool faces;     /* the face is wanted too */
-    uint32_t face;  /* the smallest one of that solid that touches there */
-    plane F;        /* its plane */
+    double best;               /* the nearest depth */
+    const hide_front *nearest; /* whose it is */
+    const uint32_t *corner;    /* of its face */
+    double touch;              /* of its face */
+    bool touching;             /* the nearest depth is known; now find who touches it */
+    bool again;                /* another face may touch the nearest one */
+    bool faces;                /* the face is wanted too */
+    uint32_t solid;            /* the smallest number that touches there */
+    uint32_t face;             /* the smallest one of that solid that touches there */
+    plane F;                   /* its plane; at first, that of the nearest face */
 } look;
 
-/* The number in the scene of a face of a front. */
-static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front, const hide_face *F)
+/* The number in the scene of a face of a front, by its corners. */
+static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front, const uint32_t *corner)
 {
     const roberts_scene *scene = fronts->scene;
     if (hide_is_face(front))
@@ -595,7 +599,7 @@ static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front
     uint32_t low = scene->solid[front->solid].face, high = scene->solid[front->solid + 1].face;
     while (high - low > 1) {
         uint32_t middle = low + (high - low) / 2;
-        if (scene->corner + scene->face_start[middle] <= F->corner)
+        if (scene->corner + scene->face_start[middle] <= corner)
             low = middle;
         else
             high = middle;
@@ -605,17 +609,27 @@ static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front
 
 static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
 {
-    double z = lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c);
-    if (l->touching ? !(fabs(plane_at(F->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * F->touch) : z <= l->best)
+    double behind = plane_at(F->F, (roberts_vec3){l->x, l->y, l->best}); /* that of the nearest depth, so far */
+    if (l->touching ? !(fabs(behind) <= 2.0 * F->touch) : behind < -2.0 * F->touch)
         return;
     if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
                             fronts->space.epsilon))
         return;
     if (!l->touching) {
+        double z = lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c);
+        if (z <= l->best) {
+            l->again = true;
+            return;
+        }
+        l->again = l->again || (l->nearest && fabs(plane_at(l->F, (roberts_vec3){l->x, l->y, z})) <= 2.0 * l->touch);
         l->best = z;
+        l->nearest = front;
+        l->corner = F->corner;
+        l->touch = F->touch;
+        l->F = F->F;
         return;
     }
-    uint32_t face = l->faces ? face_of_front(fronts, front, F) : ROBERTS_NONE;
+    uint32_t face = l->faces ? face_of_front(fronts, front, F->corner) : ROBERTS_NONE;
     if (front->solid < l->solid || face < l->face) {
         l->face = face;
         l->F = F->F;
@@ -646,7 +660,7 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
 /* Examines the fronts of one cell whose boxes can hold the point, four at a time. */
 static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, look *l)
 {
-    double beyond = l->touching ? fronts->thickest : 0.0;
+    double beyond = l->touching || l->faces ? fronts->thickest : 0.0;
     if (l->faces)
         beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
@@ -674,10 +688,18 @@ static void look_there(const hide_fronts *fronts, const objet *grid, look *l)
                       .y0 = hide_float_below(l->y - m),
                       .y1 = hide_float_above(l->y + m)};
     uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
-    for (int touching = 0; touching < 2; touching++) {
-        l->touching = touching;
-        look_at_cell(fronts, grid, (size_t)column * grid->frame.ny + row, sides, l);
+    size_t cell = (size_t)column * grid->frame.ny + row;
+    l->again = !l->faces;
+    look_at_cell(fronts, grid, cell, sides, l);
+    if (!l->nearest)
+        return;
+    if (!l->again && fabs(plane_at(l->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * l->touch) {
+        l->solid = l->nearest->solid;
+        l->face = face_of_front(fronts, l->nearest, l->corner);
+        return;
     }
+    l->touching = true;
+    look_at_cell(fronts, grid, cell, sides, l);
 }
 
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)
