@@ -269,6 +269,7 @@ static roberts_status check_starts(const roberts_mesh *mesh, roberts_error *erro
     return ROBERTS_OK;
 }
 
+/* A difference from 0.0 is never -0. */
 void roberts_mesh_stand_up(roberts_mesh *mesh)
 {
     for (size_t v = 0; v < mesh->vertex_count; v++)

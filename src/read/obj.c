@@ -26,21 +26,32 @@
 
 enum { POSITION = 3, COLOR = 3, NUMBERS_MOST = 8, PATH_ROOM = 4096 };
 
+/* Statements of one kind that are worth a warning. */
+typedef struct obj_oddity {
+    size_t count, line; /* line: of the first one, */
+    char word[32];      /* and its word */
+} obj_oddity;
+
 typedef struct obj_reader {
     reader *r;
     obj_materials materials;
-    bool sorted;           /* are the materials sorted? */
-    bool has_library;      /* was any .mtl found? */
-    size_t lacking;        /* number of uses of materials that no .mtl has, */
-    size_t first_lacking;  /* the line of the first of them, */
-    char lacking_name[32]; /* and its name */
-    roberts_color color;   /* of the following faces */
-    int64_t greatest;      /* greatest vertex named so far, counted over the whole mesh; -1: none */
-    size_t greatest_line;  /* the first line that names it */
-    size_t unknown;        /* number of lines with an unknown keyword, */
-    size_t first_unknown;  /* the first of them */
-    char unknown_word[32]; /* and its keyword */
+    bool sorted;          /* are the materials sorted? */
+    bool has_library;     /* was any .mtl found? */
+    roberts_color color;  /* of the following faces */
+    int64_t greatest;     /* greatest vertex named so far, counted over the whole mesh; -1: none */
+    size_t greatest_line; /* the first line that names it */
+    obj_oddity unknown;   /* keywords */
+    obj_oddity lacking;   /* uses of materials that no .mtl has */
 } obj_reader;
+
+static void note(const obj_reader *o, obj_oddity *odd, const char *word, size_t length)
+{
+    if (odd->count++ > 0)
+        return;
+    odd->line = o->r->in.line;
+    for (size_t i = 0; i < length && i + 1 < sizeof odd->word; i++)
+        odd->word[i] = word[i] >= ' ' && word[i] < 0x7f ? word[i] : '?';
+}
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
@@ -274,10 +285,8 @@ static void use_material(obj_reader *o)
     o->sorted = true;
     const roberts_color *color = obj_materials_color(&o->materials, name);
     o->color = color ? *color : (roberts_color){0};
-    if (!color && o->has_library && o->lacking++ == 0) {
-        o->first_lacking = o->r->in.line;
-        snprintf(o->lacking_name, sizeof o->lacking_name, "%.31s", name);
-    }
+    if (!color && o->has_library)
+        note(o, &o->lacking, name, strlen(name));
 }
 
 /* ---- vertices -------------------------------------------------------------------------------------------------- */
@@ -449,17 +458,6 @@ static bool is_passed(input *in, size_t length)
     return false;
 }
 
-static void note_unknown(obj_reader *o, size_t length)
-{
-    if (o->unknown++ > 0)
-        return;
-    o->first_unknown = o->r->in.line;
-    for (size_t i = 0; i < length && i + 1 < sizeof o->unknown_word; i++) {
-        char c = o->r->in.at[i];
-        o->unknown_word[i] = c > ' ' && c < 0x7f ? c : '?';
-    }
-}
-
 /* Reads the statement of a line, but not anything after it on the line. */
 static roberts_status read_statement(obj_reader *o)
 {
@@ -486,7 +484,7 @@ static roberts_status read_statement(obj_reader *o)
         in->at += length;
         use_material(o);
     } else if (first != '#' && !(length <= INPUT_TOKEN_MAX && is_passed(in, length))) {
-        note_unknown(o, length);
+        note(o, &o->unknown, in->at, length);
     }
     return ROBERTS_OK;
 }
@@ -515,13 +513,13 @@ roberts_status obj_read(reader *r)
         status = read_expected(r, ROBERTS_IO, "the end");
     if (status == ROBERTS_OK)
         status = check_corners(&o);
-    if (status == ROBERTS_OK && o.unknown)
-        warning_send(r->warnings, r->name, o.first_unknown, "%zu line%s ignored, the first with \"%s\"", o.unknown,
-                     o.unknown == 1 ? "" : "s", o.unknown_word);
-    if (status == ROBERTS_OK && o.lacking)
-        warning_send(r->warnings, r->name, o.first_lacking,
-                     "no colour for %zu use%s of materials that the .mtl files lack, the first of \"%s\"", o.lacking,
-                     o.lacking == 1 ? "" : "s", o.lacking_name);
+    if (status == ROBERTS_OK && o.unknown.count)
+        warning_send(r->warnings, r->name, o.unknown.line, "%zu line%s ignored, the first with \"%s\"", o.unknown.count,
+                     o.unknown.count == 1 ? "" : "s", o.unknown.word);
+    if (status == ROBERTS_OK && o.lacking.count)
+        warning_send(r->warnings, r->name, o.lacking.line,
+                     "no colour for %zu use%s of materials that the .mtl files lack, the first of \"%s\"",
+                     o.lacking.count, o.lacking.count == 1 ? "" : "s", o.lacking.word);
     obj_materials_free(&o.materials);
     return status;
 }

@@ -14,6 +14,7 @@ int fuzz_obj(const uint8_t *bytes, size_t size)
     obj_materials_sort(&materials);
     for (size_t i = 0; i < materials.count; i++) {
         const roberts_color *color = obj_materials_color(&materials, materials.item[i].name);
+        FUZZ_REQUIRE(color);
         FUZZ_REQUIRE(color->count == 0 || color->count == 3);
         for (int k = 0; k < color->count; k++)
             FUZZ_REQUIRE(color->value[k] >= 0.0f && color->value[k] <= 1.0f);

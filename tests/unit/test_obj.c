@@ -148,6 +148,8 @@ static void reads_files_beside(void **state)
         {"mtllib m.mtl\nusemtl red\nf 1 2 3\nusemtl none\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
          " | 0-1-2(1,0,0) 0-1-2 0-1-2(0,0,1)",
          "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";"},
+        {"mtllib m.mtl\nusemtl my \x1b[31mpaint\nf 1 2 3\nusemtl b\nf 1 2 3\n", " | 0-1-2 0-1-2",
+         "5: no colour for 2 uses of materials that the .mtl files lack, the first of \"my ? [31mpaint\";"},
         {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL},
         {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
         {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
