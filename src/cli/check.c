@@ -447,8 +447,7 @@ static void warn_twice(const cli_options *options)
         return; /* without memory, the run will fail anyway */
     for (size_t i = 0; i < options->input_count; i++) {
         list[count].index = i;
-        if (strcmp(options->input[i], "-") != 0 && stat(options->input[i], &list[count].found) == 0 &&
-            S_ISREG(list[count].found.st_mode))
+        if (is_there(options->input[i], &list[count].found))
             count++;
     }
     qsort(list, count, sizeof *list, by_file);

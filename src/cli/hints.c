@@ -321,47 +321,36 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
 
 /* ---- options that change nothing in this drawing ---- */
 
-static int by_ends(const void *a, const void *b)
+/* Marks the names of edges that are sides of faces. */
+static void mark_edges(const roberts_mesh *mesh, const roberts_lettering *names, bool *found)
 {
-    const roberts_name *p = a, *q = b;
-    return p->number != q->number ? (p->number > q->number) - (p->number < q->number)
-                                  : (p->other > q->other) - (p->other < q->other);
-}
-
-/* Marks the names whose edges are sides of faces. Names are in order of their ends. */
-static void mark_edges(const roberts_mesh *mesh, const roberts_name *name, size_t count, bool *found)
-{
-    for (size_t f = 0; f < mesh->face_count && count > 0; f++) {
+    for (size_t f = 0; f < mesh->face_count; f++) {
         const uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
         for (uint32_t i = first; i < end; i++) {
             const uint32_t a = mesh->corner[i], b = mesh->corner[i + 1 < end ? i + 1 : first];
-            const roberts_name side = {.number = a < b ? a : b, .other = a < b ? b : a};
-            const roberts_name *same_ends = bsearch(&side, name, count, sizeof *name, by_ends);
-            if (same_ends)
-                found[same_ends - name] = true;
+            const roberts_name side = {.of = ROBERTS_LABEL_EDGES, .number = a < b ? a : b, .other = a < b ? b : a};
+            const roberts_name *name = names_find(names->name, names->name_count, &side);
+            if (name)
+                found[name - names->name] = true;
         }
     }
 }
 
 bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies, char *text, size_t size)
 {
-    const roberts_name *name = options->draw.lettering.name;
-    const size_t count = options->draw.lettering.name_count;
-    size_t edges = 0, end, idle = 0, first = count;
-    bool *found = calloc(count + 1, sizeof *found);
-    char thing[64];
+    const roberts_lettering *names = &options->draw.lettering;
+    size_t idle = 0, first = 0;
+    bool *found = calloc(names->name_count + 1, sizeof *found);
+    char thing[40];
     if (!found)
         return false; /* without memory, the run will fail anyway */
-    while (edges < count && name[edges].of < ROBERTS_LABEL_EDGES)
-        edges++;
-    for (end = edges; end < count && name[end].of == ROBERTS_LABEL_EDGES;)
-        end++;
-    mark_edges(mesh, name + edges, end - edges, found + edges);
-    for (size_t i = count; i-- > 0;) {
-        const size_t of = name[i].of == ROBERTS_LABEL_VERTICES ? mesh->vertex_count
-                          : name[i].of == ROBERTS_LABEL_FACES  ? mesh->face_count
-                                                               : bodies;
-        if (name[i].of == ROBERTS_LABEL_EDGES ? !found[i] : name[i].number >= of) {
+    mark_edges(mesh, names, found);
+    for (size_t i = names->name_count; i-- > 0;) {
+        const roberts_name *name = &names->name[i];
+        const size_t count = name->of == ROBERTS_LABEL_VERTICES ? mesh->vertex_count
+                             : name->of == ROBERTS_LABEL_FACES  ? mesh->face_count
+                                                                : bodies;
+        if (name->of == ROBERTS_LABEL_EDGES ? !found[i] : name->number >= count) {
             idle++;
             first = i;
         }
@@ -369,7 +358,7 @@ bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_
     free(found);
     if (idle == 0)
         return false;
-    names_thing(&name[first], thing, sizeof thing);
+    names_thing(&names->name[first], thing, sizeof thing);
     snprintf(text, size, "--labels: %zu name%s no effect, the first because there is no %s", idle,
              idle > 1 ? "s have" : " has", thing);
     return true;
@@ -404,9 +393,10 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
-bool hint_flat(const cli_options *options, const roberts_drawing *drawing)
+bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)
 {
-    if (!options->hide.crease_auto || options->hide.all_edges || drawing->drawn_edges > drawing->edges / 2)
+    if (!options->hide.crease_auto || options->hide.all_edges ||
+        drawing->drawn_edges > roberts_scene_edge_count(scene) / 2)
         return false;
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)

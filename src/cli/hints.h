@@ -52,7 +52,7 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
 bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
 /* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */
-bool hint_flat(const cli_options *options, const roberts_drawing *drawing);
+bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 
 /* Is no body closed, so that --union changes nothing? */
 bool hint_idle_union(const roberts_scene *scene);

@@ -168,6 +168,11 @@ static int by_thing(const void *a, const void *b)
     return (p->other > q->other) - (p->other < q->other);
 }
 
+const roberts_name *names_find(const roberts_name *name, size_t count, const roberts_name *thing)
+{
+    return bsearch(thing, name, count, sizeof *name, by_thing);
+}
+
 void names_thing(const roberts_name *name, char *text, size_t size)
 {
     const char *kind = name->of == ROBERTS_LABEL_VERTICES ? "vertex"

@@ -36,6 +36,9 @@ typedef struct name_list {
 roberts_status names_read(name_list *n, const char *path, roberts_error *error);
 void names_free(name_list *n);
 
+/* Finds the name that belongs to the same thing as `thing`, among names in that order. NULL: there is none. */
+const roberts_name *names_find(const roberts_name *name, size_t count, const roberts_name *thing);
+
 /* Writes what a name belongs to: "vertex 4", "edge 4-17". */
 void names_thing(const roberts_name *name, char *text, size_t size);
 

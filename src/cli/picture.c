@@ -159,12 +159,16 @@ static size_t count_lines(const roberts_mesh *mesh)
     return count;
 }
 
-/* With --batch, names may be for other models. */
+/* Are names compared with the mesh? With --batch they may be for other models. */
+static bool checks_names(const cli_options *options)
+{
+    return options->names && !options->quiet && !options->batch;
+}
+
 static void warn_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies)
 {
     char text[256], name[NAME_SIZE];
-    if (options->names && !options->quiet && !options->batch &&
-        hint_idle_names(options, mesh, bodies, text, sizeof text))
+    if (checks_names(options) && hint_idle_names(options, mesh, bodies, text, sizeof text))
         warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }
 
@@ -183,8 +187,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (status == ROBERTS_OK) {
         start = report_now();
         progress_stage("finding the bodies");
-        status = options->names ? roberts_scene_build(&mesh, &solids, scene, error)
-                                : roberts_scene_take(&mesh, &solids, scene, error);
+        status = checks_names(options) ? roberts_scene_build(&mesh, &solids, scene, error)
+                                       : roberts_scene_take(&mesh, &solids, scene, error);
         run->solids = report_since(start);
         if (status != ROBERTS_OK)
             hint_refused(options, &mesh, error);
@@ -344,14 +348,13 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
              "--union has no effect: no body is closed");
-    if (page && hint_flat(options, &v->drawing[0]))
+    if (page && scene && hint_flat(options, scene, &v->drawing[0]))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
              "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
              "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in the .mtl files "
-             "beside "
-             "it that it names)");
+             "beside it that it names)");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }

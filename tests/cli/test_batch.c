@@ -104,8 +104,8 @@ static void lists_can_be_wrong(void **state)
     }
     put("in/table.svg", "models/table.off\n");
     assert_int_equal(run("--batch in --list in/table.svg"), 2);
-    assert_said(
-        "in/table.svg is an input, the list, the manifest or the file of --labels; the drawing of models/table");
+    assert_said("in/table.svg is an input, the list, the manifest or the file of --labels; the drawing of "
+                "models/table.off would take its place");
 }
 
 static const char *const wrong_shares[] = {"0/3", "4/3", "1/0",   "0/0",  "1",     "/",
@@ -274,7 +274,8 @@ static const struct {
     {NULL, "--batch in --manifest in models/table.off", "in: cannot write: Is a directory\n", 1},
     {NULL, "--batch in --manifest /dev/full models/table.off", "/dev/full: is no file\n", 1},
     {NULL, "--batch in --manifest missing/rows models/table.off", "missing/rows: cannot write: No such file", 1},
-    {NULL, "--batch in --manifest in/table.json -f json models/table.off", "in/table.json is an input, the list, ", 2},
+    {NULL, "--batch in --manifest in/table.json -f json models/table.off",
+     "in/table.json is an input, the list, the manifest or", 2},
     {NULL, "--manifest rows models/table.off", "--manifest needs --batch\n", 2},
     {NULL, "--update models/table.off", "--update needs --batch\n", 2},
     {NULL, "--shard 1/2 models/table.off", "--shard needs --batch\n", 2},

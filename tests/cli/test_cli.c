@@ -1119,8 +1119,7 @@ static void regions(void **state)
     assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
     assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour (those of an OBJ "
-                                     "are in the .mtl files beside it "
-                                     "that it names)\n"));
+                                     "are in the .mtl files beside it that it names)\n"));
     assert_int_equal(run("--fill shade:pink -o a.svg models/table.off"), 2);
     assert_int_equal(run("--light 0,0,0 -o a.svg models/table.off"), 2);
     assert_int_equal(run("--view top -f null --regions plate.csv plate.off"), 0);
