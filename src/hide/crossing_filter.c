@@ -45,16 +45,11 @@ static void mark_face(const crossing_filter *p, uint32_t face)
             mark(p, scene->corner[c], STAR_FOLD);
 }
 
-/* Does the face wait to become a front, or has it waited? */
-static bool is_late(const hide_fronts *fronts, uint32_t body, uint32_t face)
-{
-    return fronts->late && !fronts->culled[body] && fronts->late[body] != VIEW_UNKNOWN &&
-           fronts->seen->facing[face] == fronts->late[body];
-}
-
+/* Of late faces, mark_late() marks all. */
 static void mark_front(const crossing_filter *p, const hide_front *front)
 {
-    if (front->kind == HIDE_SURFACE_FACE && !is_late(p->fronts, front->solid, front->piece))
+    if (front->kind == HIDE_SURFACE_FACE &&
+        p->fronts->seen->facing[front->piece] != hide_late_facing(p->fronts, front->solid))
         mark_face(p, front->piece);
 }
 
@@ -62,8 +57,9 @@ static void mark_front(const crossing_filter *p, const hide_front *front)
 static void mark_late(const crossing_filter *p, uint32_t body)
 {
     const scene_solid *own = &p->fronts->scene->solid[body];
-    for (uint32_t face = own->face; face < own[1].face; face++)
-        if (is_late(p->fronts, body, face))
+    const unsigned char late = hide_late_facing(p->fronts, body);
+    for (uint32_t face = own->face; late != VIEW_UNKNOWN && face < own[1].face; face++)
+        if (p->fronts->seen->facing[face] == late)
             mark_face(p, face);
 }
 
@@ -116,23 +112,21 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
         return false;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads)
-#else
-    (void)threads;
 #endif
     for (uint32_t k = 0; k < p->whole; k++)
         box_solid(p, k);
+    if (!p->star)
+        return true;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads)
 #endif
     for (uint32_t k = fronts->whole_count; k < fronts->front_count; k++)
-        if (p->star)
-            mark_front(p, &fronts->front[k]);
+        mark_front(p, &fronts->front[k]);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
 #endif
     for (uint32_t body = 0; body < fronts->scene->solid_count; body++)
-        if (p->star && fronts->late)
-            mark_late(p, body);
+        mark_late(p, body);
     return true;
 }
 

@@ -8,9 +8,9 @@
 #include "base/lanes.h"
 #include "base/sort.h"
 #include "base/threads.h"
+#include "hide/crossing_filter.h"
 #include "hide/edge_crossings.h"
 #include "hide/face_pairs.h"
-#include "hide/crossing_filter.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
@@ -21,6 +21,7 @@
 #define MOST_OF_CELL 0.999
 /* Cells are widened by this many margins. Fronts are listed with one. */
 #define CELL_MARGINS 2.0
+
 /* Four entries of a cell's list side by side. Their boxes are cut to the cell. Unused lanes meet nothing. */
 typedef struct four_entries {
     float x0[4], x1[4], y0[4], y1[4], z0[4], z1[4];
@@ -265,8 +266,7 @@ static bool is_covered(const hide_fronts *fronts, const hide_box *p, const hide_
            cover_hides(&fronts->cover, &both);
 }
 
-/* Tests entry i with entry k, unless they surely do not cross, or where nobody sees it, or an earlier cell has tested
- * them. */
+/* Tests entry i with entry k, unless an earlier cell has tested them, or nobody sees where they may cross. */
 static bool meet_listed(finder *t, const cell_list *c, uint32_t i, uint32_t k)
 {
     const uint32_t a = c->list[i].front, b = c->list[k].front;

@@ -113,6 +113,12 @@ static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *fro
                                             : seen_body_key(front->solid);
 }
 
+/* Returns the facing of those faces of a body that wait, or have waited (hide_fronts.late). VIEW_UNKNOWN: no face. */
+static inline unsigned char hide_late_facing(const hide_fronts *fronts, uint32_t body)
+{
+    return fronts->late && !fronts->culled[body] ? fronts->late[body] : VIEW_UNKNOWN;
+}
+
 /* Returns the outline of a front as a polygon for tests 2 to 4; only its corners are set. turned: as in
  * seen_corners(). */
 static inline hide_face hide_outline(const hide_fronts *fronts, uint32_t front, uint32_t turned[SEEN_TURNED])

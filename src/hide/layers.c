@@ -227,7 +227,7 @@ static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t 
     const unsigned char *facing = l->fronts->seen->facing;
     for (uint32_t face = first, body = scene_body_of_face(scene, first); face < end; body++) {
         uint32_t last = scene->solid[body + 1].face < end ? scene->solid[body + 1].face : end;
-        unsigned char late = l->fronts->culled[body] ? VIEW_UNKNOWN : l->fronts->late[body];
+        unsigned char late = hide_late_facing(l->fronts, body);
         for (; face < last; face++) {
             if (late == VIEW_UNKNOWN || facing[face] != late)
                 continue;
