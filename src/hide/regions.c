@@ -17,6 +17,7 @@
 #include "base/sort.h"
 #include "base/threads.h"
 #include "hide/planar_map.h"
+#include "hide/region_depths.h"
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
@@ -38,13 +39,14 @@ typedef struct region_ring {
 
 typedef struct cell_sight {
     uint32_t face; /* seen in the cell; ROBERTS_NONE: none */
-    double z_min, z_max;
+    depth_range depth;
 } cell_sight;
 
 typedef struct region_work {
     const hide_job *job;
     planar_map map;
     map_cells cells;
+    region_depths depths;
     uint32_t *start, *half; /* the half-edges of each cell: [cells + 1], [2 lines] */
     cell_sight *sight;      /* [cells] */
     uint8_t *gone;          /* [lines] the same face is seen on both sides */
@@ -115,6 +117,7 @@ typedef struct region_scratch {
     cell_side *side; /* [count] */
     double *item;
     size_t count, side_room, room;
+    depth_parts parts;
     char apart[THREADS_APART];
 } region_scratch;
 
@@ -193,33 +196,39 @@ static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
     return face;
 }
 
+/* Finds the depths of a cell in which the piece `piece` of `face` is seen at one point. F: the plane of the piece.
+ * False: no memory. */
+static bool find_depths(const region_work *w, uint32_t piece, plane F, region_scratch *scratch, cell_sight *sight)
+{
+    const hide_fronts *fronts = &w->job->fronts;
+    const uint32_t *start = fronts->scene->face_start + piece, *corner = fronts->scene->corner + start[0];
+    const bool several = region_depths_has(&w->depths, sight->face);
+    for (const cell_side *s = scratch->side; several && s < scratch->side + scratch->count; s++)
+        if (!region_depths_along(&w->depths, sight->face, (roberts_vec2[]){s->P, s->Q}, &scratch->parts, &sight->depth))
+            return false;
+    if (sight->depth.low <= sight->depth.high)
+        return true;
+    for (size_t k = 0; k < scratch->count; k++) {
+        const double z = region_depth_at(fronts, corner, start[1] - start[0], F, scratch->side[k].P);
+        sight->depth.low = lesser(sight->depth.low, z);
+        sight->depth.high = greater(sight->depth.high, z);
+    }
+    return true;
+}
+
 /* Finds what is seen in a cell. False: no memory. */
 static bool look_into(const region_work *w, uint32_t cell, region_scratch *scratch, cell_sight *sight)
 {
-    const hide_fronts *fronts = &w->job->fronts;
-    const roberts_scene *scene = fronts->scene;
     plane F;
-    *sight = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
+    *sight = (cell_sight){ROBERTS_NONE, {INFINITY, -INFINITY}};
     if (!take_sides(w, cell, scratch))
         return false;
     const roberts_vec2 inside = point_inside(scratch);
-    uint32_t face = hide_face_seen_at(fronts, &w->job->grid, inside.x, inside.y, &F);
+    uint32_t face = hide_face_seen_at(&w->job->fronts, &w->job->grid, inside.x, inside.y, &F);
     if (face == ROBERTS_NONE)
         return true;
-    sight->face = whole_face(scene, face);
-    double low = INFINITY, high = -INFINITY;
-    for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++) {
-        low = lesser(low, fronts->P[scene->corner[k]].z);
-        high = greater(high, fronts->P[scene->corner[k]].z);
-    }
-    for (size_t k = 0; k < scratch->count; k++) {
-        const roberts_vec2 P = scratch->side[k].P;
-        double z = (F.a * P.x + F.b * P.y + F.d) / -F.c;
-        z = z < low ? low : z > high ? high : z;
-        sight->z_min = lesser(sight->z_min, z);
-        sight->z_max = greater(sight->z_max, z);
-    }
-    return true;
+    sight->face = whole_face(w->job->fronts.scene, face);
+    return find_depths(w, face, F, scratch, sight);
 }
 
 static bool look_into_all(region_work *w)
@@ -233,7 +242,7 @@ static bool look_into_all(region_work *w)
         return false;
     }
     bool lost = false;
-    w->sight[0] = (cell_sight){ROBERTS_NONE, INFINITY, -INFINITY};
+    w->sight[0] = (cell_sight){ROBERTS_NONE, {INFINITY, -INFINITY}};
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
 #endif
@@ -242,6 +251,7 @@ static bool look_into_all(region_work *w)
     for (int i = 0; i < threads; i++) {
         free(scratches[i].side);
         free(scratches[i].item);
+        free(scratches[i].parts.part);
     }
     free(scratches);
     return !lost;
@@ -415,8 +425,8 @@ static void put_depths(const region_work *w, const uint32_t *number, roberts_reg
         if (sight->face == ROBERTS_NONE || number[sight->face] == ROBERTS_NONE)
             continue;
         roberts_region *region = &out->region[number[sight->face]];
-        region->z_min = lesser(region->z_min, sight->z_min * unit);
-        region->z_max = greater(region->z_max, sight->z_max * unit);
+        region->z_min = lesser(region->z_min, sight->depth.low * unit);
+        region->z_max = greater(region->z_max, sight->depth.high * unit);
     }
 }
 
@@ -469,11 +479,13 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest)
 {
     const view *v = &job->seen.view;
+    const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
     region_work w = {.job = job};
-    bool enough = take_lines(&w, drawing, rest) &&
-                  planar_map_divide(&w.map, REGION_TOUCHING * (v->epsilon + v->across_rounding)) &&
-                  map_cells_find(&w.cells, &w.map) && list_halves(&w) && look_into_all(&w) && merge_faces(&w) &&
+    bool enough = take_lines(&w, drawing, rest) && planar_map_divide(&w.map, touching) &&
+                  map_cells_find(&w.cells, &w.map) && list_halves(&w) &&
+                  region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&
                   join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
+    region_depths_free(&w.depths);
     planar_map_free(&w.map);
     map_cells_free(&w.cells);
     free(w.start);

@@ -567,6 +567,79 @@ static void test_hole(void **state)
     roberts_scene_free(scene);
 }
 
+/* A face of two columns of corners, from above: planar with a notch, or bent at random. */
+static void add_strip(rng *r, roberts_mesh *mesh, bool bent)
+{
+    enum { ROWS = 6 };
+    uint32_t corner[2 * ROWS];
+    for (int side = 0; side < 2; side++)
+        for (int k = 0; k < ROWS; k++) {
+            const int row = side ? ROWS - 1 - k : k;
+            const double x = (side ? 2.0 : 0.0) + (bent ? 0.0 : rng_between(r, -0.9, 0.9)), y = row;
+            const double z = bent ? rng_between(r, -2, 2) : 0.3 * x - 0.8 * y;
+            corner[side * ROWS + k] = mesh_vertex(mesh, (roberts_vec3){x, y, z});
+        }
+    mesh_face(mesh, corner, 2 * ROWS);
+}
+
+/* Do the depths of a region hold those of rays just inside its sides, and do some rays come near to both ends? */
+static void check_depths(const roberts_scene *scene, const roberts_camera *camera, const roberts_region_list *l,
+                         const roberts_region *own)
+{
+    enum { STEPS = 60 };
+    const double aside = 1e-7, exact = 1e-6, near = 0.15; /* `near`: a step along the steepest side */
+    double low = INFINITY, high = -INFINITY;
+    for (size_t ring = own->first_ring; ring < own->first_ring + own->ring_count; ring++)
+        for (size_t k = l->ring_start[ring]; k < l->ring_start[ring + 1]; k++) {
+            const roberts_vec2 P = l->corner[k];
+            const roberts_vec2 Q = l->corner[k + 1 < l->ring_start[ring + 1] ? k + 1 : l->ring_start[ring]];
+            const double length = hypot(Q.x - P.x, Q.y - P.y);
+            for (int i = 0; i < STEPS && length > 1e-5; i++) {
+                const double t = (i + 0.5) / STEPS;
+                roberts_picked picked;
+                assert_int_equal(roberts_pick(scene, camera, P.x + t * (Q.x - P.x) - aside * (Q.y - P.y) / length,
+                                              P.y + t * (Q.y - P.y) + aside * (Q.x - P.x) / length, &picked, NULL),
+                                 ROBERTS_OK);
+                if (picked.count > 0 && picked.hit[0].face == own->face) {
+                    low = fmin(low, picked.hit[0].depth);
+                    high = fmax(high, picked.hit[0].depth);
+                }
+                roberts_picked_free(&picked);
+            }
+        }
+    if (!(own->z_min <= low + exact && own->z_max >= high - exact && own->z_min >= low - near &&
+          own->z_max <= high + near))
+        fail_msg("face %u: depths %.9g .. %.9g, rays %.9g .. %.9g", own->face, own->z_min, own->z_max, low, high);
+}
+
+/* Faces of several pieces, partly behind boxes: the depths are those of the pieces that are seen. Seen aslant, a face
+ * that is not planar lies partly behind itself. */
+static void test_depths_of_pieces(void **state)
+{
+    rng r = {2611};
+    size_t faces = 0;
+    (void)state;
+    for (int scenes = 0; scenes < 60; scenes++) {
+        const roberts_camera camera = {.dir = {0, scenes % 4 < 2 ? 0 : 2, 1}, .up = {0, 0, 1}};
+        roberts_mesh mesh = {0};
+        roberts_region_list l;
+        add_strip(&r, &mesh, scenes % 2);
+        for (int i = rng_int(&r, 0, 3); i > 0; i--)
+            mesh_block(&mesh, (roberts_vec3){rng_between(&r, -1, 2), rng_between(&r, 0, 5), 6.0 + i},
+                       (roberts_vec3){rng_between(&r, 0.5, 3), 0.2, 0}, (roberts_vec3){-0.1, 1, 0},
+                       (roberts_vec3){0, 0, 0.5});
+        roberts_scene *scene = build_scene(&mesh);
+        assert_int_equal(roberts_regions(scene, &camera, NULL, &l, NULL), ROBERTS_OK);
+        for (size_t i = 0; i < l.count; i++) {
+            check_depths(scene, &camera, &l, &l.region[i]);
+            faces += l.region[i].face == 0;
+        }
+        roberts_regions_free(&l);
+        roberts_scene_free(scene);
+    }
+    assert_true(faces >= 55);
+}
+
 /* By hand: a strip of four squares, the last of them red, and beside it two blocks that are flush with one another. */
 static void test_merged(void **state)
 {
@@ -664,6 +737,7 @@ int main(void)
         cmocka_unit_test(test_hole),
         cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_near_plane_not_convex),
+        cmocka_unit_test(test_depths_of_pieces),
         cmocka_unit_test(test_merged),
         cmocka_unit_test(test_near_plane),
         cmocka_unit_test(test_threads_and_grid),
