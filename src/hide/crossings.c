@@ -51,6 +51,26 @@ typedef struct finder {
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
 
+/* Lines behind covers or sheets are not computed if hidden lines are not wanted and the view is parallel, and no more
+ * oblique than this. Then a line that ends near A and B in the model is less than an epsilon from AB in view space:
+ * (1 + OBLIQUE_MOST) CROSSING_NEAR < 1. cover_hides_edge() allows for hide_margin(), which is four times as much. */
+#define OBLIQUE_MOST 2.0
+
+static bool may_be_unseen(const seen *s)
+{
+    const view *v = &s->view;
+    return !s->rules.hidden && !v->perspective && fabs(v->oblique.x) <= OBLIQUE_MOST &&
+           fabs(v->oblique.y) <= OBLIQUE_MOST;
+}
+
+/* Do covers or sheets hide the line between two points of the model? */
+static bool is_unseen(const void *context, roberts_vec3 A, roberts_vec3 B)
+{
+    const finder *t = context;
+    const view *v = &t->fronts->seen->view;
+    return covers_hide_edge(&t->fronts->cover, &t->grid->sheet, view_point(v, A), view_point(v, B));
+}
+
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
     uint64_t pair = f < g ? (uint64_t)f << 32 | g : (uint64_t)g << 32 | f;
@@ -561,7 +581,10 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].grid = grid;
         finders[i].filter = filter;
         finders[i].nearest = grid->sheet.depth;
-        finders[i].rules = (crossing_rules){fronts->scene, fronts->space.epsilon * fronts->scene->unit};
+        finders[i].rules = (crossing_rules){.scene = fronts->scene,
+                                            .touching = fronts->space.epsilon * fronts->scene->unit,
+                                            .unseen = may_be_unseen(fronts->seen) ? is_unseen : NULL,
+                                            .context = &finders[i]};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
         if (!finders[i].face)
             return false;

@@ -268,9 +268,7 @@ static bool has_segments(const hide_job *job, uint32_t body)
 /* Does AB lie completely behind covers or sheets? Neither is tested if hidden lines are wanted. */
 BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
 {
-    const cover *c = &job->fronts.cover, *sheet = &job->grid.sheet;
-    return (c->depth && cover_hides_edge(c, A, B)) ||
-           (sheet->depth && !job->options->keep_hidden && cover_hides_edge(sheet, A, B));
+    return !job->options->keep_hidden && covers_hide_edge(&job->fronts.cover, &job->grid.sheet, A, B);
 }
 
 /* Takes the next lines of a walk, at most `most`. Lines behind covers are dropped at once; there are covers only if

@@ -144,6 +144,24 @@ static corner_height height_of(const crossing_rules *rules, crossing_face *f, ui
     return at;
 }
 
+/* The heights of a face's first corners. They are computed in order, once. */
+#define KEPT_HEIGHTS 8
+typedef struct kept_heights {
+    corner_height at[KEPT_HEIGHTS];
+    uint32_t count;
+} kept_heights;
+
+/* The height of v, corner k of a piece of `body`, over the plane of f. keep: NULL, or the heights of the piece. */
+static inline corner_height kept_height(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v,
+                                        uint32_t k, kept_heights *keep)
+{
+    if (!keep || k > keep->count || k >= KEPT_HEIGHTS)
+        return height_of(rules, f, body, v);
+    if (k == keep->count)
+        keep->at[keep->count++] = height_of(rules, f, body, v);
+    return keep->at[k];
+}
+
 /* Is pq, of `body`, a side of g? If g has several pieces, pq may be a cut between them: then the answer is false. */
 static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
 {
@@ -158,16 +176,16 @@ static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint
     return false;
 }
 
-/* Adds the position of one piece of f. */
+/* Adds the position of one piece of f. keep: NULL, or the piece's heights over g. */
 static void add_lie(const crossing_rules *rules, const crossing_face *f, uint32_t piece, crossing_face *g,
-                    crossing_lie *to)
+                    kept_heights *keep, crossing_lie *to)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t first = scene->face_start[piece], count = scene->face_start[piece + 1] - first;
     const uint32_t *corner = scene->corner + first;
     bool whole = !crossing_in_pieces(f), begins = false, before = false; /* the first and the last corner are on it */
     for (uint32_t k = 0; k < count && !(whole && to->over && to->under); k++) {
-        int sign = height_of(rules, g, f->body, corner[k]).sign;
+        int sign = kept_height(rules, g, f->body, corner[k], k, keep).sign;
         bool ends = begins && k + 1 == count && sign == 0; /* the side back to the first corner, too */
         to->over = to->over || sign > 0;
         to->under = to->under || sign < 0;
@@ -179,12 +197,17 @@ static void add_lie(const crossing_rules *rules, const crossing_face *f, uint32_
     }
 }
 
-crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+static crossing_lie lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g, kept_heights *keep)
 {
     crossing_lie lie = {false, false, false};
     for (uint32_t piece = f->first; piece < f->end; piece++)
-        add_lie(rules, f, piece, g, &lie);
+        add_lie(rules, f, piece, g, crossing_in_pieces(f) ? NULL : keep, &lie);
     return lie;
+}
+
+crossing_lie crossing_lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g)
+{
+    return lie_of(rules, f, g, NULL);
 }
 
 /* ---- places on the line ---------------------------------------------------------------------------------------- */
@@ -200,9 +223,9 @@ typedef struct pair {
 /* A point where the border of one face meets the other plane. */
 typedef struct cut {
     uint32_t p, q;   /* a corner, q: ROBERTS_NONE; or on the side from p to q */
+    double t, off;   /* where on the side, in doubles, and the error of that */
     double s, error; /* the coordinate along the axis, from the first face's origin on */
-    bool exact;
-    dd3 at; /* if `exact`: in the scene's unit */
+    bool exact;      /* s is that of exact_place() */
 } cut;
 
 typedef struct span {
@@ -267,30 +290,37 @@ static cut side_cut(const pair *w, uint32_t p, uint32_t q, corner_height a, corn
     const crossing_face *base = w->face[0];
     double from = along(seen_from(w->rules, p, base->origin, base->low), w->axis);
     double to = along(seen_from(w->rules, q, base->origin, base->low), w->axis);
-    double t = a.h / (a.h - b.h), off = (a.error + b.error) / fabs(a.h - b.h) + 0x1p-50;
+    double t = a.h / (a.h - b.h), off = 4.0 * ((a.error + b.error) / fabs(a.h - b.h) + 0x1p-50);
     return (cut){.p = p,
                  .q = q,
+                 .t = t,
+                 .off = off,
                  .s = from + t * (to - from),
-                 .error = 4.0 * off * fabs(to - from) + 0x1p-50 * (fabs(from) + fabs(to))};
+                 .error = off * fabs(to - from) + 0x1p-50 * (fabs(from) + fabs(to))};
 }
 
-/* `other`: the face in whose plane it lies. */
+/* Where it is, in the scene's unit. other: the face in whose plane it lies. */
+static dd3 exact_place(const crossing_rules *rules, const cut *c, crossing_face *other)
+{
+    const roberts_vec3 none = {0.0, 0.0, 0.0};
+    dd3 at = exactly_seen_from(rules, c->p, none, none);
+    if (c->q == ROBERTS_NONE)
+        return at;
+    dd a = exact_height(rules, other, c->p), t = dd_div(a, dd_sub(a, exact_height(rules, other, c->q)));
+    roberts_vec3 low = rules->scene->low ? rules->scene->low[c->p] : none;
+    dd3 way = exactly_seen_from(rules, c->q, rules->scene->point[c->p], low);
+    return dd3_add(at, (dd3){dd_mul(t, way.x), dd_mul(t, way.y), dd_mul(t, way.z)});
+}
+
+/* other: as above */
 static void refine_cut(const pair *w, cut *c, crossing_face *other)
 {
-    const crossing_rules *rules = w->rules;
-    const roberts_vec3 none = {0.0, 0.0, 0.0};
     const crossing_face *base = w->face[0];
-    double k = 1.0 / rules->scene->unit;
+    double k = 1.0 / w->rules->scene->unit;
     if (c->exact)
         return;
-    c->at = exactly_seen_from(rules, c->p, none, none);
-    if (c->q != ROBERTS_NONE) {
-        dd a = exact_height(rules, other, c->p), t = dd_div(a, dd_sub(a, exact_height(rules, other, c->q)));
-        roberts_vec3 low = rules->scene->low ? rules->scene->low[c->p] : none;
-        dd3 way = exactly_seen_from(rules, c->q, rules->scene->point[c->p], low);
-        c->at = dd3_add(c->at, (dd3){dd_mul(t, way.x), dd_mul(t, way.y), dd_mul(t, way.z)});
-    }
-    dd s = dd_sub(exactly_along(c->at, w->axis), (dd){k * along(base->origin, w->axis), 0.0});
+    dd s = exactly_along(exact_place(w->rules, c, other), w->axis);
+    s = dd_sub(s, (dd){k * along(base->origin, w->axis), 0.0});
     s = dd_sub(s, (dd){k * along(base->low, w->axis), 0.0});
     c->s = s.hi;
     c->error = 0x1p-52 * fabs(s.hi);
@@ -337,17 +367,18 @@ static void add_cut(const pair *w, int i, contact *c, cut at)
     c->met = true;
 }
 
-/* A piece of face[i]. */
-static contact contact_of(const pair *w, int i, uint32_t piece)
+/* A piece of face[i]. keep: NULL, or its heights over the other face. */
+static contact contact_of(const pair *w, int i, uint32_t piece, kept_heights *keep)
 {
     const roberts_scene *scene = w->rules->scene;
     crossing_face *other = w->face[1 - i];
     uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1], p = scene->corner[end - 1];
     contact c = {0};
-    corner_height a = height_of(w->rules, other, w->face[i]->body, p);
+    const uint32_t body = w->face[i]->body;
+    corner_height a = kept_height(w->rules, other, body, p, end - 1 - first, keep);
     for (uint32_t k = first; k < end; k++) {
         uint32_t q = scene->corner[k];
-        corner_height b = height_of(w->rules, other, w->face[i]->body, q);
+        corner_height b = kept_height(w->rules, other, body, q, k - first, keep);
         c.over = c.over || b.sign > 0;
         c.under = c.under || b.sign < 0;
         c.corners += b.sign == 0;
@@ -363,15 +394,15 @@ static contact contact_of(const pair *w, int i, uint32_t piece)
 
 /* ---- segments -------------------------------------------------------------------------------------------------- */
 
-static crossing_point point_of(const pair *w, cut *c, int of)
+static crossing_point point_of(const pair *w, const cut *c, int of)
 {
     const roberts_scene *scene = w->rules->scene;
     const roberts_vec3 none = {0.0, 0.0, 0.0};
     if (c->q == ROBERTS_NONE)
         return (crossing_point){scene->point[c->p], scene->low ? scene->low[c->p] : none, c->p};
-    refine_cut(w, c, w->face[1 - of]);
-    return (crossing_point){vec3_scale(scene->unit, (roberts_vec3){c->at.x.hi, c->at.y.hi, c->at.z.hi}),
-                            vec3_scale(scene->unit, (roberts_vec3){c->at.x.lo, c->at.y.lo, c->at.z.lo}), ROBERTS_NONE};
+    dd3 at = exact_place(w->rules, c, w->face[1 - of]);
+    return (crossing_point){vec3_scale(scene->unit, (roberts_vec3){at.x.hi, at.y.hi, at.z.hi}),
+                            vec3_scale(scene->unit, (roberts_vec3){at.x.lo, at.y.lo, at.z.lo}), ROBERTS_NONE};
 }
 
 /* Does P come after Q in the order of x, y, z? Coordinates within the touching distance count as equal, so that
@@ -383,12 +414,33 @@ static bool is_behind(const crossing_rules *rules, const crossing_point *P, cons
     return fabs(d.x) > same ? d.x > 0.0 : fabs(d.y) > same ? d.y > 0.0 : d.z > 0.0;
 }
 
+/* Where a cut is, in model units, from doubles. False: the rounding may be large. An eighth of the touching distance is
+ * for the error of t. The rest is for the low parts of the coordinates and for rounding, of at most 2 units of the last
+ * place; the touching distance is no less than 16 of these. */
+static bool find_place(const pair *w, const cut *c, roberts_vec3 *at)
+{
+    const roberts_scene *scene = w->rules->scene;
+    *at = scene->point[c->p];
+    if (c->q == ROBERTS_NONE)
+        return true;
+    roberts_vec3 side = vec3_sub(scene->point[c->q], *at);
+    *at = vec3_add(*at, vec3_scale(c->t, side));
+    return c->off * vec3_length(side) <= 0.5 * CROSSING_NEAR * w->rules->touching;
+}
+
+static bool is_unseen(const pair *w, const cut *low, const cut *high)
+{
+    roberts_vec3 A, B;
+    return w->rules->unseen && find_place(w, low, &A) && find_place(w, high, &B) &&
+           w->rules->unseen(w->rules->context, A, B);
+}
+
 /* Adds the overlap of two spans, one of each face, unless they only touch. False: no memory. */
 static bool add_common(const pair *w, span *f, span *g, crossing_list *out)
 {
     int of[2];
     cut low = chosen(w, &f->low, &g->low, true, &of[0]), high = chosen(w, &f->high, &g->high, false, &of[1]);
-    if (!(after(w, &high, of[1], &low, of[0]) > w->slack))
+    if (!(after(w, &high, of[1], &low, of[0]) > w->slack) || is_unseen(w, &low, &high))
         return true;
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
         return false;
@@ -523,7 +575,7 @@ static bool find_spans(const pair *w, int i, face_spans *s)
 {
     const crossing_face *f = w->face[i];
     for (uint32_t piece = f->first; piece < f->end; piece++) {
-        contact c = contact_of(w, i, piece);
+        contact c = contact_of(w, i, piece, NULL);
         bool flat = !c.over && !c.under;
         if (c.over && c.under) {
             if (!add_span(w, i, &s->inside, c.on))
@@ -597,10 +649,12 @@ static bool find_touches(const crossing_rules *rules, crossing_face *f, crossing
 
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out)
 {
-    crossing_lie a = crossing_lie_of(rules, f, g), b;
+    kept_heights over_g, over_f; /* of f and of g; not set, since the count says which are known */
+    over_g.count = over_f.count = 0;
+    crossing_lie a = lie_of(rules, f, g, &over_g), b;
     if (!(a.over && a.under))
         return !crossing_ends_on(a) || find_touches(rules, f, g, a, out);
-    b = crossing_lie_of(rules, g, f);
+    b = lie_of(rules, g, f, &over_f);
     if ((crossing_ends_on(a) && !add_touch(f, g, out)) || (crossing_ends_on(b) && !add_touch(g, f, out)))
         return false;
     if (!(b.over && b.under))
@@ -608,7 +662,7 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
     pair w = pair_of(rules, f, g);
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return find_in_pieces(&w, out);
-    contact c = contact_of(&w, 0, f->first), d = contact_of(&w, 1, g->first);
+    contact c = contact_of(&w, 0, f->first, &over_g), d = contact_of(&w, 1, g->first, &over_f);
     return add_common(&w, &c.on, &d.on, out);
 }
 
@@ -637,7 +691,7 @@ bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint3
     face_spans of = {{0}, {0}, {0}, {0}};
     bool enough = true;
     if (!crossing_in_pieces(g)) {
-        contact c = contact_of(&w, 1, g->first);
+        contact c = contact_of(&w, 1, g->first, NULL);
         return !(c.over && c.under) || add_common(&w, &edge, &c.on, out);
     }
     enough = find_spans(&w, 1, &of);

@@ -25,7 +25,14 @@
 typedef struct crossing_rules {
     const roberts_scene *scene;
     double touching; /* model units */
+    /* Is it certain that nobody sees a line whose ends are no more than CROSSING_NEAR touching distances from A and B?
+     * Such a line is not computed. NULL: all are. */
+    bool (*unseen)(const void *context, roberts_vec3 A, roberts_vec3 B);
+    const void *context;
 } crossing_rules;
+
+/* Touching distances: how far an end may be from where it is computed in doubles. */
+#define CROSSING_NEAR 0.25
 
 /* A face with its plane. Lengths are in the scene's unit; the plane's are times the length of n. */
 typedef struct crossing_face {

@@ -172,7 +172,7 @@ static void pairs_cross_where_they_should(void **state)
         for (int way = 0; way < WAYS; way++)
             for (uint32_t k = 0; k < 16; k++) {
                 roberts_scene *scene = scene_of(cases[i].off, way, k / 4, k & 1);
-                crossing_rules rules = {scene, 1e-10};
+                crossing_rules rules = {.scene = scene, .touching = 1e-10};
                 crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1);
                 crossing_list found = {0};
                 assert_true(crossing_find(&rules, k & 2 ? &g : &f, k & 2 ? &f : &g, &found));
@@ -299,7 +299,7 @@ static void triangles_cross_as_whole_numbers_say(void **state)
         fraction3 end[2];
         bool cross = whole_crossing(t, t + 3, end);
         if (roberts_scene_build(&mesh, NULL, &scene, NULL) == ROBERTS_OK && scene->face_count == 2) {
-            crossing_rules rules = {scene, 1e-10};
+            crossing_rules rules = {.scene = scene, .touching = 1e-10};
             crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1);
             crossing_list found = {0};
             assert_true(crossing_find(&rules, &f, &g, &found));
@@ -350,7 +350,7 @@ static void ends_agree_on_both_sides_of_a_side(void **state)
             mesh_face(&mesh, corner, 3);
         }
         roberts_scene *scene = build_scene(&mesh);
-        crossing_rules rules = {scene, 1e-10};
+        crossing_rules rules = {.scene = scene, .touching = 1e-10};
         crossing_face f = face_of(&rules, 0), g = face_of(&rules, 1), h = face_of(&rules, 2);
         crossing_list found = {0};
         assert_true(crossing_find(&rules, &f, &g, &found) && crossing_find(&rules, &h, &f, &found));
