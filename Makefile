@@ -11,8 +11,8 @@ CXXFLAGS ?= -O1
 # Added to CFLAGS for most test programs: they compile in a quarter of the time, and run nearly as fast.
 TEST_CFLAGS ?= -O0
 WERROR   ?=
-# Empty: a build without threads; then clang does not need libomp-dev.
-OPENMP   ?= -fopenmp
+# Empty: a build without threads.
+THREADS  ?= -pthread
 V        ?=
 Q        := $(if $(V),,@)
 show      = $(if $(V),,@printf '  %-6s %s\n' $1 '$2')
@@ -20,9 +20,9 @@ STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 # -fno-math-errno: a square root is one instruction, not followed by a test whether errno must be set; nothing reads it
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(OPENMP) $(CFLAGS) -Iinclude -Isrc \
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(THREADS) $(CFLAGS) -Iinclude -Isrc \
             $(TEST_DIRS) $(NEEDS) $(UNOPTIMIZED) -MMD -MP
-LINK      = $(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
+LINK      = $(CC) $(THREADS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
 NEEDS        =
 UNOPTIMIZED  =
@@ -129,7 +129,7 @@ check-long: $(LONG) ## compares millions of edges with the oracle; fuzzes
 	@$(MAKE) --no-print-directory fuzz
 
 fuzz: ## runs all fuzzers, FUZZ_SECONDS=60 each; needs clang (tools/install-deps.sh fuzz)
-	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang OPENMP= CFLAGS='$(FUZZ)'
+	@$(MAKE) --no-print-directory fuzzers BUILD=$(BUILD)/fuzzing CC=clang THREADS= CFLAGS='$(FUZZ)'
 	tests/fuzz/fuzz.sh $(BUILD)/fuzzing $(FUZZ_SECONDS)
 
 goldens: $(BUILD)/tests/oracle/regolden ## rewrites tests/golden/ where program and oracle agree
@@ -156,7 +156,7 @@ bench-baseline: all tools ## counts instructions (valgrind) and writes them to t
 
 test-threads: ## runs the tests with several threads under the thread sanitizer, in build/threads/
 	@$(MAKE) --no-print-directory build/threads/tests/test_threads build/threads/tests/test_off_pieces \
-	    build/threads/tests/test_schedule BUILD=build/threads OPENMP= CFLAGS='-O1 -g -fsanitize=thread'
+	    build/threads/tests/test_schedule BUILD=build/threads CFLAGS='-O1 -g -fsanitize=thread'
 	TSAN_OPTIONS=suppressions=tests/threads.supp build/threads/tests/test_threads
 	build/threads/tests/test_off_pieces
 	build/threads/tests/test_schedule
@@ -187,7 +187,7 @@ install: ## program, man page, completions, libraries, header and roberts.pc
 	@# Libs.private: what else a program needs that links the static library.
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(OPENMP) -lm' \
+	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(THREADS) -lm' \
 	    'Cflags: -I"$${includedir}"' >'$(LIB)/pkgconfig/roberts.pc'
 	$(Q)chmod 644 '$(LIB)/pkgconfig/roberts.pc'
 	$(Q)install -D -m 644 $(BUILD)/roberts.1 '$(TO)/share/man/man1/roberts.1'
@@ -238,7 +238,7 @@ clean: ## removes build/
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile src/web/module.mk | \
 	    expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS TEST_CFLAGS LDFLAGS WERROR=-Werror OPENMP= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS TEST_CFLAGS LDFLAGS WERROR=-Werror THREADS= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -249,7 +249,7 @@ $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
 $(BUILD)/$(SHARED): $(call object,$(LIB_SRC))
 	@printf '{ global: roberts_*; local: *; };\n' >$(BUILD)/exported.map
 	$(call show,LD,$@)
-	$(Q)$(CC) $(OPENMP) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
+	$(Q)$(CC) $(THREADS) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SONAME) -Wl,--version-script,$(BUILD)/exported.map \
 	    -Wl,-z,defs -o $@ $^ $(LIBS)
 
 $(BUILD)/roberts: $(call object,$(CLI_SRC)) $(BUILD)/libroberts.a
@@ -356,7 +356,7 @@ $(BUILD)/obj/%.o: %.c $(BUILD)/flags
 	$(Q)$(COMPILE) -c -o $@ $<
 
 # The compiler and its flags as last used: when they change, everything is recompiled.
-FLAGS = $(CC) $(CXX) $(OPENMP) $(CFLAGS) $(CXXFLAGS) $(TEST_CFLAGS) $(WERROR) $(LDFLAGS)
+FLAGS = $(CC) $(CXX) $(THREADS) $(CFLAGS) $(CXXFLAGS) $(TEST_CFLAGS) $(WERROR) $(LDFLAGS)
 $(BUILD)/flags: force
 	@mkdir -p $(@D)
 	@echo '$(FLAGS)' | cmp -s - $@ || echo '$(FLAGS)' >$@

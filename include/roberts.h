@@ -465,6 +465,10 @@ typedef struct roberts_hide_options {
 
 roberts_hide_options roberts_hide_options_default(void);
 
+/** Returns the number of processors that this process may use: the number of threads if an option leaves it open. It is
+ * 1 in a build without threads. */
+uint32_t roberts_processor_count(void);
+
 /**
  * Removes the hidden lines of `scene` seen by `camera`.
  * options  NULL for the defaults

@@ -187,7 +187,7 @@ one_scene() {
     measure scenes plot "$1" 1 1 svg $general "$2"
     measure scenes threads "$1" "$3" 2 null $general "$2"
     measure scenes verify "$1" $((($3 + 2) / 3)) 1 null --verify $general "$2"
-    row=$(OMP_NUM_THREADS=1 "$build/tools/bench-read" "$2" "$3") && printf '%s\t%s\n' "$1" "$row" >>"$out/read.tsv"
+    row=$(taskset -c 0 "$build/tools/bench-read" "$2" "$3") && printf '%s\t%s\n' "$1" "$row" >>"$out/read.tsv"
 }
 
 scenes() {

@@ -82,9 +82,6 @@ find_missing() {
             need libqhull-dev has_library qhull_r
             need zlib1g-dev has_library zlib
             need hershey-fonts-data test -e "${HERSHEY:-/usr/share/hershey-fonts}/futural.jhf"
-            if has_command "$cc"; then # gcc brings its own
-                need libomp-dev has_header "$cc" c omp.h
-            fi
             ;;
         test)
             need libcmocka-dev has_library cmocka
@@ -113,7 +110,6 @@ find_missing() {
             ;;
         lint)
             need clang has_command clang
-            need libomp-dev has_header clang c omp.h
             need clang-format has_command clang-format
             need clang-tidy has_command clang-tidy
             need cppcheck has_command cppcheck

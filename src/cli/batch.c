@@ -12,10 +12,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "cli/batch_files.h"
 #include "cli/manifest.h"
 #include "cli/message.h"
@@ -103,9 +99,6 @@ static void begin(void *context)
     batch *b = context;
     if (b->manifest.descriptor >= 0)
         manifest_close(&b->manifest);
-#ifdef _OPENMP
-    (void)omp_get_max_threads(); /* before memory is limited: LLVM's library hangs if it gets none at its start */
-#endif
 }
 
 static void describe(const picture_result *made, char *text, size_t size)
@@ -273,11 +266,7 @@ static void make_all(batch *b)
 {
     const cli_options *options = b->options;
     uint32_t threads = options->hide.threads;
-#ifdef _OPENMP
-    if (threads == 0)
-        threads = (uint32_t)omp_get_max_threads();
-#endif
-    size_t workers = threads > 0 ? threads : 1;
+    size_t workers = threads > 0 ? threads : roberts_processor_count();
     workers = workers < SIGNALS_WORKERS ? workers : SIGNALS_WORKERS;
     workers = workers < b->files.count ? workers : b->files.count;
     if (workers == 0)

@@ -119,7 +119,7 @@ static bool start(crew *c, int number)
                 close(c->member[i].socket); /* otherwise workers would not end with that process */
         close(ends[0]);
         serve(c->plan, ends[1]);
-        exit(0); /* not _exit(): LLVM's OpenMP would leave a file in shared memory */
+        exit(0);
     }
     const int reason = errno;
     close(ends[1]);

@@ -1,6 +1,7 @@
 /* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities. Each is near a
  * flat optimum: a factor of two costs a tenth, a factor of ten costs a factor of three. */
 #include "hide/cells.h"
+#include "base/threads.h"
 
 #include <float.h>
 #include <math.h>
@@ -56,6 +57,23 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
+typedef struct measuring {
+    const cells_boxes *b;
+    double per_width, per_height;
+    sizes *some; /* [PIECES] */
+} measuring;
+
+static bool measure_pieces(void *context, size_t first, size_t end)
+{
+    const measuring *m = context;
+    for (size_t i = first; i < end; i++) {
+        uint32_t from = (uint32_t)((uint64_t)m->b->count * i / PIECES);
+        uint32_t to = (uint32_t)((uint64_t)m->b->count * (i + 1) / PIECES);
+        m->some[i] = measure_some(m->b->box + from, to - from, m->per_width, m->per_height);
+    }
+    return true;
+}
+
 /* Sums up the boxes. The pieces do not depend on the threads. If the window has no width (height), all boxes count as
  * wide (high) as the window. */
 static sizes measure(const cells_boxes *b, int threads)
@@ -64,16 +82,8 @@ static sizes measure(const cells_boxes *b, int threads)
     sizes all = {.width = b->high.x - b->low.x, .height = b->high.y - b->low.y}, some[PIECES];
     double per_width = all.width >= DBL_MIN ? 1.0 / all.width : 0.0;
     double per_height = all.height >= DBL_MIN ? 1.0 / all.height : 0.0;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads) if (count > MEASURED_BY_ONE)
-#else
-    (void)threads;
-#endif
-    for (uint32_t i = 0; i < PIECES; i++) {
-        uint32_t first = (uint32_t)((uint64_t)count * i / PIECES);
-        uint32_t end = (uint32_t)((uint64_t)count * (i + 1) / PIECES);
-        some[i] = measure_some(b->box + first, end - first, per_width, per_height);
-    }
+    threads_each(count > MEASURED_BY_ONE ? threads : 1, PIECES, 0, measure_pieces,
+                 &(measuring){b, per_width, per_height, some});
     for (uint32_t i = 0; i < PIECES; i++) {
         all.w += some[i].w;
         all.h += some[i].h;

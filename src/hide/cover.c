@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/lanes.h"
+#include "base/threads.h"
 #include "hide/fronts.h"
 
 /* Cells that are filled at a time. Up to this many cells are all filled by one thread. */
@@ -16,19 +17,20 @@
 /* How far beside a box its cells may be read and written. */
 #define CELLS_BESIDE 4.0
 
+static bool fill_some(void *context, size_t first, size_t end)
+{
+    float none[FILL], *depth = context;
+    for (size_t i = 0; i < FILL; i++)
+        none[i] = -INFINITY;
+    for (size_t i = first; i < end; i += FILL)
+        memcpy(depth + i, none, (end - i < FILL ? end - i : FILL) * sizeof *depth);
+    return true;
+}
+
 /* Sets all depths to -infinity. With several threads, each gets its part of the memory from the system. */
 static void fill(float *depth, size_t count, int threads)
 {
-    float none[FILL];
-    for (size_t i = 0; i < FILL; i++)
-        none[i] = -INFINITY;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads) if (count > FILLED_BY_ONE)
-#else
-    (void)threads;
-#endif
-    for (size_t i = 0; i < count; i += FILL)
-        memcpy(depth + i, none, (count - i < FILL ? count - i : FILL) * sizeof *depth);
+    threads_each(count > FILLED_BY_ONE ? threads : 1, count, 0, fill_some, depth);
 }
 
 /* Allocates the cells. Where nothing is written, they take no memory. */

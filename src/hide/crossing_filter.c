@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/threads.h"
 
 /* ---- stars ------------------------------------------------------------------------------------------------------- */
 
@@ -89,6 +90,29 @@ static void box_solid(const crossing_filter *p, uint32_t front)
     p->model[front] = (model_box){own, FLAT_UNKNOWN};
 }
 
+static bool box_solids(void *context, size_t first, size_t end)
+{
+    for (size_t k = first; k < end; k++)
+        box_solid(context, (uint32_t)k);
+    return true;
+}
+
+/* Those of single faces: they follow the whole ones. */
+static bool mark_fronts(void *context, size_t first, size_t end)
+{
+    crossing_filter *p = context;
+    for (size_t k = first; k < end; k++)
+        mark_front(p, &p->fronts->front[p->fronts->whole_count + k]);
+    return true;
+}
+
+static bool mark_all_late(void *context, size_t first, size_t end)
+{
+    for (size_t body = first; body < end; body++)
+        mark_late(context, (uint32_t)body);
+    return true;
+}
+
 /* A point touches a face if its distance is at most the touching distance plus the face's departure from its plane. */
 static double touching_distance(const hide_fronts *fronts)
 {
@@ -110,23 +134,11 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     p->model = alloc_array(p->whole, sizeof *p->model);
     if (!p->model)
         return false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#endif
-    for (uint32_t k = 0; k < p->whole; k++)
-        box_solid(p, k);
+    threads_each(threads, p->whole, 0, box_solids, p);
     if (!p->star)
         return true;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#endif
-    for (uint32_t k = fronts->whole_count; k < fronts->front_count; k++)
-        mark_front(p, &fronts->front[k]);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-#endif
-    for (uint32_t body = 0; body < fronts->scene->solid_count; body++)
-        mark_late(p, body);
+    threads_each(threads, fronts->front_count - fronts->whole_count, 0, mark_fronts, p);
+    threads_each(threads, fronts->scene->solid_count, 16, mark_all_late, p);
     return true;
 }
 

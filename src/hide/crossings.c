@@ -423,21 +423,19 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     return true;
 }
 
+static bool meet_some(void *finders, size_t first, size_t end)
+{
+    finder *t = (finder *)finders + thread_self();
+    const uint32_t ny = t->grid->frame.ny;
+    for (size_t c = first; c < end; c++)
+        if (!meet_cell(t, (uint32_t)(c / ny), (uint32_t)(c % ny)))
+            return false;
+    return true;
+}
+
 static bool meet_all(finder *finders, const objet *grid, int threads)
 {
-    size_t cells = scan_cells(&grid->frame), parts = (cells + CELLS_AT_ONCE - 1) / CELLS_AT_ONCE;
-    bool lost = false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
-#else
-    (void)threads;
-#endif
-    for (size_t p = 0; p < parts; p++) {
-        finder *t = &finders[thread_self()];
-        for (size_t c = p * CELLS_AT_ONCE; !lost && c < cells && c < (p + 1) * CELLS_AT_ONCE; c++)
-            lost = lost || !meet_cell(t, (uint32_t)(c / grid->frame.ny), (uint32_t)(c % grid->frame.ny));
-    }
-    return !lost;
+    return threads_each(threads, scan_cells(&grid->frame), CELLS_AT_ONCE, meet_some, finders);
 }
 
 /* ---- faces of several pieces ----------------------------------------------------------------------------------- */
@@ -464,25 +462,24 @@ static bool unite_pairs(finder *finders, int threads)
     return true;
 }
 
-static bool meet_pairs(finder *finders, int threads)
+static bool meet_some_pairs(void *context, size_t first, size_t end)
 {
-    const roberts_scene *scene = finders->fronts->scene;
-    const uint64_t *pair;
-    bool lost = false;
-    if (!unite_pairs(finders, threads))
-        return false;
-    pair = finders->pair;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads) reduction(|| : lost)
-#endif
-    for (size_t k = 0; k < finders->pair_count; k++) {
-        finder *t = &finders[thread_self()];
+    finder *finders = context, *t = &finders[thread_self()];
+    const roberts_scene *scene = t->fronts->scene;
+    const uint64_t *pair = finders->pair;
+    for (size_t k = first; k < end; k++) {
         uint32_t f = (uint32_t)(pair[k] >> 32), g = (uint32_t)pair[k];
         crossing_face F = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
         crossing_face G = crossing_face_of(&t->rules, scene_body_of_face(scene, g), g);
-        lost = lost || !crossing_find(&t->rules, &F, &G, &t->found);
+        if (!crossing_find(&t->rules, &F, &G, &t->found))
+            return false;
     }
-    return !lost;
+    return true;
+}
+
+static bool meet_pairs(finder *finders, int threads)
+{
+    return unite_pairs(finders, threads) && threads_each(threads, finders->pair_count, 16, meet_some_pairs, finders);
 }
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */

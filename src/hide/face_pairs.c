@@ -199,21 +199,25 @@ static bool meet_others(pair_worker *w, uint32_t a)
     return true;
 }
 
+static bool meet_some(void *context, size_t first, size_t end)
+{
+    pair_worker *w = (pair_worker *)context + thread_self();
+    for (size_t a = first; a < end; a++)
+        if (!meet_others(w, (uint32_t)a))
+            return false;
+    return true;
+}
+
 bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context)
 {
     pair_search s = {.fronts = fronts, .take = take, .context = context};
     pair_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     bool lost = !worker || !find_units(&s);
-    uint32_t count = lost ? 0 : s.count;
     for (int i = 0; worker && i < threads; i++) {
         worker[i].of = &s;
         worker[i].self = i;
     }
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
-#endif
-    for (uint32_t a = 0; a < count; a++)
-        lost = lost || !meet_others(&worker[thread_self()], a);
+    lost = lost || !threads_each(threads, s.count, 256, meet_some, worker);
     for (int i = 0; worker && i < threads; i++) {
         free(worker[i].list[0].item);
         free(worker[i].list[1].item);

@@ -70,22 +70,29 @@ static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
     return all;
 }
 
+typedef struct boxing {
+    hide_fronts *fronts;
+    hide_bounds *part; /* round each BOXES_AT_ONCE solids */
+} boxing;
+
+static bool box_parts(void *context, size_t first, size_t end)
+{
+    const boxing *b = context;
+    for (uint32_t i = (uint32_t)first; i < end; i++) {
+        uint32_t from = i * BOXES_AT_ONCE, left = b->fronts->scene->solid_count - from;
+        b->part[i] = box_some(b->fronts, from, from + (left < BOXES_AT_ONCE ? left : BOXES_AT_ONCE));
+    }
+    return true;
+}
+
 /* Finds the boxes of all solids, and the box of the picture. False: no memory. */
 static bool box_solids(hide_fronts *fronts, int threads)
 {
-    uint32_t solids = fronts->scene->solid_count, count = solids / BOXES_AT_ONCE + 1;
+    uint32_t count = fronts->scene->solid_count / BOXES_AT_ONCE + 1;
     hide_bounds *part = alloc_array(count, sizeof *part), all = hide_no_bounds;
     if (!part)
         return false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#else
-    (void)threads;
-#endif
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t first = i * BOXES_AT_ONCE, left = solids - first;
-        part[i] = box_some(fronts, first, first + (left < BOXES_AT_ONCE ? left : BOXES_AT_ONCE));
-    }
+    threads_each(threads, count, 0, box_parts, &(boxing){fronts, part});
     for (uint32_t i = 0; i < count; i++)
         widen_by(&all, &part[i]);
     fronts->low = (roberts_vec2){all.low.x, all.low.y};
@@ -195,27 +202,38 @@ static void cull_again(hide_fronts *fronts, const tiles *t, front_tile *tile)
     }
 }
 
+/* The tiles of one round. */
+typedef struct tile_round {
+    build *b;
+    front_tile *tile;
+} tile_round;
+
+static bool do_some_tiles(void *context, size_t first, size_t end)
+{
+    const tile_round *r = context;
+    for (size_t i = first; i < end; i++)
+        if (!do_tile(r->b, &r->b->scratch[thread_self()], &r->tile[i]))
+            return false;
+    return true;
+}
+
+static bool cull_some_again(void *context, size_t first, size_t end)
+{
+    build *b = context;
+    for (size_t i = first; i < end; i++)
+        cull_again(b->fronts, &b->tiles, &b->tiles.tile[i]);
+    return true;
+}
+
 /* Adds the fronts of all solids, round by round. False: no memory. */
 static bool do_tiles(build *b)
 {
-    tiles *t = &b->tiles;
-    bool lost = false;
-    for (int r = 0; r < TILE_ROUNDS && !lost; r++) {
-        uint32_t first = t->round[r], end = t->round[r + 1];
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads) reduction(|| : lost) if (end - first > 1)
-#endif
-        for (uint32_t i = first; i < end; i++)
-            lost = lost || !do_tile(b, &b->scratch[thread_self()], &t->tile[i]);
-    }
-    if (lost || !b->fronts->cover.depth)
-        return !lost;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(b->threads)
-#endif
-    for (uint32_t i = 0; i < t->count; i++)
-        cull_again(b->fronts, t, &t->tile[i]);
-    return true;
+    const tiles *t = &b->tiles;
+    for (int r = 0; r < TILE_ROUNDS; r++)
+        if (!threads_each(b->threads, t->round[r + 1] - t->round[r], 1, do_some_tiles,
+                          &(tile_round){b, t->tile + t->round[r]}))
+            return false;
+    return !b->fronts->cover.depth || threads_each(b->threads, t->count, 1, cull_some_again, b);
 }
 
 /* Moves those of the fronts first..end-1 that are not culled to *to and the places behind it. */

@@ -152,20 +152,24 @@ static bool look_ahead(hide_job *job, hide_worker *w, uint32_t index)
     return true;
 }
 
+typedef struct ahead {
+    hide_job *job;
+    hide_worker *worker; /* [threads] */
+} ahead;
+
+static bool look_ahead_at_some(void *context, size_t first, size_t end)
+{
+    const ahead *a = context;
+    for (size_t i = first; i < end; i++)
+        if (!look_ahead(a->job, &a->worker[thread_self()], (uint32_t)i))
+            return false;
+    return true;
+}
+
 /* Hides all solids in the order of the picture, if the order of the file is not as good. */
 static bool look_ahead_at_all(hide_job *job, hide_worker *worker, int threads)
 {
-    bool lost = false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) reduction(|| : lost)
-#else
-    (void)threads;
-#endif
-    for (uint32_t i = 0; i < job->order.chunks; i++) {
-        int self = thread_self();
-        lost = lost || !look_ahead(job, &worker[self], i);
-    }
-    return !lost;
+    return threads_each(threads, job->order.chunks, 1, look_ahead_at_some, &(ahead){job, worker});
 }
 
 static void add_sums(roberts_drawing *drawing, const hide_worker *w)
@@ -185,29 +189,32 @@ static void add_sums(roberts_drawing *drawing, const hide_worker *w)
     to->refined += w->sides.refined;
 }
 
-/* One thread's part. */
-static void do_some_chunks(const hide_job *job, hide_worker *w, chunks *all, int self)
+typedef struct chunk_work {
+    const hide_job *job;
+    hide_worker *worker; /* [threads] */
+    chunks *all;
+} chunk_work;
+
+/* One thread's part: the thread is the item. */
+static bool do_some_chunks(void *context, size_t first, size_t end)
 {
+    const chunk_work *c = context;
+    const int self = (int)first;
+    chunks *all = c->all;
+    (void)end;
     for (hide_chunk *out = chunks_take(all, self); out; out = chunks_take(all, self)) {
-        if (!do_chunk(job, w, out, out->number)) {
+        if (!do_chunk(c->job, &c->worker[self], out, out->number)) {
             chunks_fail(all, ROBERTS_NO_MEMORY);
-            return;
+            return false;
         }
         chunks_done(all, self, out);
     }
+    return true;
 }
 
 static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads, chunks *all)
 {
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-#else
-    (void)threads;
-#endif
-    {
-        int self = thread_self();
-        do_some_chunks(job, &worker[self], all, self);
-    }
+    threads_each(threads, (size_t)threads, 1, do_some_chunks, &(chunk_work){job, worker, all});
 }
 
 /* One thread fills all chunks, in order, and the drawing keeps the segments as they come. */

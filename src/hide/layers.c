@@ -88,35 +88,30 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* Records all fronts that are not triangles of a surface as folds. */
-static void fold_fronts(const layers *l)
+/* Records those fronts that are not triangles of a surface as folds. */
+static bool fold_fronts(void *context, size_t first, size_t end)
 {
+    const layers *l = context;
     const hide_fronts *fronts = l->fronts;
     const uint32_t *start = fronts->scene->face_start;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(l->threads)
-#endif
-    for (uint32_t k = 0; k < fronts->front_count; k++) {
+    for (uint32_t k = (uint32_t)first; k < end; k++) {
         const hide_front *front = &fronts->front[k];
         bool sheet = front->kind == HIDE_SURFACE_FACE && start[front->piece + 1] - start[front->piece] == 3;
         if (!sheet && front->listed)
             fold_box(l, &fronts->front_box[k], hide_loose(fronts, k));
     }
+    return true;
+}
+
+static bool fold_some(void *context, size_t first, size_t end)
+{
+    const layers *l = context;
+    return fold_edges(l, &l->walk[thread_self()], (uint32_t)first, (uint32_t)end);
 }
 
 static bool fold_all(const layers *l)
 {
-    uint32_t count = l->fronts->scene->edge_count, parts = count / EDGES_AT_ONCE + 1;
-    bool lost = false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(l->threads) reduction(|| : lost)
-#endif
-    for (uint32_t p = 0; p < parts; p++) {
-        uint32_t first = p * EDGES_AT_ONCE, left = count - first;
-        lost = lost ||
-               !fold_edges(l, &l->walk[thread_self()], first, first + (left < EDGES_AT_ONCE ? left : EDGES_AT_ONCE));
-    }
-    return !lost;
+    return threads_each(l->threads, l->fronts->scene->edge_count, EDGES_AT_ONCE, fold_some, (void *)l);
 }
 
 /* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to decide, or this is no
@@ -242,21 +237,18 @@ static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t 
     return true;
 }
 
-/* Each thread takes the parts that follow one another, so that the order does not depend on the threads. */
+static bool list_some_late(void *context, size_t first, size_t end)
+{
+    const layers *l = context;
+    return list_late(l, &l->late[thread_self()], (uint32_t)first, (uint32_t)end);
+}
+
+/* Each thread takes faces that follow one another, so that the order does not depend on the threads. */
 bool layers_add_late(layers *l, hide_fronts *fronts)
 {
-    uint32_t count = fronts->scene->face_count, parts = count / FACES_AT_ONCE + 1;
-    bool lost = false;
     if (!(l->late = alloc_zeroed((size_t)l->threads, sizeof *l->late)))
         return false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(l->threads) reduction(|| : lost)
-#endif
-    for (uint32_t p = 0; p < parts; p++) {
-        uint32_t first = p * FACES_AT_ONCE, left = count - first;
-        lost = lost ||
-               !list_late(l, &l->late[thread_self()], first, first + (left < FACES_AT_ONCE ? left : FACES_AT_ONCE));
-    }
+    bool lost = !threads_each(l->threads, fronts->scene->face_count, 0, list_some_late, l);
     for (int i = 0; i < l->threads && !lost; i++)
         for (size_t k = 0; k < l->late[i].count; k++)
             front_set_face(fronts, fronts->front_count++, l->late[i].item[k].solid, l->late[i].item[k].piece);
@@ -306,7 +298,7 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
     if (!l->fold || !l->walk || (stars && !grid->star) || !grid->apart || !grid->below || !grid->sheet.depth ||
         !fold_all(l))
         return false;
-    fold_fronts(l);
+    threads_each(l->threads, fronts->front_count, 0, fold_fronts, l);
     return true;
 }
 

@@ -37,14 +37,7 @@ typedef struct filling {
 /* Adds one to a count that other threads may change too. Returns the count before. */
 static inline uint32_t count_one(uint32_t *cell, bool alone)
 {
-    uint32_t before;
-    if (alone)
-        return (*cell)++;
-#ifdef _OPENMP
-#pragma omp atomic capture
-#endif
-    before = (*cell)++;
-    return before;
+    return alone ? (*cell)++ : __atomic_fetch_add(cell, 1, __ATOMIC_RELAXED);
 }
 
 /* Counts the front in a cell or, with `fill`, lists it there. */
@@ -90,16 +83,28 @@ BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
             list_in_cell(job, index, i, j, fill);
 }
 
+static bool count_some(void *job, size_t first, size_t end)
+{
+    const filling *own = job;
+    for (size_t k = own->first + first; k < own->first + end; k++)
+        if (own->fronts->front[k].listed)
+            list_front(own, (uint32_t)k, false);
+    return true;
+}
+
+static bool list_some(void *job, size_t first, size_t end)
+{
+    const filling *own = job;
+    for (size_t k = own->first + first; k < own->first + end; k++)
+        if (own->fronts->front[k].listed)
+            list_front(own, (uint32_t)k, true);
+    return true;
+}
+
 /* Counts all fronts, or lists them, in any order. The lists are sorted later. */
 static void list_all(const filling *job, bool fill)
 {
-    const hide_fronts *fronts = job->fronts;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(job->threads)
-#endif
-    for (uint32_t k = job->first; k < fronts->front_count; k++)
-        if (fronts->front[k].listed)
-            list_front(job, k, fill);
+    threads_each(job->threads, job->fronts->front_count - job->first, 0, fill ? list_some : count_some, (void *)job);
 }
 
 /* Makes room for this many entries. False: no memory. */
@@ -160,26 +165,34 @@ static bool has_news(const filling *job, size_t cell)
     return start[0] < start[1] && job->grid->entry[start[1] - 1].front >= job->first;
 }
 
+typedef struct sorting {
+    const filling *job;
+    const layers *sheets;
+} sorting;
+
+static bool sort_columns(void *context, size_t first, size_t end)
+{
+    const sorting *s = context;
+    const uint32_t ny = s->job->grid->frame.ny;
+    for (size_t i = first; i < end; i++)
+        for (uint32_t j = 0; j < ny; j++) {
+            size_t cell = i * ny + j;
+            if (s->job->late && !has_news(s->job, cell))
+                continue;
+            if (!sort_list(s->job, cell, &s->job->lister[thread_self()]))
+                return false;
+            if (s->job->late)
+                layers_find_again(s->sheets, (uint32_t)i, j);
+            else
+                layers_find(s->sheets, (uint32_t)i, j);
+        }
+    return true;
+}
+
 /* Sorts all new lists, and finds the sheets of each cell while its fronts are in the cache. False: no memory. */
 static bool sort_lists(const filling *job, const layers *sheets)
 {
-    const scan_frame *f = &job->grid->frame;
-    bool lost = false;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 16) num_threads(job->threads) reduction(|| : lost)
-#endif
-    for (uint32_t i = 0; i < f->nx; i++)
-        for (uint32_t j = 0; j < f->ny && !lost; j++) {
-            size_t cell = (size_t)i * f->ny + j;
-            if (job->late && !has_news(job, cell))
-                continue;
-            lost = !sort_list(job, cell, &job->lister[thread_self()]);
-            if (!lost && job->late)
-                layers_find_again(sheets, i, j);
-            else if (!lost)
-                layers_find(sheets, i, j);
-        }
-    return !lost;
+    return threads_each(job->threads, job->grid->frame.nx, 16, sort_columns, &(sorting){job, sheets});
 }
 
 /* Moves the lists so that each gets room for as many more entries as `place` counts, and sets `place` to where these
@@ -267,21 +280,24 @@ static bool plant_tree(objet *grid, const hide_fronts *fronts, size_t cell)
     return done;
 }
 
+static bool plant_some(void *context, size_t first, size_t end)
+{
+    const filling *job = context;
+    for (size_t c = first; c < end; c++)
+        if (!plant_tree(job->grid, job->fronts, c))
+            return false;
+    return true;
+}
+
 /* Builds the trees over long lists. False: no memory. */
 static bool plant_trees(const filling *job)
 {
     objet *grid = job->grid;
     size_t cells = scan_cells(&grid->frame);
-    bool lost = false;
     if (grid->next || !has_long_list(grid))
         return true;
     grid->tree = alloc_zeroed(cells, sizeof *grid->tree);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 16) num_threads(job->threads) reduction(|| : lost)
-#endif
-    for (size_t c = 0; c < cells; c++)
-        lost = lost || !grid->tree || !plant_tree(grid, job->fronts, c);
-    return !lost;
+    return grid->tree && threads_each(job->threads, cells, 16, plant_some, (void *)job);
 }
 
 static bool alloc_listers(filling *job)

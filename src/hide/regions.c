@@ -231,6 +231,21 @@ static bool look_into(const region_work *w, uint32_t cell, region_scratch *scrat
     return find_depths(w, face, F, scratch, sight);
 }
 
+typedef struct region_look {
+    const region_work *w;
+    region_scratch *scratches; /* [threads] */
+} region_look;
+
+/* Cell 0 is outside of all lines. */
+static bool look_into_some(void *context, size_t first, size_t end)
+{
+    const region_look *l = context;
+    for (size_t c = first + 1; c < end + 1; c++)
+        if (!look_into(l->w, (uint32_t)c, &l->scratches[thread_self()], &l->w->sight[c]))
+            return false;
+    return true;
+}
+
 static bool look_into_all(region_work *w)
 {
     uint32_t count = (uint32_t)w->cells.cell_count;
@@ -241,20 +256,15 @@ static bool look_into_all(region_work *w)
         free(scratches);
         return false;
     }
-    bool lost = false;
     w->sight[0] = (cell_sight){ROBERTS_NONE, {INFINITY, -INFINITY}};
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 256) num_threads(threads) reduction(|| : lost)
-#endif
-    for (uint32_t c = 1; c < count; c++)
-        lost = lost || !look_into(w, c, &scratches[thread_self()], &w->sight[c]);
+    bool done = threads_each(threads, count - 1, 256, look_into_some, &(region_look){w, scratches});
     for (int i = 0; i < threads; i++) {
         free(scratches[i].side);
         free(scratches[i].item);
         free(scratches[i].parts.part);
     }
     free(scratches);
-    return !lost;
+    return done;
 }
 
 /* ---- rings ----------------------------------------------------------------------------------------------------- */

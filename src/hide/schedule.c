@@ -90,17 +90,19 @@ static void set_places(const tiles *t, const tile_sizes *size, const hide_fronts
     }
 }
 
+typedef struct tile_search {
+    const layout *l;
+    const hide_fronts *fronts;
+    uint32_t *own; /* [solids] */
+} tile_search;
+
 /* Finds the tile of each solid. */
-static void find_tiles(const layout *l, const hide_fronts *fronts, uint32_t *own, int threads)
+static bool find_tiles(void *context, size_t first, size_t end)
 {
-    uint32_t count = fronts->scene->solid_count;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) num_threads(threads)
-#else
-    (void)threads;
-#endif
-    for (uint32_t s = 0; s < count; s++)
-        own[s] = tile_of(l, &fronts->cover.frame, &fronts->box[s]);
+    const tile_search *t = context;
+    for (size_t s = first; s < end; s++)
+        t->own[s] = tile_of(t->l, &t->fronts->cover.frame, &t->fronts->box[s]);
+    return true;
 }
 
 static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
@@ -113,7 +115,7 @@ static bool by_place(tiles *t, const hide_fronts *fronts, int threads)
     t->solid = alloc_array(scene->solid_count, sizeof *t->solid);
     bool done = own && size && t->tile && t->solid;
     if (done)
-        find_tiles(&l, fronts, own, threads);
+        threads_each(threads, scene->solid_count, 0, find_tiles, &(tile_search){&l, fronts, own});
     for (uint32_t s = 0; done && s < scene->solid_count; s++)
         add_size(&size[own[s]], scene, s);
     if (done)

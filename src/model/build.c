@@ -199,6 +199,19 @@ static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scrat
     return done;
 }
 
+typedef struct building {
+    construction *c;
+    construction_worker *worker; /* [threads] */
+} building;
+
+static bool build_some(void *context, size_t first, size_t end)
+{
+    const building *b = context;
+    for (size_t s = first; s < end; s++)
+        build_solid(b->c, &b->worker[thread_self()], (uint32_t)s);
+    return true;
+}
+
 /* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty. `c` has the scene, the rules
  * and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not depend on the
  * number of threads. */
@@ -218,14 +231,7 @@ static roberts_status build_solids(construction *c, uint32_t threads_wanted, rep
     atomic_init(&c->refused, ROBERTS_NONE);
     for (int i = 0; i < threads; i++)
         worker[i].refused = ROBERTS_NONE;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#endif
-    for (uint32_t chunk = 0; chunk < chunks; chunk++) {
-        uint32_t first = chunk * CHUNK_SOLIDS, left = solids - first;
-        for (uint32_t s = first; s < first + (left < CHUNK_SOLIDS ? left : CHUNK_SOLIDS); s++)
-            build_solid(c, &worker[thread_self()], s);
-    }
+    threads_each(threads, solids, CHUNK_SOLIDS, build_some, &(building){c, worker});
     status = first_refusal(c, worker, threads, error);
     free_workers(worker, threads);
     return status;

@@ -507,6 +507,19 @@ static roberts_status join_runs(face_list *list, const hull_job *job, const hull
     return ROBERTS_OK;
 }
 
+typedef struct hull_crew {
+    hull_job *job;
+    hull_worker *worker; /* [threads] */
+} hull_crew;
+
+static bool take_runs(void *context, size_t first, size_t end)
+{
+    const hull_crew *c = context;
+    for (size_t run = first; run < end; run++)
+        take_run(c->job, &c->worker[thread_self()], (uint32_t)run);
+    return true;
+}
+
 /* Collects the faces of all solids, in order. The result does not depend on the threads. */
 static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *scene, const roberts_mesh *mesh,
                               const roberts_scene_options *options, roberts_error *error)
@@ -522,11 +535,7 @@ static roberts_status collect(face_list *list, uint8_t *fate, roberts_scene *sce
         for (int i = 0; i < threads; i++)
             worker[i] = (hull_worker){.maker = {.scene = scene, .mesh = mesh, .tolerance = job.tolerance},
                                       .refused = ROBERTS_NONE};
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#endif
-        for (uint32_t run = 0; run < job.runs; run++)
-            take_run(&job, &worker[thread_self()], run);
+        threads_each(threads, job.runs, 1, take_runs, &(hull_crew){&job, worker});
         status = join_runs(list, &job, worker, threads, error);
     } else {
         error_no_memory(error);

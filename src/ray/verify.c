@@ -531,14 +531,17 @@ static void check_chunk(verifier *f, uint32_t index)
     stretch_checker_finish(checker);
 }
 
+static bool check_some(void *context, size_t first, size_t end)
+{
+    for (size_t i = first; i < end; i++)
+        check_chunk(context, (uint32_t)i);
+    return true;
+}
+
 static void check_chunks(verifier *f)
 {
-#ifdef _OPENMP
     int threads = threads_for(f->options.threads, 1 + f->chunk_count / CHUNKS_PER_THREAD);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#endif
-    for (uint32_t i = 0; i < f->chunk_count; i++)
-        check_chunk(f, i);
+    threads_each(threads, f->chunk_count, 1, check_some, f);
 }
 
 /* ---- findings -------------------------------------------------------------------------------------------------- */

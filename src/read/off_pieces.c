@@ -222,27 +222,27 @@ static void work(void *context, uint32_t thread)
     pthread_mutex_unlock(&job->lock);
 }
 
+typedef struct run_work {
+    off_work_fn *function;
+    void *job;
+} run_work;
+
+static bool run_some(void *context, size_t first, size_t end)
+{
+    const run_work *r = context;
+    for (size_t thread = first; thread < end; thread++)
+        r->function(r->job, (uint32_t)thread);
+    return true;
+}
+
 static void run(off_work_fn *function, void *job, uint32_t threads)
 {
-#ifdef _OPENMP
-#pragma omp parallel num_threads((int)threads)
-    function(job, (uint32_t)omp_get_thread_num());
-#else
-    (void)threads;
-    function(job, 0);
-#endif
+    threads_each((int)threads, threads, 1, run_some, &(run_work){function, job});
 }
 
 off_division off_divide(uint32_t threads)
 {
-#ifdef _OPENMP
-    if (omp_in_parallel()) /* several pictures are made in parallel: all threads are busy */
-        threads = 1;
-    else if (threads == 0)
-        threads = (uint32_t)omp_get_max_threads();
-#else
-    threads = 1;
-#endif
+    threads = threads_inside() ? 1 : (uint32_t)threads_for(threads, ROBERTS_THREADS_MOST);
     return (off_division){threads < ROBERTS_THREADS_MOST ? threads : ROBERTS_THREADS_MOST, PIECE, OVERHANG, LEAST, run};
 }
 

@@ -93,15 +93,17 @@ static bool join_chunks(united *u, const search *s, const chunk *found, uint32_t
     return true;
 }
 
-static void find_chunks(const search *s, chunk *found, uint32_t chunks, int threads)
+typedef struct chunk_search {
+    const search *s;
+    chunk *found; /* [chunks] */
+} chunk_search;
+
+static bool find_chunks(void *context, size_t first, size_t end)
 {
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-#else
-    (void)threads;
-#endif
-    for (uint32_t i = 0; i < chunks; i++)
-        found[i].lost = !find_chunk(s, i, &found[i]);
+    const chunk_search *c = context;
+    for (size_t i = first; i < end; i++)
+        c->found[i].lost = !find_chunk(c->s, (uint32_t)i, &c->found[i]);
+    return true;
 }
 
 bool united_find(united *u, const union_bodies *all, united_line_fn *line_of, const void *context, uint32_t count,
@@ -113,7 +115,8 @@ bool united_find(united *u, const union_bodies *all, united_line_fn *line_of, co
     search s = {all, line_of, context, count, u->first};
     bool done = found && u->first;
     if (done) {
-        find_chunks(&s, found, chunks, threads_for(threads, 1 + chunks / CHUNKS_PER_THREAD));
+        threads_each(threads_for(threads, 1 + chunks / CHUNKS_PER_THREAD), chunks, 1, find_chunks,
+                     &(chunk_search){&s, found});
         done = join_chunks(u, &s, found, chunks);
     }
     for (uint32_t i = 0; found && i < chunks; i++) {

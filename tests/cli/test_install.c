@@ -82,7 +82,7 @@ static void c_client_takes_segments(void **state)
     run_client("models/platonic/cube.off", "4 segments, 8 long");
     build_client(setting("CC", "cc"), "segments.c", setting("CFLAGS_USED", ""),
                  "-Wl,-Bstatic $(pkg-config --static --libs-only-L roberts) -lroberts -Wl,-Bdynamic "
-                 "$(pkg-config --libs cairo qhull_r zlib) -fopenmp");
+                 "$(pkg-config --libs cairo qhull_r zlib) -pthread");
     run_client("models/platonic/cube.off", "4 segments, 8 long");
 }
 

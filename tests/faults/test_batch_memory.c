@@ -7,10 +7,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "cli/batch.h"
 #include "cli/lists.h"
 #include "cli/manifest.h"
@@ -119,19 +115,6 @@ static void manifests_survive(void **state)
     }
     assert_true(failures >= 5);
 }
-
-#if defined(__clang__) && defined(_OPENMP)
-/* Replaces the function that workers call first. If LLVM's library gets no memory at its start, it waits forever for a
- * lock of its own. So it starts before anything else in a worker, with all the memory it needs. */
-int omp_get_max_threads(void)
-{
-    const struct process_memory kept = memory;
-    memory.failing = 0;
-    omp_set_num_threads(1);
-    memory = kept;
-    return 1;
-}
-#endif
 
 static void batches_survive(void **state)
 {

@@ -212,7 +212,7 @@ static void few_open_files(void **state)
 }
 
 /* A manifest may grow to 1 or 2 kB (two blocks of the shell), which is in the middle of a row. The files are computed
- * all the same. With less, LLVM's OpenMP ends the program by SIGBUS: it needs 1 kB of shared memory. */
+ * all the same. */
 static void manifest_is_full(void **state)
 {
     char whole[TEXT];

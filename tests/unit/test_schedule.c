@@ -20,7 +20,7 @@ static uint32_t size_of(uint32_t k)
 typedef struct labour {
     chunks all;
     uint32_t fails;     /* at this chunk there is no memory; CHUNKS: at none */
-    int missing;        /* expected threads that never start, as OpenMP may decide */
+    int missing;        /* expected threads that never start, as when the system refuses them */
     atomic_int threads; /* that have begun */
 } labour;
 

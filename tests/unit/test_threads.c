@@ -43,7 +43,7 @@ static bytes draw(unsigned which, const roberts_scene *scene)
     roberts_camera camera;
     roberts_hide_options hide = roberts_hide_options_default();
     roberts_draw_options options = roberts_draw_options_default();
-    hide.threads = 1; /* OpenMP's own threads are not tested here */
+    hide.threads = 1 + which % 3;
     hide.keep_hidden = which % 2;
     options.format = which % 2 ? ROBERTS_CSV : ROBERTS_SVG;
     roberts_camera_preset(view[which % 3], &camera);
