@@ -401,7 +401,7 @@ static roberts_scene *crossing_scene(int kind)
 /* How many pairs of triangles cross, testing each pair. */
 static size_t pairs_that_cross(const roberts_scene *scene, double touching)
 {
-    crossing_rules rules = {scene, touching};
+    crossing_rules rules = {.scene = scene, .touching = touching};
     crossing_list found = {0};
     for (uint32_t f = 0; f < scene->face_count; f++)
         for (uint32_t g = f + 1; g < scene->face_count; g++) {
