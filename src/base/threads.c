@@ -1,5 +1,5 @@
 /* threads.c - see threads.h. */
-#define _GNU_SOURCE /* for sched_getaffinity() */
+#define _GNU_SOURCE /* for sched_getaffinity(); NOLINT(bugprone-reserved-identifier) */
 #include "base/threads.h"
 
 #include <pthread.h>
