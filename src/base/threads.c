@@ -20,8 +20,7 @@ typedef struct crew {
     threads_fn *work;
     void *context;
     size_t count, parts;
-    bool equal; /* parts are equal; else each has at_once items, but for the last */
-    size_t at_once;
+    size_t at_once; /* items of each part but the last; 0: parts are equal */
     atomic_size_t taken; /* parts */
     atomic_bool failed;
 } crew;
@@ -68,6 +67,14 @@ bool threads_inside(void)
     return own_inside;
 }
 
+/* The first item of part k. */
+static size_t part_begin(const crew *c, size_t k)
+{
+    if (c->at_once == 0)
+        return c->count / c->parts * k + c->count % c->parts * k / c->parts;
+    return k < c->parts ? k * c->at_once : c->count;
+}
+
 static void do_parts(crew *c, int number)
 {
     own_number = number;
@@ -75,14 +82,9 @@ static void do_parts(crew *c, int number)
         const size_t k = atomic_fetch_add_explicit(&c->taken, 1, memory_order_relaxed);
         if (k >= c->parts)
             return;
-        const size_t first = c->equal ? c->count / c->parts * k + c->count % c->parts * k / c->parts : k * c->at_once;
-        const size_t next = k + 1;
-        const size_t end = c->equal          ? c->count / c->parts * next + c->count % c->parts * next / c->parts
-                           : next < c->parts ? next * c->at_once
-                                             : c->count;
-        if (c->equal)
+        if (c->at_once == 0)
             own_number = (int)k;
-        if (!c->work(c->context, first, end))
+        if (!c->work(c->context, part_begin(c, k), part_begin(c, k + 1)))
             atomic_store_explicit(&c->failed, true, memory_order_relaxed);
     }
 }
@@ -128,11 +130,11 @@ bool threads_each(int threads, size_t count, size_t at_once, threads_fn *work, v
     const int outer = own_number;
     if (own_inside || threads < 1)
         threads = 1;
-    crew c = {.work = work, .context = context, .count = count, .equal = at_once == 0, .at_once = at_once};
+    crew c = {.work = work, .context = context, .count = count, .at_once = at_once};
     if (count == 0)
         return true;
     c.parts = at_once == 0 ? (size_t)threads : (count - 1) / at_once + 1;
-    if (c.equal && c.parts > count)
+    if (c.parts > count)
         c.parts = count;
     if ((size_t)threads > c.parts)
         threads = (int)c.parts;

@@ -26,9 +26,11 @@ typedef bool threads_fn(void *context, size_t first, size_t end);
 
 /* Calls `work` for the items 0 .. count - 1 on at most `threads` threads, one of which is the caller's.
  * at_once  how many items a thread takes at a time. 0: the items are divided into as many equal parts as there are
- *          threads, and thread_self() is the number of the part. So data of all threads, in their order, are in the
- * order of the items If the system refuses a thread, the others do its work. Inside another loop there is one thread.
- * False: `work` has failed. */
+ *          threads, and thread_self() is the number of the part. So what parts make, taken in the order of their
+ *          numbers, is in the order of the items.
+ *
+ * If the system refuses a thread, the others do its work. Inside another loop there is one thread. False: `work` has
+ * failed. */
 bool threads_each(int threads, size_t count, size_t at_once, threads_fn *work, void *context);
 
 /* Returns the number of the current thread within the loop, from 0. */

@@ -13,7 +13,6 @@
 /* Edges and faces that a thread takes at a time. With fewer edges than WORTH_A_THREAD for each, another thread does not
  * pay. */
 #define EDGES_AT_ONCE 4096
-#define FACES_AT_ONCE 4096
 #define WORTH_A_THREAD 8192
 /* Where in a cell its sheets are counted, as fractions of its size. Regular meshes have no edges there. */
 #define ACROSS_CELL 0.43709

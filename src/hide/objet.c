@@ -28,6 +28,7 @@ typedef struct filling {
     objet *grid;
     const hide_fronts *fronts;
     uint32_t first;  /* front that is listed, and those behind it */
+    bool fill;       /* entries are written; else they are counted */
     bool late;       /* where sheets are nearer, fronts are not listed */
     uint32_t *place; /* [cells] first counts, then the places of the next entries */
     lister *lister;  /* [threads] */
@@ -83,28 +84,20 @@ BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
             list_in_cell(job, index, i, j, fill);
 }
 
-static bool count_some(void *job, size_t first, size_t end)
-{
-    const filling *own = job;
-    for (size_t k = own->first + first; k < own->first + end; k++)
-        if (own->fronts->front[k].listed)
-            list_front(own, (uint32_t)k, false);
-    return true;
-}
-
 static bool list_some(void *job, size_t first, size_t end)
 {
     const filling *own = job;
     for (size_t k = own->first + first; k < own->first + end; k++)
         if (own->fronts->front[k].listed)
-            list_front(own, (uint32_t)k, true);
+            list_front(own, (uint32_t)k, own->fill);
     return true;
 }
 
 /* Counts all fronts, or lists them, in any order. The lists are sorted later. */
-static void list_all(const filling *job, bool fill)
+static void list_all(filling *job, bool fill)
 {
-    threads_each(job->threads, job->fronts->front_count - job->first, 0, fill ? list_some : count_some, (void *)job);
+    job->fill = fill;
+    threads_each(job->threads, job->fronts->front_count - job->first, 0, list_some, job);
 }
 
 /* Makes room for this many entries. False: no memory. */
