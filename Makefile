@@ -331,10 +331,11 @@ $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) 
 
 # All are compiled as one, since most of the time goes to CGAL's headers. So a name must not stand in two of them.
 # -frounding-math: intervals of doubles change the rounding mode, so the compiler must not assume one.
+# CGAL_HAS_NO_THREADS: its numbers take no locks. The oracle is asked by one thread.
 $(ORACLE_CGAL): $(ORACLE_X) $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CXX,tests/oracle/*.cpp)
-	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math $(CXXFLAGS) -Iinclude -MMD -MP \
+	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math -DCGAL_HAS_NO_THREADS $(CXXFLAGS) -Iinclude -MMD -MP \
 	    $(ORACLE_X:%=-include %) -x c++ -c -o $@ /dev/null
 
 $(BUILD)/obj/src/write/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)

@@ -503,6 +503,10 @@ struct cross_finder {
             if (other != key && on_line == 2)
                 along.push_back(other);
         }
+        /* nothing else lies along the edge */
+        const auto is_own = [&own](size_t f) { return std::find(own.begin(), own.end(), f) != own.end(); };
+        if (along.empty() && std::all_of(near.begin(), near.end(), is_own))
+            return;
         for (size_t f : own) /* and so do the sides of a face whose border crosses itself */
             if (passes_somewhere(f, e, cut))
                 add_cuts(f, e, divided);
