@@ -20,7 +20,7 @@ typedef struct crew {
     threads_fn *work;
     void *context;
     size_t count, parts;
-    size_t at_once; /* items of each part but the last; 0: parts are equal */
+    size_t at_once;      /* items of each part but the last; 0: parts are equal */
     atomic_size_t taken; /* parts */
     atomic_bool failed;
 } crew;
