@@ -112,44 +112,22 @@ static int check_names(const batch_files *b)
     return result;
 }
 
-/* Which file a name stands for. */
-typedef struct place {
-    dev_t device;
-    ino_t number;
-} place;
-
-static int by_place(const void *a, const void *b)
-{
-    const place *p = a, *q = b;
-    if (p->device != q->device)
-        return p->device < q->device ? -1 : 1;
-    return (p->number > q->number) - (p->number < q->number);
-}
-
-static bool find_place(const char *name, place *at)
-{
-    struct stat found;
-    if (stat(name, &found) != 0 || !S_ISREG(found.st_mode))
-        return false;
-    *at = (place){found.st_dev, found.st_ino};
-    return true;
-}
-
 int batch_files_check_places(const batch_files *b)
 {
     const char *const other[] = {b->options->list, b->options->manifest, b->options->names};
-    place *taken = malloc((b->count + sizeof other / sizeof other[0]) * sizeof *taken), output;
+    file_identity *taken = malloc((b->count + sizeof other / sizeof other[0]) * sizeof *taken), output;
     size_t count = 0;
     int result = EXIT_DONE;
     if (!taken)
         return no_memory();
     for (size_t i = 0; i < b->count; i++)
-        count += find_place(b->file[i].input, &taken[count]);
+        count += file_identify(b->file[i].input, &taken[count]);
     for (size_t i = 0; i < sizeof other / sizeof other[0]; i++)
-        count += other[i] && find_place(other[i], &taken[count]);
-    qsort(taken, count, sizeof *taken, by_place);
+        count += other[i] && file_identify(other[i], &taken[count]);
+    qsort(taken, count, sizeof *taken, file_identity_order);
     for (size_t i = 0; i < b->count && result == EXIT_DONE; i++)
-        if (find_place(b->file[i].output, &output) && bsearch(&output, taken, count, sizeof *taken, by_place))
+        if (file_identify(b->file[i].output, &output) &&
+            bsearch(&output, taken, count, sizeof *taken, file_identity_order))
             result = message_misuse("--batch: %s is an input, the list, the manifest or the file of --labels; the "
                                     "drawing of %s would take its place",
                                     b->file[i].output, b->file[i].input);

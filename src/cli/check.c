@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "cli/lists.h"
 #include "cli/message.h"
 #include "cli/parse.h"
 #include "cli/values.h"
@@ -113,30 +114,20 @@ int check_format(const cli_options *options)
     return EXIT_DONE;
 }
 
-static bool is_same_file(const struct stat *a, const struct stat *b)
+/* Has the file this name? NULL has no file. */
+static bool is_file_of(const char *name, const file_identity *file)
 {
-    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
-}
-
-/* Is this a file that exists? Not standard input, and no folder or device. */
-static bool is_there(const char *name, struct stat *found)
-{
-    return name && strcmp(name, "-") != 0 && stat(name, found) == 0 && S_ISREG(found->st_mode);
-}
-
-static bool is_file_of(const char *name, const struct stat *file)
-{
-    struct stat found;
-    return is_there(name, &found) && is_same_file(&found, file);
+    file_identity found;
+    return name && file_identify(name, &found) && file_identity_order(&found, file) == 0;
 }
 
 /* The run will write a file. It must not replace one that it reads, nor any other model or its colours: a name behind
  * the wrong option costs the user a model. */
 static int check_written(const cli_options *options, const char *by, const char *what, const char *name)
 {
-    struct stat written;
+    file_identity written;
     const char *is = NULL;
-    if (!is_there(name, &written))
+    if (!name || !file_identify(name, &written))
         return EXIT_DONE;
     for (size_t i = 0; i < options->input_count && !is; i++)
         is = is_file_of(options->input[i], &written) ? "an input" : NULL;
@@ -422,18 +413,16 @@ static void warn_wide(const cli_options *options)
 
 /* An input, and which file it is. */
 typedef struct input_identity {
-    struct stat found;
+    file_identity file;
     size_t index;
 } input_identity;
 
+/* Files named twice follow one another, in the order of their names. */
 static int by_file(const void *a, const void *b)
 {
     const input_identity *p = a, *q = b;
-    if (p->found.st_dev != q->found.st_dev)
-        return p->found.st_dev < q->found.st_dev ? -1 : 1;
-    if (p->found.st_ino != q->found.st_ino)
-        return p->found.st_ino < q->found.st_ino ? -1 : 1;
-    return p->index < q->index ? -1 : 1;
+    int order = file_identity_order(&p->file, &q->file);
+    return order ? order : (p->index > q->index) - (p->index < q->index);
 }
 
 /* Warns if two names lead to one file: each of its bodies would be drawn twice, in the same place. Only the first such
@@ -447,12 +436,12 @@ static void warn_twice(const cli_options *options)
         return; /* without memory, the run will fail anyway */
     for (size_t i = 0; i < options->input_count; i++) {
         list[count].index = i;
-        if (is_there(options->input[i], &list[count].found))
+        if (file_identify(options->input[i], &list[count].file))
             count++;
     }
     qsort(list, count, sizeof *list, by_file);
     for (size_t i = 1; i < count && !twice; i++)
-        if (is_same_file(&list[i - 1].found, &list[i].found))
+        if (file_identity_order(&list[i - 1].file, &list[i].file) == 0)
             twice = options->input[list[i].index];
     if (twice)
         message_warning(stderr, twice, 0,

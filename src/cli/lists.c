@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "cli/parse.h"
 
@@ -115,6 +116,23 @@ void list_free(file_list *list)
     free(list->name);
     free(list->text);
     *list = (file_list){0};
+}
+
+bool file_identify(const char *name, file_identity *file)
+{
+    struct stat found;
+    if (strcmp(name, "-") == 0 || stat(name, &found) != 0 || !S_ISREG(found.st_mode))
+        return false;
+    *file = (file_identity){found.st_dev, found.st_ino};
+    return true;
+}
+
+int file_identity_order(const void *a, const void *b)
+{
+    const file_identity *p = a, *q = b;
+    if (p->device != q->device)
+        return p->device < q->device ? -1 : 1;
+    return (p->number > q->number) - (p->number < q->number);
 }
 
 /* ---- names of things in a model ---- */

@@ -2,6 +2,8 @@
 #ifndef ROBERTS_CLI_LISTS_H
 #define ROBERTS_CLI_LISTS_H
 
+#include <sys/types.h>
+
 #include "roberts.h"
 
 /* Fills `error` and returns `status`. */
@@ -23,6 +25,18 @@ roberts_status list_read(file_list *list, const char *path, roberts_error *error
 bool list_add(file_list *list, char *name);
 
 void list_free(file_list *list);
+
+/* A regular file, whatever its name. */
+typedef struct file_identity {
+    dev_t device;
+    ino_t number;
+} file_identity;
+
+/* Finds the file of a name. False: there is none, or it is standard input (-), a folder or a device. */
+bool file_identify(const char *name, file_identity *file);
+
+/* Orders two file_identity, for qsort() and bsearch(). */
+int file_identity_order(const void *a, const void *b);
 
 /* Names in the order that roberts_lettering requires; released by names_free(). */
 typedef struct name_list {

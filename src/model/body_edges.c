@@ -219,8 +219,8 @@ bool body_smooth(const roberts_scene *scene, uint32_t b)
         if (count.little >= count.much + (uint64_t)left || count.much > count.little + (uint64_t)left)
             break;
         if (!(is & (EDGE_MANY | EDGE_CUT)) && edge->f[1] != ROBERTS_NONE)
-            body_count_bend(&count, body_bend(scene_plane(scene, own->face + edge->f[0]),
-                                              scene_plane(scene, own->face + edge->f[1]), is));
+            body_count_bend(&count, scene_bend(scene_plane(scene, own->face + edge->f[0]),
+                                               scene_plane(scene, own->face + edge->f[1]), is));
     }
     return body_is_smooth(&count, faces);
 }

@@ -35,14 +35,6 @@ typedef struct bend_count {
     uint32_t much, little;
 } bend_count;
 
-/* Returns the bend between two faces, the squared distance of their unit normals; is: flags of their edge. */
-static inline double body_bend(plane F, plane G, uint8_t is)
-{
-    double way = ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
-    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
-    return a * a + b * b + c * c;
-}
-
 /* Counts one edge with two faces. */
 void body_count_bend(bend_count *count, double bend);
 

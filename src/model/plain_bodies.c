@@ -467,7 +467,7 @@ static BITS_PER_PROCESSOR bool take_bends(plain_work *w, uint32_t s, uint8_t *be
         bend[e] = 0;
         if (!paired || is & EDGE_MANY)
             continue;
-        double own_bend = body_bend(found.F, found.G, is);
+        double own_bend = scene_bend(found.F, found.G, is);
         bend[e] = scene_bend_code(own_bend);
         body_count_bend(&w->smooth[s], own_bend);
     }

@@ -231,8 +231,21 @@ static inline double scene_width(const roberts_scene *scene, uint32_t face)
     return scene_shape_of(scene, face).width;
 }
 
-/* The bend at an edge, the squared distance of two unit normals, as a byte that ascends with it: its binary exponent
- * and two digits more. Most bends differ so much from a crease angle that the byte decides which is greater. */
+/* Returns the squared distance of two unit normals; the second one is multiplied by `way`. */
+static inline double scene_chord(plane F, plane G, double way)
+{
+    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
+    return a * a + b * b + c * c;
+}
+
+/* Returns the bend at an edge with two faces: that distance, as if both faces were wound alike. is: its flags. */
+static inline double scene_bend(plane F, plane G, uint8_t is)
+{
+    return scene_chord(F, G, ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0);
+}
+
+/* Returns a bend as a byte that ascends with it: its binary exponent and two digits more. Most bends differ so much
+ * from a crease angle that the byte decides which is greater. */
 static inline uint8_t scene_bend_code(double bend)
 {
     float rounded = (float)bend;

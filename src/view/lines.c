@@ -31,19 +31,6 @@ static void add_face(int facing, bool turned, edge_faces *to)
         to->right++;
 }
 
-/* The squared distance of two unit normals. The second one is multiplied by `way`. */
-static double chord_between(plane F, plane G, double way)
-{
-    double a = F.a - way * G.a, b = F.b - way * G.b, c = F.c - way * G.c;
-    return a * a + b * b + c * c;
-}
-
-/* 1 if the two faces of an edge are wound alike, otherwise -1. */
-static double way_of(uint8_t is)
-{
-    return ((is & EDGE_TURNED_0) != 0) != ((is & EDGE_TURNED_1) != 0) ? 1.0 : -1.0;
-}
-
 /* Do the two faces of edge `e` meet at less than the crease angle? first: the first face of its body. */
 static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
 {
@@ -52,7 +39,7 @@ static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_e
     if (surface->bend && surface->bend[e] != code)
         return surface->bend[e] < code;
     plane F = scene_plane(scene, first + edge->f[0]), G = scene_plane(scene, first + edge->f[1]);
-    return chord_between(F, G, way_of(surface->edge_is[e])) < crease;
+    return scene_bend(F, G, surface->edge_is[e]) < crease;
 }
 
 /* The faces of edge `e` of the body in `scene`, which has one or two. */
@@ -79,7 +66,7 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
         uint32_t f = face[k] & ~MANY_TURNED;
         plane F = scene_plane(scene, face[many->first] & ~MANY_TURNED), G = scene_plane(scene, f);
         add_face(facing_of(s, scene, f), face[k] & MANY_TURNED, &found);
-        found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
+        found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
     }
     return found;
 }
@@ -225,7 +212,7 @@ static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t
     for (uint32_t i = 0; i < count; i++) {
         plane F = scene_plane(s->source, side[0].face), G = scene_plane(s->source, side[i].face);
         add_face(facing_of_side(s, side[i].face), side[i].turned, &found);
-        found.flat = found.flat && (chord_between(F, G, 1.0) < crease || chord_between(F, G, -1.0) < crease);
+        found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
     }
     return found;
 }
