@@ -831,6 +831,8 @@ typedef struct roberts_hatching {
     bool nested;
     double cross; /**< 0 to 1, a fraction of the darkest tone: the further strokes of tones darker than this run across
                        the others; default: 1, none do */
+    double
+        shortest_mm; /**< shorter strokes are left out: 0 to 1000; default: 0. The tone of small faces gets lighter */
 } roberts_hatching;
 
 /** Paper. The drawing is fitted into the area within the margins, and centred. */

@@ -565,7 +565,7 @@ static const option rows[] = {
          "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
          "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
          "plane; angle=DEGREES; cross=0.5: the darker half in two directions; lines=nested: strokes go on from tone "
-         "to tone",
+         "to tone; shortest=MM leaves out shorter strokes",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
          "of their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
@@ -584,6 +584,8 @@ static const option rows[] = {
          "of the lighter ones, and more between them, so that they go on from tone to tone. That suits curved "
          "surfaces, with cross=0.5. A face with fewer than 20 strokes may "
          "have one more or one less than its tone asks for.\n"
+         "shortest=MM: shorter strokes are left out. Meshes of small triangles have many of them where two tones meet. "
+         "Small dark faces get lighter. Default: 0, none is.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",

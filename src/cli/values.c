@@ -762,10 +762,10 @@ int values_set_pick(const option *o, const char *value, cli_options *options)
 
 /* ---- --hatch: KEY=VALUE,... ---- */
 
-enum { KEY_SPACING, KEY_LEVELS, KEY_ANGLE, KEY_DIRECTION, KEY_CROSS, KEY_LINES, KEY_OFF, KEY_ON };
+enum { KEY_SPACING, KEY_LEVELS, KEY_ANGLE, KEY_DIRECTION, KEY_CROSS, KEY_LINES, KEY_SHORTEST, KEY_OFF, KEY_ON };
 
-const char *const values_hatch_keys[] = {"spacing", "levels", "angle", "direction", "cross",
-                                         "lines",   "off",    "on",    NULL};
+const char *const values_hatch_keys[] = {"spacing", "levels",   "angle", "direction", "cross",
+                                         "lines",   "shortest", "off",   "on",        NULL};
 
 static const double hatch_shortest_mm = 0.01, hatch_longest_mm = 1000.0;
 enum { LEVELS_MOST = 1000, ANGLE_MOST = 360 };
@@ -813,6 +813,10 @@ static int set_hatch_key(roberts_hatching *h, const char *item, bool *turned)
             return hint_unknown("--hatch: lines", value, lines, NULL);
         h->nested = parse_find(value, lines) == 1;
         return EXIT_DONE;
+    case KEY_SHORTEST:
+        if (parse_length(value, &h->shortest_mm) && h->shortest_mm >= 0.0 && h->shortest_mm <= hatch_longest_mm)
+            return EXIT_DONE;
+        return message_misuse("--hatch: shortest=%s is not a length from 0 to %g mm", value, hatch_longest_mm);
     case KEY_DIRECTION:
         if (!directions[parse_find(value, directions)])
             return hint_unknown("--hatch: direction", value, directions, NULL);

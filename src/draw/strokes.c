@@ -256,26 +256,43 @@ roberts_status strokes_label(strokes *s, roberts_error *error)
     return status;
 }
 
+/* Drops the polylines from `first` on that are shorter than `least`, in units of the page. */
+static void drop_short(polylines *out, size_t first, double least)
+{
+    size_t kept = first;
+    for (size_t i = first; i < out->count; i++) {
+        const page_point *p = out->point + out->item[i].first;
+        double length = 0.0;
+        for (uint32_t k = 1; k < out->item[i].count; k++)
+            length += page_distance(p[k - 1], p[k]);
+        if (length >= least)
+            out->item[kept++] = out->item[i];
+    }
+    out->count = kept;
+}
+
 roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
                              roberts_error *error)
 {
     const bool apart = strokes_are_grouped(s->options) && s->options->grouping == ROBERTS_GROUP_ELEMENT;
     const bool ordered = s->options->order == ROBERTS_ORDER_TRAVEL;
     const size_t first = out->count;
-    bool done;
+    bool done, in_place = line == LINE_FRAME || line == LINE_SYMBOL;
     if (line == LINE_FRAME)
         done = add_frame(s, out);
     else if (line == LINE_SYMBOL)
         done = add_symbol(s, out);
     else if (line == LINE_TEXT || line == LINE_HIDDEN_TEXT)
-        done = add_text(s, line, out) && (!ordered || travel_order(out, first, pen));
+        done = add_text(s, line, out);
     else if (apart)
-        done = chain_apart(p, line, out) && (!ordered || travel_order(out, first, pen));
+        done = chain_apart(p, line, out);
     else if (!ordered)
         done = chain_in_order(p, line, out);
     else
-        done = chain_pieces(p, line, out) && travel_order(out, first, pen);
-    if (!done)
+        done = chain_pieces(p, line, out);
+    if (done && line == LINE_HATCH)
+        drop_short(out, first, s->options->hatching.shortest_mm * s->units_per_mm);
+    if (!done || (ordered && !in_place && !travel_order(out, first, pen)))
         return error_no_memory(error);
     if (!s->options->real_dashes || !is_broken(s->options, line))
         return ROBERTS_OK;

@@ -134,9 +134,10 @@ static bool pens_are_valid(const roberts_draw_options *options)
 
 static bool hatching_is_valid(const roberts_hatching *h)
 {
-    return !h->on || (h->spacing_mm >= 0.01 && h->spacing_mm <= 1000.0 && h->levels <= 1000 &&
-                      h->along >= ROBERTS_HATCH_PICTURE && h->along <= ROBERTS_HATCH_ACROSS &&
-                      fabs(h->degrees) <= 360.0 && h->cross >= 0.0 && h->cross <= 1.0);
+    return !h->on ||
+           (h->spacing_mm >= 0.01 && h->spacing_mm <= 1000.0 && h->levels <= 1000 &&
+            h->along >= ROBERTS_HATCH_PICTURE && h->along <= ROBERTS_HATCH_ACROSS && fabs(h->degrees) <= 360.0 &&
+            h->cross >= 0.0 && h->cross <= 1.0 && h->shortest_mm >= 0.0 && h->shortest_mm <= 1000.0);
 }
 
 static bool columns_are_valid(const roberts_draw_options *options)
@@ -180,7 +181,7 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(
             error, ROBERTS_BAD_ARGUMENT, 0,
             "hatching: the spacing is 0.01 to 1000 mm; there are at most 1000 levels; the angle is -360 to "
-            "360 degrees, and cross 0 to 1");
+            "360 degrees, cross 0 to 1, and the shortest stroke 0 to 1000 mm");
     if (!columns_are_valid(options))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "an unknown column of tables, or one that is wanted twice");
     return page_is_valid(&options->page, error) ? ROBERTS_OK : ROBERTS_BAD_ARGUMENT;

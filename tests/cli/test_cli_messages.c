@@ -220,6 +220,7 @@ static const struct {
     {"--hatch levels=1.5", "--hatch: levels=1.5 is not a whole number from 0 to 1000\n"},
     {"--hatch angle=400", "--hatch: angle=400 is not a number of degrees from -360 to 360\n"},
     {"--hatch cross=2", "--hatch: cross=2 is neither none nor a number from 0 to 1\n"},
+    {"--hatch shortest=-1", "--hatch: shortest=-1 is not a length from 0 to 1000 mm\n"},
     {"--hatch direction=up", "--hatch: direction: \"up\" is unknown; it can be picture, steep, across\n"},
     {"--group bodies", "bodies"},
     {"--id-prefix 9a",

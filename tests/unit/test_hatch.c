@@ -82,17 +82,24 @@ static int place_of_class(roberts_line line)
     return i;
 }
 
+/* How long a stroke is, in mm. */
+static double length_mm(const strokes *s, size_t i)
+{
+    const polyline *line = &s->lines.item[i];
+    const page_point *p = s->lines.point + line->first;
+    double length = 0.0;
+    for (uint32_t k = 0; k + !line->closed < line->count; k++)
+        length += page_distance(p[k], p[(k + 1) % line->count]) / s->units_per_mm;
+    return length;
+}
+
 /* How long the strokes of hatching are, in mm. */
 static double hatched_mm(const strokes *s)
 {
     const int c = place_of_class(LINE_HATCH);
     double length = 0.0;
-    for (size_t i = s->start[c]; i < s->start[c + 1]; i++) {
-        const polyline *line = &s->lines.item[i];
-        const page_point *p = s->lines.point + line->first;
-        for (uint32_t k = 0; k + !line->closed < line->count; k++)
-            length += page_distance(p[k], p[(k + 1) % line->count]) / s->units_per_mm;
-    }
+    for (size_t i = s->start[c]; i < s->start[c + 1]; i++)
+        length += length_mm(s, i);
     return length;
 }
 
@@ -449,6 +456,38 @@ static void frames_cut_strokes(void **state)
     strokes_free(&s);
 }
 
+/* How many strokes of hatching have at least this length. */
+static size_t count_from(const strokes *s, double least_mm)
+{
+    const int c = place_of_class(LINE_HATCH);
+    size_t count = 0;
+    for (size_t i = s->start[c]; i < s->start[c + 1]; i++)
+        count += length_mm(s, i) >= least_mm;
+    return count;
+}
+
+/* A triangle has strokes of all lengths. */
+static void short_strokes_are_left_out(void **state)
+{
+    given_region g;
+    const ring triangle = {3, {{0, 0}, {100, 0}, {40, 90}}};
+    roberts_draw_options options = options_for(1.0, 20.0);
+    (void)state;
+    give(&g, &triangle, 1, normal_of(1.0));
+    for (int ordered = 0; ordered < 2; ordered++) {
+        options.order = ordered ? ROBERTS_ORDER_TRAVEL : ROBERTS_ORDER_NONE;
+        options.hatching.shortest_mm = 0.0;
+        strokes all = strokes_of(&g.drawing, &options);
+        options.hatching.shortest_mm = 12.5;
+        strokes some = strokes_of(&g.drawing, &options);
+        assert_true(count_from(&some, 0.0) == count_from(&some, 12.5));
+        assert_true(count_from(&some, 0.0) == count_from(&all, 12.5));
+        assert_true(count_from(&some, 0.0) > 0 && count_from(&some, 0.0) < count_from(&all, 0.0));
+        strokes_free(&all);
+        strokes_free(&some);
+    }
+}
+
 static bool holds(const char *bytes, size_t size, const char *text)
 {
     const size_t length = strlen(text);
@@ -521,6 +560,9 @@ static void odd_arguments(void **state)
     options.hatching.cross = 1.5;
     assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
     options.hatching.cross = 0.5;
+    options.hatching.shortest_mm = -1.0;
+    assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
+    options.hatching.shortest_mm = 0.0;
     g.drawing.regions = NULL; /* nothing to hatch */
     assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
     g.drawing.regions = &g.list;
@@ -539,7 +581,7 @@ int main(void)
         cmocka_unit_test(nested_strokes_stay),       cmocka_unit_test(strokes_go_on),
         cmocka_unit_test(steep_strokes_are_upright), cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(frames_cut_strokes),        cmocka_unit_test(odd_arguments),
-        cmocka_unit_test(all_formats_have_strokes),
+        cmocka_unit_test(all_formats_have_strokes),  cmocka_unit_test(short_strokes_are_left_out),
     };
     return cmocka_run_group_tests_name("hatch", tests, NULL, NULL);
 }

@@ -128,7 +128,8 @@ class background(Structure):
 
 class hatching(Structure):
     _fields_ = [("on", c_bool), ("spacing_mm", c_double), ("levels", c_uint32), ("along", c_int),
-                ("degrees", c_double), ("nested", c_bool), ("cross", c_double)]
+                ("degrees", c_double), ("nested", c_bool), ("cross", c_double),
+                ("shortest_mm", c_double)]
 
 
 class page(Structure):
