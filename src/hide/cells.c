@@ -1,14 +1,27 @@
 /* cells.c - see cells.h. The numbers below were found by counting instructions on lattices and cities. Each is near a
  * flat optimum: a factor of two costs a tenth, a factor of ten costs a factor of three. */
 #include "hide/cells.h"
-#include "base/threads.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/threads.h"
 
 /* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
  * longer. */
 #define BOXES_PER_CELL 2.0
+/* The same where the axes are warped. */
+#define BOXES_PER_WARPED_CELL 1.0
+/* The axes are warped after a sample of at most WARP_MOST boxes. A sample of fewer than WARP_LEAST says too little. */
+#define WARP_MOST 1024
+#define WARP_LEAST 256
+/* The axes are warped if that makes the surroundings of a box this many times larger, on average. For boxes that lie at
+ * random it is about 1. */
+#define WARP_STRETCH 6.0
+/* Margins: the length of the shortest piece of a warped axis. So no cell is narrower than four margins. */
+#define WARP_MARGINS (4.0 * SIDE_MOST / WARP_PIECES)
 /* If the lists would have more entries per box than this, on average, the cells are made larger. ENTRIES_FREE entries
  * do not count. */
 #define ENTRIES_PER_BOX 12.0
@@ -42,14 +55,35 @@ typedef struct sizes {
     double w, h, area, width, height;
 } sizes;
 
-static sizes measure_some(const hide_box *box, uint32_t count, double per_width, double per_height)
+typedef struct measuring {
+    const cells_boxes *b;
+    const warp *warps; /* [2], or NULL */
+    double per_width, per_height;
+    sizes *some; /* [PIECES] */
+} measuring;
+
+/* Is the box that of a solid that the near plane has removed? */
+static inline bool is_removed(const hide_box *box)
+{
+    return box->x1 < box->x0;
+}
+
+/* Returns the length of low..high along an axis. axis: its warp, or NULL. */
+static inline double along(const warp *axis, float low, float high)
+{
+    return axis ? warp_at(axis, (double)high) - warp_at(axis, (double)low) : (double)(high - low);
+}
+
+static sizes measure_some(const hide_box *box, uint32_t count, const measuring *m)
 {
     sizes s = {0};
     for (uint32_t i = 0; i < count; i++) {
-        if (box[i].x1 < box[i].x0)
-            continue; /* a solid that the near plane has removed */
-        double w = per_width > 0.0 ? lesser(1.0, (double)(box[i].x1 - box[i].x0) * per_width) : 1.0;
-        double h = per_height > 0.0 ? lesser(1.0, (double)(box[i].y1 - box[i].y0) * per_height) : 1.0;
+        if (is_removed(&box[i]))
+            continue;
+        double w = along(m->warps, box[i].x0, box[i].x1),
+               h = along(m->warps ? m->warps + 1 : NULL, box[i].y0, box[i].y1);
+        w = m->per_width > 0.0 ? lesser(1.0, w * m->per_width) : 1.0;
+        h = m->per_height > 0.0 ? lesser(1.0, h * m->per_height) : 1.0;
         s.w += w;
         s.h += h;
         s.area += w * h;
@@ -57,33 +91,27 @@ static sizes measure_some(const hide_box *box, uint32_t count, double per_width,
     return s;
 }
 
-typedef struct measuring {
-    const cells_boxes *b;
-    double per_width, per_height;
-    sizes *some; /* [PIECES] */
-} measuring;
-
 static bool measure_pieces(void *context, size_t first, size_t end)
 {
     const measuring *m = context;
     for (size_t i = first; i < end; i++) {
         uint32_t from = (uint32_t)((uint64_t)m->b->count * i / PIECES);
         uint32_t to = (uint32_t)((uint64_t)m->b->count * (i + 1) / PIECES);
-        m->some[i] = measure_some(m->b->box + from, to - from, m->per_width, m->per_height);
+        m->some[i] = measure_some(m->b->box + from, to - from, m);
     }
     return true;
 }
 
-/* Sums up the boxes. The pieces do not depend on the threads. If the window has no width (height), all boxes count as
- * wide (high) as the window. */
-static sizes measure(const cells_boxes *b, int threads)
+/* Sums up the boxes, along axes that may be warped. The pieces do not depend on the threads. If the window has no width
+ * (height), all boxes count as wide (high) as the window. */
+static sizes measure(const cells_boxes *b, const warp *warps, int threads)
 {
     uint32_t count = b->count;
     sizes all = {.width = b->high.x - b->low.x, .height = b->high.y - b->low.y}, some[PIECES];
     double per_width = all.width >= DBL_MIN ? 1.0 / all.width : 0.0;
     double per_height = all.height >= DBL_MIN ? 1.0 / all.height : 0.0;
     threads_each(count > MEASURED_BY_ONE ? threads : 1, PIECES, 0, measure_pieces,
-                 &(measuring){b, per_width, per_height, some});
+                 &(measuring){b, warps, per_width, per_height, some});
     for (uint32_t i = 0; i < PIECES; i++) {
         all.w += some[i].w;
         all.h += some[i].h;
@@ -124,27 +152,70 @@ static void enlarge(const sizes *s, uint32_t count, double cell, double most, do
     }
 }
 
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static bool make_warp(warp *axis, double low, double high, const double *middle, uint32_t count, double margin)
+{
+    double sorted[WARP_MOST];
+    memcpy(sorted, middle, count * sizeof *sorted);
+    qsort(sorted, count, sizeof *sorted, ascending);
+    return warp_make(axis, low - margin, high + margin, sorted, count, WARP_MARGINS * margin);
+}
+
+/* Makes warps by the middles of boxes at equal distances in the file. Middles outside the window count as on its
+ * border. Returns how many times larger the warps make the surroundings of a middle, on average; 0: there are too few
+ * boxes. */
+static double warp_axes(const cells_boxes *b, warp warps[2])
+{
+    double x[WARP_MOST], y[WARP_MOST], sum = 0.0;
+    uint32_t count = 0, step = b->count / WARP_MOST + 1;
+    for (uint32_t i = 0; i < b->count; i += step) {
+        const hide_box *box = &b->box[i];
+        if (is_removed(box))
+            continue;
+        x[count] = lesser(greater(0.5 * ((double)box->x0 + (double)box->x1), b->low.x), b->high.x);
+        y[count++] = lesser(greater(0.5 * ((double)box->y0 + (double)box->y1), b->low.y), b->high.y);
+    }
+    if (count < WARP_LEAST || !make_warp(&warps[0], b->low.x, b->high.x, x, count, b->margin) ||
+        !make_warp(&warps[1], b->low.y, b->high.y, y, count, b->margin))
+        return 0.0;
+    for (uint32_t i = 0; i < count; i++)
+        sum += warp_stretch(&warps[0], x[i]) * warp_stretch(&warps[1], y[i]);
+    return sum / count;
+}
+
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
 {
     double nx = 1.0, ny = 1.0;
     uint32_t count = b->count;
-    sizes s = measure(b, 1);
+    warp warps[2];
+    bool warped = !n && warp_axes(b, warps) > WARP_STRETCH;
+    sizes s = measure(b, NULL, 1);
     *depth = s.area;
+    if (warped)
+        s = measure(b, warps, 1);
     if (n) {
         nx = ny = n;
         enlarge(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
     } else if (count) {
-        divide(&s, count, BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
+        divide(&s, count, warped ? BOXES_PER_WARPED_CELL : BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         enlarge(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }
-    return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
+    scan_frame frame = scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
+    if (warped && (frame.warps = malloc(sizeof warps)))
+        memcpy(frame.warps, warps, sizeof warps);
+    return frame;
 }
 
 scan_frame cells_for_covers(const cells_boxes *b, int threads)
 {
     double nx, ny;
     uint32_t count = b->count;
-    sizes s = measure(b, threads);
+    sizes s = measure(b, NULL, threads);
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;

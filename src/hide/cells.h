@@ -15,7 +15,8 @@ typedef struct cells_boxes {
 
 /* Returns the cells for lists. They are about two mean boxes wide, but larger if the lists would otherwise grow faster
  * than the number of boxes. n: number of cells per side, fewer if their lists would take several times the scene's
- * memory; 0: choose. *depth: mean number of boxes over a point of the window. */
+ * memory; 0: choose. *depth: mean number of boxes over a point of the window. Where the boxes crowd, the frame has
+ * warps; the caller frees them (objet_build() takes them). */
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
 
 /* Returns the cells for covers, which are much smaller than a mean box. If few boxes lie over one another, covers do

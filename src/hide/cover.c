@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/lanes.h"
 #include "base/threads.h"
 #include "hide/fronts.h"
@@ -163,6 +164,26 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
     return c->depth[cell] > z ? c->by[cell] : ROBERTS_NONE;
 }
 
+/* Are all cells along AB nearer? The frame is warped: each column has its own width. */
+static BITS_RARE bool warped_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
+{
+    const scan_frame *f = &c->frame;
+    const double m = f->margin, least = lesser(A.x, B.x), greatest = greater(A.x, B.x);
+    const bool steep = greatest - least <= 4.0 * m;
+    const uint32_t last = scan_column(f, greatest + m);
+    for (uint32_t i = scan_column(f, least - m); i <= last; i++) {
+        double t0 = 0.0, t1 = 1.0;
+        if (!steep && !box_clip(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1))
+            continue;
+        const double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
+        const double near = greater(A.z + t0 * (B.z - A.z), A.z + t1 * (B.z - A.z)) + m;
+        const uint32_t j = scan_row(f, lesser(ya, yb) - m), end = scan_row(f, greater(ya, yb) + m);
+        if (!all_nearer(c->depth + (size_t)i * f->ny + j, end - j + 1, hide_float_above(near)))
+            return false;
+    }
+    return true;
+}
+
 /* Goes along AB column by column, as scan.c does along a polygon's side. In each column it looks at the rows that AB
  * crosses, and compares their covers with the nearest depth of AB there. Rows and depth are linear in the column's
  * number. A margin on all sides makes up for rounding. */
@@ -175,6 +196,8 @@ BITS_PER_PROCESSOR bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts
     size_t middle = scan_cell(f, 0.5 * (A.x + B.x), 0.5 * (A.y + B.y));
     if (!((double)c->depth[middle] > 0.5 * (A.z + B.z)))
         return false;
+    if (f->warps)
+        return warped_hides_edge(c, A, B);
     double m = f->margin, run = B.x - A.x, near = greater(A.z, B.z) + m;
     double low = (lesser(A.y, B.y) - m - f->y0) * f->per_dy, high = (greater(A.y, B.y) + m - f->y0) * f->per_dy;
     uint32_t first = scan_column(f, lesser(A.x, B.x) - m), last = scan_column(f, greater(A.x, B.x) + m);

@@ -532,8 +532,9 @@ BITS_INLINE bool run_lines(hide_worker *w)
         box_lines(w);
         uint32_t left = scan_column(f, (double)w->box.x0), right = scan_column(f, (double)w->box.x1);
         uint32_t low = scan_row(f, (double)w->box.y0), high = scan_row(f, (double)w->box.y1);
-        const bool small = (double)(w->box.x1 - w->box.x0) < SMALL_GROUP * f->dx &&
-                           (double)(w->box.y1 - w->box.y0) < SMALL_GROUP * f->dy;
+        const double x0 = scan_along_x(f, (double)w->box.x0), x1 = scan_along_x(f, (double)w->box.x1);
+        const double y0 = scan_along_y(f, (double)w->box.y0), y1 = scan_along_y(f, (double)w->box.y1);
+        const bool small = x1 - x0 < SMALL_GROUP * f->dx && y1 - y0 < SMALL_GROUP * f->dy;
         if (right - left < GROUP_CELLS && high - low < GROUP_CELLS &&
             (small || !has_tree(w->grid, left, right, low, high)))
             return run_together(w, left, right, low, high);

@@ -159,7 +159,7 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
     float fold = of_rank(atomic_load_explicit(&l->fold[cell], memory_order_relaxed));
     set_sheet(grid, cell, -INFINITY, INFINITY);
     grid->apart[cell] = 0;
-    double x = s->x0 + (column + ACROSS_CELL) * s->dx, y = s->y0 + (row + UP_CELL) * s->dy;
+    double x = scan_left(s, column + ACROSS_CELL), y = scan_lower(s, row + UP_CELL);
     hide_bounds point = {{x, y, 0.0}, {x, y, 0.0}};
     hide_box about = hide_box_around(&point);
     uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));

@@ -41,21 +41,20 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
     return alone ? (*cell)++ : __atomic_fetch_add(cell, 1, __ATOMIC_RELAXED);
 }
 
-/* Counts the front in a cell or, with `fill`, lists it there. */
-BITS_INLINE void list_in_cell(const filling *job, uint32_t index, uint32_t column, uint32_t row, bool fill)
+/* Counts the front in a cell or, with `fill`, lists it there. place: that of its box. */
+BITS_INLINE void list_in_cell(const filling *job, uint32_t index, four place, uint32_t column, uint32_t row, bool fill)
 {
     objet *grid = job->grid;
-    const hide_box *box = &job->fronts->front_box[index];
     size_t cell = (size_t)column * grid->frame.ny + row;
-    if (job->late && box->z1 < grid->sheet.depth[cell])
+    if (job->late && job->fronts->front_box[index].z1 < grid->sheet.depth[cell])
         return;
     uint32_t at = count_one(&job->place[cell], job->threads == 1);
     if (fill)
-        grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(objet_place(grid, box), column, row))};
+        grid->entry[at] = (objet_entry){index, objet_sides(objet_cut(place, column, row))};
 }
 
 /* The same for every cell that the front touches, column by column. */
-static BITS_RARE void list_scanned(const filling *job, uint32_t index, bool fill)
+static BITS_RARE void list_scanned(const filling *job, uint32_t index, four place, bool fill)
 {
     uint32_t turned[SEEN_TURNED], low, high;
     scan *s = &job->lister[thread_self()].s;
@@ -66,7 +65,7 @@ static BITS_RARE void list_scanned(const filling *job, uint32_t index, bool fill
     for (uint32_t i = s->first; i <= s->last; i++) {
         scan_touched(s, &wider, i, &low, &high);
         for (uint32_t j = low; j <= high; j++)
-            list_in_cell(job, index, i, j, fill);
+            list_in_cell(job, index, place, i, j, fill);
     }
 }
 
@@ -74,14 +73,22 @@ static BITS_RARE void list_scanned(const filling *job, uint32_t index, bool fill
 BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
 {
     const scan_frame *f = &job->grid->frame;
-    objet_range in = objet_range_of(f, &job->fronts->front_box[index], f->margin + hide_loose(job->fronts, index));
+    const hide_box *box = &job->fronts->front_box[index];
+    const four place = objet_place(job->grid, box);
+    const objet_range in = objet_range_of(f, box, f->margin + hide_loose(job->fronts, index));
     if (in.right - in.left > 1 || in.high - in.low > 1) {
-        list_scanned(job, index, fill);
+        list_scanned(job, index, place, fill);
         return;
     }
     for (uint32_t i = in.left; i <= in.right; i++)
         for (uint32_t j = in.low; j <= in.high; j++)
-            list_in_cell(job, index, i, j, fill);
+            list_in_cell(job, index, place, i, j, fill);
+}
+
+void objet_warp_sides(const warp warps[2], float side[4])
+{
+    for (int i = 0; i < 4; i++)
+        side[i] = (float)warp_at(&warps[i / 2], (double)side[i]);
 }
 
 static bool list_some(void *job, size_t first, size_t end)
@@ -352,6 +359,7 @@ void objet_free(objet *grid)
     free(grid->below);
     free(grid->star);
     cover_free(&grid->sheet);
+    free(grid->frame.warps);
     *grid = (objet){0};
 }
 
@@ -370,14 +378,14 @@ bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *
     walk->count = 0;
     for (uint32_t i = scan_column(f, lesser(A.x, B.x) - m); i <= last; i++) {
         double t0 = 0.0, t1 = 1.0;
-        clip_slab(A.x, B.x, f->x0 + i * f->dx - m, f->x0 + (i + 1) * f->dx + m, &t0, &t1);
+        clip_slab(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1);
         if (t0 > t1)
             continue;
         double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         uint32_t end = scan_row(f, greater(ya, yb) + m);
         for (uint32_t j = scan_row(f, lesser(ya, yb) - m); j <= end; j++) {
             objet_stretch stretch = {i, j, t0, t1};
-            clip_slab(A.y, B.y, f->y0 + j * f->dy - m, f->y0 + (j + 1) * f->dy + m, &stretch.t0, &stretch.t1);
+            clip_slab(A.y, B.y, scan_lower(f, j) - m, scan_lower(f, j + 1.0) + m, &stretch.t0, &stretch.t1);
             if (stretch.t0 > stretch.t1)
                 continue;
             if (!array_reserve(&walk->item, &walk->room, walk->count + 1, sizeof *walk->item))

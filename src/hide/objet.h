@@ -56,7 +56,8 @@ typedef struct objet_walk {
     size_t count, room;
 } objet_walk;
 
-/* Lists all fronts in the cells of `frame`, and finds the cells that sheets fill. Faces that wait become fronts.
+/* Lists all fronts in the cells of `frame`, and finds the cells that sheets fill. Faces that wait become fronts. The
+ * grid owns the warps of the frame.
  * threads: upper bound; 0: as many as there are. They do not change the result. Returns ROBERTS_OK or _NO_MEMORY. */
 roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, uint32_t threads);
 void objet_free(objet *grid);
@@ -69,8 +70,11 @@ typedef struct objet_range {
 /* Returns the columns and rows that a box touches, if it is widened by m on all sides. */
 BITS_INLINE objet_range objet_range_of(const scan_frame *f, const hide_box *box, double m)
 {
-    two x = two_of((double)box->x0 - m, (double)box->x1 + m), y = two_of((double)box->y0 - m, (double)box->y1 + m);
-    double left, right, low, high;
+    double left = (double)box->x0 - m, right = (double)box->x1 + m, low = (double)box->y0 - m,
+           high = (double)box->y1 + m;
+    if (f->warps)
+        return (objet_range){scan_column(f, left), scan_column(f, right), scan_row(f, low), scan_row(f, high)};
+    two x = two_of(left, right), y = two_of(low, high);
     x = two_mul(two_sub(x, two_all(f->x0)), two_all(f->per_dx)); /* as scan_column() and scan_row() do */
     y = two_mul(two_sub(y, two_all(f->y0)), two_all(f->per_dy));
     two_part(&left, &right, two_lesser(two_greater(x, two_all(0.0)), two_all(f->last_x)));
@@ -78,11 +82,16 @@ BITS_INLINE objet_range objet_range_of(const scan_frame *f, const hide_box *box,
     return (objet_range){(uint32_t)left, (uint32_t)right, (uint32_t)low, (uint32_t)high};
 }
 
+/* Maps the sides x0, x1, y0, y1 of a box. */
+void objet_warp_sides(const warp warps[2], float side[4]);
+
 /* Returns a box in 256ths of cells, counted from cell (0, 0), as lanes x0, x1, y0, y1. */
 static inline four objet_place(const objet *grid, const hide_box *box)
 {
     float side[4];
     memcpy(side, box, sizeof side);
+    if (grid->frame.warps)
+        objet_warp_sides(grid->frame.warps, side);
     return four_mul(four_sub(four_load(side), four_load(grid->from)), four_load(grid->per));
 }
 

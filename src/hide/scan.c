@@ -47,7 +47,7 @@ static void scan_side(scan *s, const scan_frame *f, roberts_vec3 P, roberts_vec3
     for (uint32_t i = first; i <= last; i++) {
         double y0 = low, y1 = high;
         if (!steep) {
-            double from = greater(least, f->x0 + i * f->dx - m), to = lesser(greatest, f->x0 + (i + 1) * f->dx + m);
+            double from = greater(least, scan_left(f, i) - m), to = lesser(greatest, scan_left(f, i + 1.0) + m);
             double ya = P.y + (from - P.x) * slope, yb = P.y + (to - P.x) * slope;
             y0 = greater(low, lesser(lesser(ya, yb), high));
             y1 = lesser(high, greater(greater(ya, yb), low));

@@ -12,6 +12,7 @@
 
 #include <stdbool.h>
 
+#include "base/warp.h"
 #include "base/vec.h"
 
 /* A grid of nx columns and ny rows over the window. Cell (i, j) is column i, row j, and has number i * ny + j. */
@@ -22,6 +23,7 @@ typedef struct scan_frame {
     double per_dx, per_dy; /* 1 / dx, 1 / dy */
     double last_x, last_y; /* nx - 1, ny - 1 */
     double margin;         /* cells are widened by this on all sides */
+    warp *warps;           /* [2] x, y: columns and rows are equally wide only after these maps. NULL: no maps */
 } scan_frame;
 
 /* Makes a grid over the window low..high. If the window has no width or height, the columns or rows still have some. */
@@ -32,6 +34,30 @@ static inline size_t scan_cells(const scan_frame *f)
     return (size_t)f->nx * f->ny;
 }
 
+/* Return where x or y lies along the frame. */
+static inline double scan_along_x(const scan_frame *f, double x)
+{
+    return f->warps ? warp_at(&f->warps[0], x) : x;
+}
+
+static inline double scan_along_y(const scan_frame *f, double y)
+{
+    return f->warps ? warp_at(&f->warps[1], y) : y;
+}
+
+/* Return the left border of column i, or the lower one of row i. Between them, fractions count. */
+static inline double scan_left(const scan_frame *f, double i)
+{
+    double x = f->x0 + i * f->dx;
+    return f->warps ? warp_back(&f->warps[0], x) : x;
+}
+
+static inline double scan_lower(const scan_frame *f, double i)
+{
+    double y = f->y0 + i * f->dy;
+    return f->warps ? warp_back(&f->warps[1], y) : y;
+}
+
 /* Rounds down to the number of a column or row and clamps it to the grid; NaN gives 0. */
 static inline uint32_t scan_clamp(double position, double last)
 {
@@ -40,12 +66,12 @@ static inline uint32_t scan_clamp(double position, double last)
 
 static inline uint32_t scan_column(const scan_frame *f, double x)
 {
-    return scan_clamp((x - f->x0) * f->per_dx, f->last_x);
+    return scan_clamp((scan_along_x(f, x) - f->x0) * f->per_dx, f->last_x);
 }
 
 static inline uint32_t scan_row(const scan_frame *f, double y)
 {
-    return scan_clamp((y - f->y0) * f->per_dy, f->last_y);
+    return scan_clamp((scan_along_y(f, y) - f->y0) * f->per_dy, f->last_y);
 }
 
 /* Returns the cell of picture point (x, y). */
@@ -72,7 +98,7 @@ void scan_free(scan *s);
  * with scan_touched(). */
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* Finds the cells completely inside the polygon; read them with scan_inside(). */
+/* Finds the cells completely inside the polygon; read them with scan_inside(). The frame has no warps. */
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* Gets the rows touched in column i. */
