@@ -11,7 +11,7 @@
 #include "testing.h"
 #include "whole_file.h"
 
-enum { SIDE = 56, RUNS = 12 };
+enum { SIDE = 56, BOXES = SIDE * SIDE + 1, RUNS = 12 };
 
 static char program[4096], boxes[TEMPORARY_ROOM + 10];
 
@@ -20,20 +20,23 @@ static char program[4096], boxes[TEMPORARY_ROOM + 10];
 static const char *const formats[] = {"csv", "svg", "pdf", "ps", "eps", "png", "tikz", "dxf", "hpgl", "json"};
 enum { CSV = 0, SVG = 1 };
 
-/* Boxes of different heights on a square. Some of them touch. */
+/* Boxes of different heights on a square, some of which touch, over a plate so wide that the grid has more cells where
+ * the boxes are. */
 static void write_boxes(const char *path)
 {
     static const int corner[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                      {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     FILE *file = fopen(path, "w");
     assert_non_null(file);
-    fprintf(file, "OFF\n%d %d 0\n", SIDE * SIDE * 8, SIDE * SIDE * 6);
+    fprintf(file, "OFF\n%d %d 0\n", BOXES * 8, BOXES * 6);
     for (int i = 0; i < SIDE * SIDE * 8; i++) {
         int x = i / 8 % SIDE, y = i / 8 / SIDE;
         fprintf(file, "%d %d %d\n", 3 * x + i % 2 * (2 + (x + y) % 2), 3 * y + i / 2 % 2 * 2,
                 i / 4 % 2 * (1 + (x * 7 + y * 5) % 11));
     }
-    for (int i = 0; i < SIDE * SIDE * 6; i++) {
+    for (int i = 0; i < 8; i++)
+        fprintf(file, "%d %d %d\n", i % 2 ? 4000 : -3000, i / 2 % 2 ? 5000 : -2000, -(i / 4 % 2 ? 1 : 3));
+    for (int i = 0; i < BOXES * 6; i++) {
         const int *c = corner[i % 6], first = 8 * (i / 6);
         fprintf(file, "4 %d %d %d %d\n", first + c[0], first + c[1], first + c[2], first + c[3]);
     }
