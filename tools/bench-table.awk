@@ -1,6 +1,6 @@
 # Tables from the rows of bench.sh:
 #
-#     awk -v table=stages|draw|threads|verify|read|goals|meshes|instructions -f bench-table.awk FILE.tsv...
+#     awk -v table=stages|draw|threads|verify|read|goals|meshes|regions|instructions -f bench-table.awk FILE.tsv...
 #
 # The names in a file's first row identify the columns.
 BEGIN {
@@ -63,6 +63,12 @@ FNR == 1 {
         title("Meshes in short: CPU seconds of one thread, reading included; growth from the smallest size, over edges")
         printf "%-24s%12s%12s%12s%10s%8s%10s%8s%10s\n", "", "triangles", "edges", "segments", "total", "goal", "MB", \
             "goal", "growth"
+    } else if (table == "regions") {
+        title("What is seen of each face, against hidden lines (view, grid and hide), CPU seconds of one thread. The edges\n" \
+              "that are not drawn are hidden for the regions alone. The goal is 3 times at the most. written: as JSON;\n" \
+              "growth: of the regions, from the smallest size, over edges")
+        printf "%-24s%12s%12s%10s%10s%8s%10s%10s\n", "", "faces", "segments", "hidden", "regions", "times", "written", \
+            "growth"
     } else {
         title("Instructions executed, reading included")
         printf "%-24s%16s%16s%10s\n", "", "now", "baseline", "change"
@@ -187,7 +193,19 @@ function mesh_goal(scene, triangles, unit,   goal) {
     return scene in goal ? goal[scene] : "-"
 }
 
-table == "meshes" && value("runs") > 0 {
+table == "regions" && value("kind") == "regions" && value("runs") > 0 {
+    key = value("scene")
+    hiding = value("view_cpu") + value("grid_cpu") + value("hide_cpu")
+    if (!(key in from_total)) {
+        from_edges[key] = value("edges")
+        from_total[key] = value("regions_cpu")
+    }
+    printf "%-24s%12s%12s%10.3f%10.3f%8s%10.3f%10s\n", key, grouped(value("faces")), grouped(value("segments")), hiding, \
+        value("regions_cpu"), times(value("regions_cpu"), hiding), value("draw_cpu"), \
+        exponent(from_total[key], value("regions_cpu"), from_edges[key], value("edges"), 0.002)
+}
+
+table == "meshes" && value("kind") == "stages" && value("runs") > 0 {
     key = value("scene")
     if (!(key in from_total)) {
         from_edges[key] = value("edges")

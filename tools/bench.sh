@@ -36,7 +36,7 @@ general='--dir .31,.47,.83' # no face of our scenes is edge-on, no two corners l
 tab=$(printf '\t')
 counts='solids culled_solids vertices faces front_faces edges surviving_edges drawn_edges segments grid peak_memory_kb
     pairs test1_visible test2_visible test3_visible test3_invisible test4 covered refined'
-stages='read solids view grid hide verify draw total'
+stages='read solids view grid hide regions verify draw total'
 
 # Not ulimit -t: with it, Linux measures CPU time in ticks of 4 ms.
 guard=
@@ -295,13 +295,23 @@ worst() {
 
 # mesh NAME FAMILY "SIZES" OPTION...: measures a mesh of increasing size, up to $triangles
 mesh() {
-    name=$1 family=$2 sizes=$3
-    shift 3
+    of_meshes stages "$@"
+}
+
+# regions NAME FAMILY "SIZES" OPTION...: the same, with what is seen of each face
+regions() {
+    of_meshes regions "$@" --regions /dev/null
+}
+
+# of_meshes KIND NAME FAMILY "SIZES" OPTION...
+of_meshes() {
+    kind_of=$1 name=$2 family=$3 sizes=$4
+    shift 4
     for size in $sizes; do
         [ "$size" -le "$most" ] && [ "$size" -le "$triangles" ] || break
         scene "$family" "$(argument "$family" "$size")"
         [ "$size" -lt 1000000 ] || large=$file
-        measure meshes stages "$name" "$(runs_for "$size")" 1 null "$@" $general "$file" || break
+        measure meshes "$kind_of" "$name" "$(runs_for "$size")" 1 null "$@" $general "$file" || break
     done
 }
 
@@ -317,9 +327,14 @@ meshes() {
     mesh 'stars' stars '10000 100000 1000000'
     mesh 'crossing' crossing '20000 320000 1280000' --crease 40
     mesh 'soup' soup '10000 100000 1000000'
-    mesh 'scan, regions' scan '10000 75000 350000' --crease 40 --regions /dev/null
-    mesh 'city, no regions' city '10000 100000'
-    mesh 'city, regions' city '10000 100000' --regions /dev/null
+    regions 'city' city '1000 10000 100000'
+    regions 'lattice' lattice '1000 10000 100000'
+    regions 'sphere' sphere '6000 60000 600000'
+    regions 'balls' balls '20000 320000'
+    regions 'scan, all edges' scan '10000 75000 350000' --all-edges
+    regions 'scan' scan '10000 75000 350000' --crease 40
+    regions 'terrain, all edges' terrain '10000 100000 1000000' --all-edges
+    regions 'terrain' terrain '10000 100000 1000000' --crease 40
 }
 
 # count NAME FILE: adds the instructions of a whole run to build/bench/instructions.tsv
@@ -423,6 +438,7 @@ for which in "$@"; do
     meshes | all-meshes)
         show stages meshes
         show meshes meshes
+        show regions meshes
         ;;
     *) show instructions instructions ;;
     esac

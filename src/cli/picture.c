@@ -417,7 +417,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.lettering.distance = options->distance;
     page.lettering.distance_count = options->distance_count;
     roberts_status status = save_page(options, &page, v, error);
-    run->draw = report_since(start);
+    run->draw = report_sum(run->draw, report_since(start));
     return status;
 }
 
@@ -459,14 +459,17 @@ static void tell(const cli_options *options, const run_stats *run, const views *
 }
 
 /* Writes the visible regions, if they are wanted. */
-static roberts_status save_regions(const cli_options *options, const views *v, roberts_error *error)
+static roberts_status save_regions(const cli_options *options, const views *v, run_stats *run, roberts_error *error)
 {
     roberts_draw_options table = options->draw;
+    roberts_time start = report_now();
     if (!options->regions)
         return ROBERTS_OK;
     table.format = ROBERTS_JSON;
     roberts_format_by_path(options->regions, &table.format);
-    return roberts_regions_save(&v->regions[0], &table, options->regions, error);
+    roberts_status status = roberts_regions_save(&v->regions[0], &table, options->regions, error);
+    run->draw = report_since(start);
+    return status;
 }
 
 /* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
@@ -482,7 +485,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     if (status == ROBERTS_OK)
         warn_idle(options, *scene, &v);
     if (status == ROBERTS_OK)
-        status = save_regions(options, &v, &error);
+        status = save_regions(options, &v, &run, &error);
     if (last && !needs_scene(options)) {
         roberts_scene_free(*scene);
         *scene = NULL;

@@ -87,6 +87,7 @@ static roberts_drawing add_up(const roberts_drawing *drawing, size_t views)
         sum.view_time = report_sum(sum.view_time, d->view_time);
         sum.grid_time = report_sum(sum.grid_time, d->grid_time);
         sum.hide_time = report_sum(sum.hide_time, d->hide_time);
+        sum.region_time = report_sum(sum.region_time, d->region_time);
     }
     sum.segment = NULL;
     sum.crossing = NULL;
@@ -228,8 +229,9 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"refined", "signs and crossings refined", d->tally.refined},
     };
     const stage stages[] = {
-        {"read", run->read},    {"solids", run->solids}, {"view", d->view_time}, {"grid", d->grid_time},
-        {"hide", d->hide_time}, {"verify", run->verify}, {"draw", run->draw},    {"total", run->total},
+        {"read", run->read},     {"solids", run->solids}, {"view", d->view_time},
+        {"grid", d->grid_time},  {"hide", d->hide_time},  {"regions", d->region_time},
+        {"verify", run->verify}, {"draw", run->draw},     {"total", run->total},
     };
     static const struct reason {
         const char *json, *text;

@@ -357,8 +357,10 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
-    if (status == ROBERTS_OK && job->regions)
+    if (status == ROBERTS_OK && job->regions) {
         status = find_regions(job, drawing);
+        drawing->region_time = lap(&clock);
+    }
     if (job->regions)
         cut_lines_free(&job->seen.further);
     crossings_free(&job->crossings);
