@@ -233,6 +233,8 @@ struct cross_finder {
         const std::vector<uint32_t> name = vertex_names();
         for_sides([&](size_t f, uint32_t p, uint32_t q) {
             const uint32_t a = name[p], b = name[q];
+            if (first[f] != f)
+                return; /* a face given again has no edges of its own */
             std::vector<size_t> &of = edges[{std::min(a, b), std::max(a, b)}];
             if (of.empty() || of.back() != f)
                 of.push_back(f);
@@ -256,7 +258,7 @@ struct cross_finder {
             const std::array<uint32_t, 2> whole = key;
             if (std::none_of(ends.begin(), ends.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
                 std::any_of(edges.begin(), edges.end(),
-                            [&](const auto &e) { return e.second.size() != 2 && is_on(e.first, middle); }))
+                            [&](const auto &e) { return e.second.size() != 2 && runs_along(e.first, whole, middle); }))
                 joined.insert(key);
         }
     }
@@ -392,12 +394,19 @@ struct cross_finder {
         if (!is_open(e.key))
             return edges.at(e.key);
         for (const auto &[key, faces] : edges)
-            if (is_open(key) && is_on(key, X))
+            if (is_open(key) && runs_along(key, e.key, X))
                 for (size_t f : faces)
                     if (std::find(out.begin(), out.end(), f) == out.end())
                         out.push_back(f);
         std::sort(out.begin(), out.end());
         return out;
+    }
+
+    /* Does the edge pass X on the line of another one? */
+    bool runs_along(const std::array<uint32_t, 2> &key, const std::array<uint32_t, 2> &other,
+                    const vec<rational> &X) const
+    {
+        return is_on(key, X) && parallel(carrier_of(key).d, carrier_of(other).d);
     }
 
     bool is_on(const std::array<uint32_t, 2> &key, const vec<rational> &X) const
