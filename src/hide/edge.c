@@ -364,7 +364,7 @@ static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint
 
 /* Trims a part of a line, with everything it touches, by the parts known to be hidden at its ends. False: nothing is
  * left. Only some of the hidden parts are examined. */
-static bool is_new(const hide_line *line, double *t0, double *t1)
+BITS_INLINE bool is_new(const hide_line *line, double *t0, double *t1)
 {
     size_t count = line->intervals.count < KNOWN_PARTS ? line->intervals.count : KNOWN_PARTS;
     for (size_t i = 0; i < count; i++) {
@@ -380,26 +380,39 @@ static bool is_new(const hide_line *line, double *t0, double *t1)
     return true;
 }
 
-/* Tests the part t0 .. t1 of a line against the fronts of a cell with a tree. False: no memory. */
-static bool meet_tree(hide_worker *w, const line_set *p, size_t cell, double t0, double t1)
+/* Tests part of a line against the fronts of a child of a cell's tree. False: no memory. */
+static bool meet_child(hide_worker *w, const line_set *p, size_t cell, const front_line *line, front_visit v)
 {
     const front_node *node = w->grid->tree[cell].node;
     const objet_entry *list = w->grid->entry + w->grid->start[cell];
-    const front_line line = front_line_of(p->first->e.A, p->first->e.B, w->margin);
-    front_visit stack[FRONT_TREE_WAITING] = {{0, hide_float_below(t0), hide_float_above(t1), 0.0f}};
-    uint32_t depth = 1;
-    while (depth > 0 && w->live) {
-        const front_visit v = stack[--depth];
+    front_queue queue;
+    front_visit found[4];
+    uint32_t count;
+    front_queue_begin(&queue);
+    for (bool more = true; more && w->live; more = front_queue_next(&queue, found, count, &v)) {
         const uint32_t child = v.child & ~FRONT_TREE_LEAF;
         double from = (double)v.t0, to = (double)v.t1;
+        count = 0;
         if (!w->named && !is_new(p->first, &from, &to))
             continue;
-        if (child == v.child)
-            depth += front_node_meets(&node[child], &line, hide_float_below(from), hide_float_above(to), stack + depth);
-        else if (!meet_once(w, p, list[child].front))
-            return false;
+        if (child != v.child) {
+            if (!meet_once(w, p, list[child].front))
+                return false;
+        } else if (queue.count > FRONT_QUEUE - 4) { /* no room: those below it get a queue of their own */
+            if (!meet_child(w, p, cell, line, v))
+                return false;
+        } else {
+            count = front_node_meets(&node[child], line, hide_float_below(from), hide_float_above(to), found);
+        }
     }
     return true;
+}
+
+/* Tests the part t0 .. t1 of a line against the fronts of a cell with a tree. False: no memory. */
+static bool meet_tree(hide_worker *w, const line_set *p, size_t cell, double t0, double t1)
+{
+    const front_line line = front_line_of(p->first->e.A, p->first->e.B, w->margin);
+    return meet_child(w, p, cell, &line, (front_visit){0, hide_float_below(t0), hide_float_above(t1), 0.0f});
 }
 
 /* Tests the lines of a group against the fronts of a cell with a tree. False: no memory. */

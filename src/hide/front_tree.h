@@ -9,6 +9,9 @@
 #ifndef ROBERTS_HIDE_FRONT_TREE_H
 #define ROBERTS_HIDE_FRONT_TREE_H
 
+#include <string.h>
+
+#include "base/bits.h"
 #include "base/lanes.h"
 #include "hide/fronts.h"
 
@@ -63,6 +66,76 @@ typedef struct front_visit {
  * Returns their number. The longest part comes last; of equal ones, that of the child farther from the viewer, which is
  * mostly the nearest one in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
+
+/* Children that a line has still to visit, in lists by the length of the part that each may hide: more than a sixteenth
+ * of the line, more than a sixteenth of that, and so on. Those of the first list come first; of one list, the last one
+ * added. So what hides much is met early, and children of like size are searched in depth. */
+#define FRONT_QUEUE 64
+#define FRONT_QUEUE_LISTS 8
+
+typedef struct front_queue {
+    front_visit visit[FRONT_QUEUE];
+    uint8_t next[FRONT_QUEUE];        /* of each visit, the next one of its list, or itself: it is the last */
+    uint8_t first[FRONT_QUEUE_LISTS]; /* of each list that is not empty */
+    uint8_t unused[FRONT_QUEUE];      /* [FRONT_QUEUE - count] places without a visit */
+    uint32_t lists;                   /* bit k: list k is not empty */
+    uint32_t count;
+} front_queue;
+
+static inline void front_queue_begin(front_queue *q)
+{
+    q->lists = q->count = 0;
+    for (uint32_t i = 0; i < FRONT_QUEUE; i++)
+        q->unused[i] = (uint8_t)i;
+}
+
+/* The list of a visit. */
+static inline uint32_t front_queue_list(const front_visit *v)
+{
+    const float length = v->t1 - v->t0;
+    uint32_t bits;
+    memcpy(&bits, &length, sizeof bits);
+    const uint32_t list = (127 - (bits >> 23)) / 4; /* the exponent of 1 is 127 */
+    return length >= 1.0f ? 0 : list < FRONT_QUEUE_LISTS ? list : FRONT_QUEUE_LISTS - 1;
+}
+
+/* There must be room. */
+static inline void front_queue_add(front_queue *q, const front_visit *v)
+{
+    const uint32_t list = front_queue_list(v), at = q->unused[FRONT_QUEUE - ++q->count];
+    q->visit[at] = *v;
+    q->next[at] = q->lists >> list & 1 ? q->first[list] : (uint8_t)at;
+    q->first[list] = (uint8_t)at;
+    q->lists |= 1u << list;
+}
+
+static inline front_visit front_queue_take(front_queue *q, uint32_t list)
+{
+    const uint32_t at = q->first[list];
+    if (q->next[at] == at)
+        q->lists &= ~(1u << list);
+    q->first[list] = q->next[at];
+    q->unused[FRONT_QUEUE - q->count--] = (uint8_t)at;
+    return q->visit[at];
+}
+
+/* Adds the children that front_node_meets() has found, and takes the next one. False: there is none. */
+static inline bool front_queue_next(front_queue *q, const front_visit *found, uint32_t count, front_visit *next)
+{
+    for (uint32_t i = 0; i + 1 < count; i++)
+        front_queue_add(q, &found[i]);
+    const uint32_t list = q->lists ? (uint32_t)bits_trailing_zeros(q->lists) : FRONT_QUEUE_LISTS;
+    if (count > 0 && front_queue_list(&found[count - 1]) <= list) {
+        *next = found[count - 1];
+        return true;
+    }
+    if (list == FRONT_QUEUE_LISTS)
+        return false;
+    *next = front_queue_take(q, list);
+    if (count > 0)
+        front_queue_add(q, &found[count - 1]);
+    return true;
+}
 
 /* Finds the children of a node that may hide anything of the lines in a box: their numbers, the farthest child from the
  * viewer last. Returns how many they are. */

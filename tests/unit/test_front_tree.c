@@ -51,6 +51,48 @@ static void walk(const front_tree *tree, const front_line *line, front_visit *me
     }
 }
 
+/* Visits come by the list of their length, the last one added first. Each comes once. */
+static void what_hides_most_comes_first(void **state)
+{
+    rng r = {53};
+    size_t taken = 0, late = 0;
+    (void)state;
+    for (int round = 0; round < 2000; round++) {
+        front_queue queue;
+        front_visit waiting[FRONT_QUEUE], found[4], v;
+        uint32_t count = 0, name = 0;
+        front_queue_begin(&queue);
+        for (int step = 0; step < 40; step++) {
+            uint32_t more = queue.count <= FRONT_QUEUE - 4 ? (uint32_t)rng_int(&r, 0, 4) : 0;
+            for (uint32_t i = 0; i < more; i++) {
+                float from = (float)rng_between(&r, 0, 0.5), length = (float)pow(10, rng_between(&r, -12, 0.2));
+                found[i] = (front_visit){name++, from, from + length, 0.0f};
+            }
+            bool any = front_queue_next(&queue, found, more, &v);
+            for (uint32_t i = 0; i < more; i++)
+                waiting[count++] = found[i];
+            assert_true(any == (count > 0));
+            if (!any)
+                continue;
+            uint32_t at = count;
+            for (uint32_t i = 0; i < count; i++)
+                if (waiting[i].child == v.child)
+                    at = i;
+            assert_true(at < count);
+            for (uint32_t i = 0; i < count; i++)
+                assert_true(front_queue_list(&waiting[i]) > front_queue_list(&v) ||
+                            (front_queue_list(&waiting[i]) == front_queue_list(&v) && i <= at));
+            late += at + 1 < count;
+            for (uint32_t i = at + 1; i < count; i++)
+                waiting[i - 1] = waiting[i];
+            count--;
+            assert_int_equal(queue.count, count);
+            taken++;
+        }
+    }
+    assert_true(taken > 20000 && late > 1000);
+}
+
 static void nothing_hidden_is_left_out(void **state)
 {
     size_t hidden = 0, asked = 0, all = 0;
@@ -161,6 +203,7 @@ static void the_same_lines_as_by_lists(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_hides_most_comes_first),
         cmocka_unit_test(nothing_hidden_is_left_out),
         cmocka_unit_test(the_same_lines_as_by_lists),
     };
