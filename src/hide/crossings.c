@@ -188,9 +188,10 @@ static bool is_small(const finder *t, uint32_t front)
 {
     const scan_frame *frame = &t->grid->frame;
     const hide_box *box = &t->fronts->front_box[front];
-    double m = 2.0 * (frame->margin + hide_loose(t->fronts, front));
-    return (double)(box->x1 - box->x0) + m < MOST_OF_CELL * frame->dx &&
-           (double)(box->y1 - box->y0) + m < MOST_OF_CELL * frame->dy;
+    double m = frame->margin + hide_loose(t->fronts, front);
+    double x0 = scan_along_x(frame, (double)box->x0 - m), x1 = scan_along_x(frame, (double)box->x1 + m);
+    double y0 = scan_along_y(frame, (double)box->y0 - m), y1 = scan_along_y(frame, (double)box->y1 + m);
+    return x1 - x0 < MOST_OF_CELL * frame->dx && y1 - y0 < MOST_OF_CELL * frame->dy;
 }
 
 /* Has an earlier cell tested the pair? False if that is not known. */
@@ -242,13 +243,12 @@ static bool pack_cell(finder *t, const cell_list *c)
     uint32_t full = (c->count + 3) & ~3u;
     if (!array_reserve(&t->four, &t->four_room, full / 4, sizeof *t->four))
         return false;
-    const double m = CELL_MARGINS * frame->margin, x = frame->x0 + c->column * frame->dx,
-                 y = frame->y0 + c->row * frame->dy;
+    const double m = CELL_MARGINS * frame->margin;
     const bool edge[4] = {c->column == 0, c->column + 1 == frame->nx, c->row == 0, c->row + 1 == frame->ny};
-    const hide_box cell = {.x0 = edge[0] ? -INFINITY : hide_float_below(x - m),
-                           .x1 = edge[1] ? INFINITY : hide_float_above(x + frame->dx + m),
-                           .y0 = edge[2] ? -INFINITY : hide_float_below(y - m),
-                           .y1 = edge[3] ? INFINITY : hide_float_above(y + frame->dy + m)};
+    const hide_box cell = {.x0 = edge[0] ? -INFINITY : hide_float_below(scan_left(frame, c->column) - m),
+                           .x1 = edge[1] ? INFINITY : hide_float_above(scan_left(frame, c->column + 1.0) + m),
+                           .y0 = edge[2] ? -INFINITY : hide_float_below(scan_lower(frame, c->row) - m),
+                           .y1 = edge[3] ? INFINITY : hide_float_above(scan_lower(frame, c->row + 1.0) + m)};
     for (uint32_t k = 0; k < c->count; k++)
         pack_entry(t, &cell, c->list[k].front, k);
     for (uint32_t k = c->count; k < full; k++) {

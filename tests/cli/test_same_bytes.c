@@ -7,13 +7,14 @@
 #include <unistd.h>
 
 #include "folders.h"
+#include "rng.h"
 #include "temporary.h"
 #include "testing.h"
 #include "whole_file.h"
 
-enum { SIDE = 56, BOXES = SIDE * SIDE + 1, RUNS = 12 };
+enum { SIDE = 56, BOXES = SIDE * SIDE + 1, TRIANGLES = 3000, RUNS = 12 };
 
-static char program[4096], boxes[TEMPORARY_ROOM + 10];
+static char program[4096], boxes[TEMPORARY_ROOM + 20], triangles[TEMPORARY_ROOM + 20];
 
 /* The table shows everything computed, and the SVG the strokes made of it. Writers know neither threads nor grid, so
  * the other formats are drawn less often. */
@@ -43,12 +44,30 @@ static void write_boxes(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
+/* Triangles that cross in one place, and one that is far away and wide: where they crowd the grid has more cells. */
+static void write_triangles(const char *path)
+{
+    rng r = {7};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n%d %d 0\n-900 -900 -400\n900 -900 -400\n0 900 -400\n", 3 * TRIANGLES + 3, TRIANGLES + 1);
+    for (int i = 0; i < TRIANGLES; i++) {
+        const double x = rng_between(&r, 0, 20), y = rng_between(&r, 0, 20), z = rng_between(&r, 0, 20);
+        for (int k = 0; k < 3; k++)
+            fprintf(file, "%.9g %.9g %.9g\n", x + rng_between(&r, -2, 2), y + rng_between(&r, -2, 2),
+                    z + rng_between(&r, -2, 2));
+    }
+    for (int i = 0; i <= TRIANGLES; i++)
+        fprintf(file, "3 %d %d %d\n", 3 * i, 3 * i + 1, 3 * i + 2);
+    assert_int_equal(fclose(file), 0);
+}
+
 /* The program's output for this model with these options; to be freed. */
 static char *draw(const char *model, const char *format, const char *options, size_t *size)
 {
     char command[8192];
-    snprintf(command, sizeof command, "'%s' '%s' --hidden dashed --dir 3,-5,4 -o '%s/out.%s' %s", program, model,
-             temporary, format, options);
+    snprintf(command, sizeof command, "'%s' '%s' --dir 3,-5,4 -o '%s/out.%s' %s", program, model, temporary, format,
+             options);
     int status = system(command);
     assert_true(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     snprintf(command, sizeof command, "%s/out.%s", temporary, format);
@@ -73,15 +92,32 @@ static void threads_and_grids(void **state)
     (void)state;
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         size_t size;
-        char *bytes = draw(boxes, formats[f], "", &size);
+        char *bytes = draw(boxes, formats[f], "--hidden dashed", &size);
         assert_true(size > 1000);
         for (size_t t = 0; t < sizeof threads / sizeof threads[0]; t++)
             for (size_t g = 0; g < sizeof grids / sizeof grids[0]; g++) {
                 if ((f > CSV && grids[g] < 40) || (f > SVG && threads[t] != 7))
                     continue;
-                snprintf(options, sizeof options, "--threads %d --grid %d", threads[t], grids[g]);
+                snprintf(options, sizeof options, "--hidden dashed --threads %d --grid %d", threads[t], grids[g]);
                 require_same(boxes, formats[f], options, bytes, size);
             }
+        free(bytes);
+    }
+}
+
+static void crowds_and_grids(void **state)
+{
+    static const char *const hidden[] = {"", "--hidden dashed"};
+    char options[64];
+    (void)state;
+    for (int h = 0; h < 2; h++) {
+        size_t size;
+        char *bytes = draw(triangles, "csv", hidden[h], &size);
+        assert_true(size > 100000);
+        for (int grid = 1; grid <= 81; grid *= 9) {
+            snprintf(options, sizeof options, "%s --grid %d", hidden[h], grid);
+            require_same(triangles, "csv", options, bytes, size);
+        }
         free(bytes);
     }
 }
@@ -91,9 +127,9 @@ static void runs(void **state)
     (void)state;
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         size_t size;
-        char *bytes = draw("models/city.off", formats[f], "", &size);
+        char *bytes = draw("models/city.off", formats[f], "--hidden dashed", &size);
         for (int i = 1; i < (f <= SVG ? RUNS : 3); i++)
-            require_same("models/city.off", formats[f], "", bytes, size);
+            require_same("models/city.off", formats[f], "--hidden dashed", bytes, size);
         free(bytes);
     }
 }
@@ -104,12 +140,15 @@ static int enter_folder(void **state)
         return -1;
     snprintf(boxes, sizeof boxes, "%s/boxes.off", temporary);
     write_boxes(boxes);
+    snprintf(triangles, sizeof triangles, "%s/triangles.off", temporary);
+    write_triangles(triangles);
     return 0;
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(runs)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threads_and_grids), cmocka_unit_test(crowds_and_grids),
+                                       cmocka_unit_test(runs)};
     snprintf(program, sizeof program, "%s/roberts", build_folder());
     return cmocka_run_group_tests_name("same_bytes", tests, enter_folder, temporary_remove);
 }
