@@ -141,6 +141,19 @@ static bool meet_solids(finder *t, uint32_t a, uint32_t b)
            face_lists_meet(t->list, (uint32_t[]){f->solid, g->solid}, &(face_taker){meet_pair, t, 0});
 }
 
+/* The same for all copies of the fronts, which are not listed. */
+static bool meet_copies(finder *t, uint32_t a, uint32_t b)
+{
+    const uint32_t *next = t->fronts->next_copy, wholes = t->fronts->whole_count;
+    if (!next)
+        return meet_solids(t, a, b);
+    for (; a != ROBERTS_NONE; a = a < wholes ? next[a] : ROBERTS_NONE)
+        for (uint32_t c = b; c != ROBERTS_NONE; c = c < wholes ? next[c] : ROBERTS_NONE)
+            if (!meet_solids(t, a, c))
+                return false;
+    return true;
+}
+
 /* ---- cells ----------------------------------------------------------------------------------------------------- */
 
 /* The face of entry k of a list. It is kept until the next cell. */
@@ -163,7 +176,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     if (hide_key(fronts, f) == hide_key(fronts, g))
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
-        return meet_solids(t, list[i].front, list[k].front);
+        return meet_copies(t, list[i].front, list[k].front);
     if (filter_faces(fronts, list[i].front, list[k].front))
         return true;
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));

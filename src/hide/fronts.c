@@ -437,6 +437,21 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
+static bool add_copy(hide_fronts *fronts, uint32_t first, uint32_t copy)
+{
+    if (!fronts->next_copy) {
+        fronts->next_copy = alloc_array(fronts->front_count, sizeof *fronts->next_copy);
+        for (uint32_t i = 0; fronts->next_copy && i < fronts->front_count; i++)
+            fronts->next_copy[i] = ROBERTS_NONE;
+    }
+    if (!fronts->next_copy)
+        return false;
+    fronts->front[copy].listed = false;
+    fronts->next_copy[copy] = fronts->next_copy[first];
+    fronts->next_copy[first] = copy;
+    return true;
+}
+
 /* Sets `listed` of the whole fronts. Among copies, only the one with the smallest number is listed: a thousand listed
  * copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no memory. */
 static bool leave_out_copies(hide_fronts *fronts)
@@ -458,7 +473,7 @@ static bool leave_out_copies(hide_fronts *fronts)
     for (uint32_t k = 0; done && k < count; k++) {
         uint32_t i = order[k];
         if (last != ROBERTS_NONE && key[last] == key[i] && same_front(fronts, front[last], front[i]))
-            fronts->front[front[i]].listed = false;
+            done = add_copy(fronts, front[last], front[i]);
         else
             last = i;
     }
@@ -596,6 +611,7 @@ void hide_fronts_free(hide_fronts *fronts)
     free(fronts->front);
     free(fronts->front_box);
     free(fronts->outline);
+    free(fronts->next_copy);
     runs_table_free(&fronts->face_runs);
     runs_table_free(&fronts->outline_runs);
     bundle_table_free(&fronts->bundles);

@@ -62,6 +62,7 @@ typedef struct hide_fronts {
     hide_front *front;       /* [front_count] whole fronts come first */
     hide_box *front_box;     /* [front_count] */
     uint32_t convex_count;   /* convex solids of the scene */
+    uint32_t *next_copy;     /* [whole_count] of each front, another copy of it, or ROBERTS_NONE; NULL: no copies */
     uint32_t whole_count, front_count;
     size_t room;       /* of `front` and `front_box` */
     double thickest;   /* what is nearer than a front's box by more than this does not touch it; INFINITY: unknown */
