@@ -20,36 +20,36 @@ typedef struct warp {
 /* Makes a map of low..high to itself. Half of its result is divided evenly over the interval, half over the `count`
  * values, which are in ascending order and inside the interval. Each piece is at least `least` long. False: the
  * interval is too short for that. */
-bool warp_make(warp *b, double low, double high, const double *value, size_t count, double least);
+bool warp_make(warp *w, double low, double high, const double *value, size_t count, double least);
 
 /* The piece that x lies in. */
-static inline unsigned warp_piece_of(const warp *b, double x)
+static inline unsigned warp_piece_of(const warp *w, double x)
 {
     unsigned k = 0;
     for (unsigned step = WARP_PIECES / 2; step > 0; step /= 2)
-        k += x >= b->at[k + step] ? step : 0;
+        k += x >= w->at[k + step] ? step : 0;
     return k;
 }
 
 /* Maps x. If x < y, the result for x is at most that for y, whatever the rounding. */
-static inline double warp_at(const warp *b, double x)
+static inline double warp_at(const warp *w, double x)
 {
-    unsigned k = warp_piece_of(b, x);
-    return b->from + b->piece * (k + lesser((x - b->at[k]) * b->per[k], 1.0));
+    unsigned k = warp_piece_of(w, x);
+    return w->from + w->piece * (k + lesser((x - w->at[k]) * w->per[k], 1.0));
 }
 
 /* The inverse, but for rounding. */
-static inline double warp_back(const warp *b, double x)
+static inline double warp_back(const warp *w, double x)
 {
-    double at = (x - b->from) / b->piece;
+    double at = (x - w->from) / w->piece;
     unsigned k = (unsigned)lesser(greater(at, 0.0), WARP_PIECES - 1.0);
-    return b->at[k] + (at - k) * (b->at[k + 1] - b->at[k]);
+    return w->at[k] + (at - k) * (w->at[k + 1] - w->at[k]);
 }
 
 /* How many times longer the map makes what is near x. */
-static inline double warp_stretch(const warp *b, double x)
+static inline double warp_stretch(const warp *w, double x)
 {
-    return b->piece * b->per[warp_piece_of(b, x)];
+    return w->piece * w->per[warp_piece_of(w, x)];
 }
 
 #endif

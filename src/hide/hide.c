@@ -85,8 +85,10 @@ static roberts_status list_fronts(hide_job *job)
     cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
                          hide_margin(&fronts->space)};
     scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
-    if (!picture_order_init(&job->order, fronts, depth))
+    if (!picture_order_init(&job->order, fronts, depth)) {
+        free(frame.warps);
         return ROBERTS_NO_MEMORY;
+    }
     hide_fronts_drop_boxes(&job->fronts);
     return objet_build(&job->grid, fronts, frame, job->options->threads);
 }
