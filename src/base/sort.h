@@ -73,6 +73,15 @@ static inline int compare_u64(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* Compares two doubles that are not NaN, for qsort(). */
+static inline int compare_doubles(const void *a, const void *b)
+{
+    double x, y;
+    memcpy(&x, a, sizeof x);
+    memcpy(&y, b, sizeof y);
+    return (x > y) - (x < y);
+}
+
 /* Compares two uint32_t, for qsort() and bsearch(). */
 static inline int sort_compare_numbers(const void *a, const void *b)
 {

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/sort.h"
 #include "base/threads.h"
 
 /* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
@@ -152,17 +153,11 @@ static void enlarge(const sizes *s, uint32_t count, double cell, double most, do
     }
 }
 
-static int ascending(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static bool make_warp(warp *axis, double low, double high, const double *middle, uint32_t count, double margin)
 {
     double sorted[WARP_MOST];
     memcpy(sorted, middle, count * sizeof *sorted);
-    qsort(sorted, count, sizeof *sorted, ascending);
+    qsort(sorted, count, sizeof *sorted, compare_doubles);
     return warp_make(axis, low - margin, high + margin, sorted, count, WARP_MARGINS * margin);
 }
 

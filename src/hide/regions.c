@@ -101,12 +101,6 @@ static roberts_vec2 corner_of(const region_work *w, uint32_t half)
     return w->map.node[map_from(&w->map, half)];
 }
 
-static int compare_doubles(const void *pa, const void *pb)
-{
-    double a = *(const double *)pa, b = *(const double *)pb;
-    return (a > b) - (a < b);
-}
-
 /* A side of a cell. */
 typedef struct cell_side {
     roberts_vec2 P, Q;
