@@ -434,8 +434,9 @@ typedef struct roberts_drawing {
     size_t drawn_edges; /**< surviving edges (all, if hidden segments are kept) that are not flatter than the crease
                              angle */
     roberts_tally tally;
-    roberts_time view_time, grid_time, hide_time, region_time; /**< the last includes hiding flat edges */
-    size_t known_edge_count;        /**< only in a joined drawing: there, `edge` of a segment is an index here */
+    roberts_time view_time, grid_time, hide_time;
+    roberts_time region_time; /**< of visible regions, with hiding the edges that only they need; 0: none are wanted */
+    size_t known_edge_count;  /**< only in a joined drawing: there, `edge` of a segment is an index here */
     roberts_known_edge *known_edge; /**< [known_edge_count] */
 } roberts_drawing;
 

@@ -168,12 +168,11 @@ uint32_t cover_at(const cover *c, double x, double y, float z)
 static BITS_RARE bool warped_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)
 {
     const scan_frame *f = &c->frame;
-    const double m = f->margin, least = lesser(A.x, B.x), greatest = greater(A.x, B.x);
-    const bool steep = greatest - least <= 4.0 * m;
-    const uint32_t last = scan_column(f, greatest + m);
-    for (uint32_t i = scan_column(f, least - m); i <= last; i++) {
+    const double m = f->margin;
+    const uint32_t last = scan_column(f, greater(A.x, B.x) + m);
+    for (uint32_t i = scan_column(f, lesser(A.x, B.x) - m); i <= last; i++) {
         double t0 = 0.0, t1 = 1.0;
-        if (!steep && !box_clip(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1))
+        if (!box_clip(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1))
             continue;
         const double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         const double near = greater(A.z + t0 * (B.z - A.z), A.z + t1 * (B.z - A.z)) + m;

@@ -141,7 +141,7 @@ static bool meet_solids(finder *t, uint32_t a, uint32_t b)
            face_lists_meet(t->list, (uint32_t[]){f->solid, g->solid}, &(face_taker){meet_pair, t, 0});
 }
 
-/* The same for all copies of the fronts, which are not listed. */
+/* The same for the fronts and all their copies, which no cell lists. */
 static bool meet_copies(finder *t, uint32_t a, uint32_t b)
 {
     const uint32_t *next = t->fronts->next_copy, wholes = t->fronts->whole_count;

@@ -18,7 +18,7 @@
 /* Fronts with more corners or faces than this are bounded by their boxes alone. */
 #define FRONT_TREE_CORNERS 24
 
-/* The most pending children while a line goes through a tree. */
+/* The most pending children in a search in depth. */
 #define FRONT_TREE_WAITING 64
 
 /* Of a child: this bit says that it is a single front; without it, the child is a node. */
@@ -67,8 +67,8 @@ typedef struct front_visit {
  * mostly the nearest one in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
 
-/* Children that a line has still to visit, in lists by the length of the part that each may hide: more than a sixteenth
- * of the line, more than a sixteenth of that, and so on. Those of the first list come first; of one list, the last one
+/* Children that a line has still to visit, in lists by the length of the part that each may hide: at least an eighth
+ * of the line, at least a sixteenth of that, and so on. Those of the first list come first; of one list, the last one
  * added. So what hides much is met early, and children of like size are searched in depth. */
 #define FRONT_QUEUE 64
 #define FRONT_QUEUE_LISTS 8

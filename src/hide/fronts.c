@@ -437,6 +437,7 @@ static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front,
     return count;
 }
 
+/* Leaves a copy out of the lists, and links it to the first front at its place. False: no memory. */
 static bool add_copy(hide_fronts *fronts, uint32_t first, uint32_t copy)
 {
     if (!fronts->next_copy) {
@@ -452,8 +453,9 @@ static bool add_copy(hide_fronts *fronts, uint32_t first, uint32_t copy)
     return true;
 }
 
-/* Sets `listed` of the whole fronts. Among copies, only the one with the smallest number is listed: a thousand listed
- * copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no memory. */
+/* Sets `listed` and `next_copy` of the whole fronts. Among copies, only the one with the smallest number is listed: a
+ * thousand listed copies would cost a million tests. Sorting the keys in a stable way brings copies together. False: no
+ * memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
     uint32_t count = fronts->front_count, last = ROBERTS_NONE;

@@ -85,12 +85,6 @@ BITS_INLINE void list_front(const filling *job, uint32_t index, bool fill)
             list_in_cell(job, index, place, i, j, fill);
 }
 
-void objet_warp_sides(const warp warps[2], float side[4])
-{
-    for (int i = 0; i < 4; i++)
-        side[i] = (float)warp_at(&warps[i / 2], (double)side[i]);
-}
-
 static bool list_some(void *job, size_t first, size_t end)
 {
     const filling *own = job;
@@ -361,6 +355,12 @@ void objet_free(objet *grid)
     cover_free(&grid->sheet);
     free(grid->frame.warps);
     *grid = (objet){0};
+}
+
+void objet_warp_sides(const warp warps[2], float side[4])
+{
+    for (int i = 0; i < 4; i++)
+        side[i] = (float)warp_at(&warps[i / 2], (double)side[i]);
 }
 
 /* Does what box_clip() does, and calls it only if an end lies outside. */

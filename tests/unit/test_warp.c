@@ -31,10 +31,10 @@ static void it_ascends_and_turns_back(void **state)
         for (int k = 0; k < WARP_PIECES; k++)
             assert_true(w.at[k + 1] - w.at[k] >= 0.999 * LEAST);
         for (int i = 0; i < 20000; i++) {
-            double x = rng_between(&r, LOW - 1, HIGH + 1), y = x;
+            double x = rng_between(&r, LOW - 1, HIGH + 1);
             if (i % 3 == 0) /* around a corner of the map */
-                x = y = w.at[rng_int(&r, 0, WARP_PIECES)];
-            y = i % 2 ? nextafter(x, INFINITY) : x + rng_between(&r, 0, 1e-3);
+                x = w.at[rng_int(&r, 0, WARP_PIECES)];
+            double y = i % 2 ? nextafter(x, INFINITY) : x + rng_between(&r, 0, 1e-3);
             assert_true(warp_at(&w, x) <= warp_at(&w, y));
             if (x >= LOW && x <= HIGH)
                 assert_true(fabs(warp_back(&w, warp_at(&w, x)) - x) < 1e-13);
