@@ -912,6 +912,7 @@ static void cells_by_table(void **state)
         scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 0, &depth);
         scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
+        free(f.warps);
         if (listed > 40.0 * BOXES || cells > 8.0 * BOXES || cells < table[i].least_cells || covers > 64.0 * BOXES)
             fail_msg("%s: %g cells, %g entries, %g cells of covers", table[i].name, cells, listed, covers);
     }
