@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/dd.h"
 #include "base/orient.h"
 #include "base/sort.h"
@@ -50,6 +51,7 @@ static size_t slot_of(roberts_vec2 p, size_t mask)
 /* Joins nodes at exactly the same place. Most nodes are ends of several lines. False: no memory. */
 static bool join_equal(planar_map *m)
 {
+    enum { AHEAD = 16 }; /* nodes whose slots are prefetched */
     size_t size = 16, kept = 0;
     while (size < 2 * m->node_count)
         size *= 2;
@@ -59,6 +61,8 @@ static bool join_equal(planar_map *m)
         slot[i] = ROBERTS_NONE;
     for (size_t n = 0; enough && n < m->node_count; n++) {
         roberts_vec2 p = m->node[n];
+        if (n + AHEAD < m->node_count)
+            FETCH_AHEAD(&slot[slot_of(m->node[n + AHEAD], size - 1)]);
         size_t at = slot_of(p, size - 1);
         while (slot[at] != ROBERTS_NONE && !(m->node[slot[at]].x == p.x && m->node[slot[at]].y == p.y))
             at = (at + 1) & (size - 1);
@@ -84,15 +88,16 @@ static bool unite_lines(map_search *s)
 {
     planar_map *m = s->m;
     const size_t count = m->line_count;
-    uint32_t *key = alloc_array(count, sizeof *key), *start = NULL, *order = NULL;
-    uint64_t *line = alloc_array(count, sizeof *line); /* the smaller node, the other one, is it open? */
-    bool enough = key && line;
+    uint32_t *start = alloc_zeroed(m->node_count + 2, sizeof *start); /* by the smaller node */
+    uint64_t *line = alloc_array(count, sizeof *line);                /* the smaller node, the other one, is it open? */
+    const bool enough = start && line;
     for (size_t i = 0; enough && i < count; i++)
-        key[i] = m->line[i][m->line[i][1] < m->line[i][0]];
-    enough = enough && sort_buckets(key, count, m->node_count, &start, &order);
+        start[m->line[i][m->line[i][1] < m->line[i][0]] + 2]++;
+    for (size_t n = 0; enough && n < m->node_count; n++)
+        start[n + 2] += start[n + 1];
     for (size_t i = 0; enough && i < count; i++) {
-        const uint32_t *v = m->line[order[i]], from = key[order[i]];
-        line[i] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[order[i]];
+        const uint32_t *v = m->line[i], from = v[v[1] < v[0]];
+        line[start[from + 1]++] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[i];
     }
     for (size_t n = 0; enough && n < m->node_count; n++) {
         const size_t few = start[n + 1] - start[n];
@@ -113,9 +118,7 @@ static bool unite_lines(map_search *s)
     }
     if (enough)
         m->line_count = to;
-    free(key);
     free(start);
-    free(order);
     free(line);
     return enough;
 }
@@ -285,17 +288,23 @@ static bool prune(planar_map *m)
 
 /* ---- stars ----------------------------------------------------------------------------------------------------- */
 
+/* Half-edges in the order round their nodes. */
+typedef struct map_stars {
+    uint32_t *start; /* [nodes + 1] node n begins half[start[n]] .. half[start[n + 1] - 1] */
+    uint32_t *half;  /* [2 lines] counter-clockwise: to the right from the lowest, then to the left from the highest */
+} map_stars;
+
 /* A half-edge about its node. */
 typedef struct ray {
     roberts_vec2 from, to;
     uint32_t half;
-    bool lower; /* it points down, or straight left */
+    bool left; /* it runs to the left, or straight down */
 } ray;
 
 static bool comes_after(const ray *a, const ray *b)
 {
-    if (a->lower != b->lower)
-        return a->lower;
+    if (a->left != b->left)
+        return a->left;
     return orient2d(a->from, a->to, b->to) < 0.0;
 }
 
@@ -308,10 +317,9 @@ static bool sort_stars(map_stars *s, const planar_map *m)
 {
     size_t halves = 2 * m->line_count, most = 0;
     uint32_t *node = alloc_array(halves, sizeof *node);
-    s->place = alloc_array(halves, sizeof *s->place);
     for (uint32_t h = 0; node && h < halves; h++)
         node[h] = map_from(m, h);
-    const bool listed = node && s->place && sort_buckets(node, halves, m->node_count, &s->start, &s->half);
+    const bool listed = node && sort_buckets(node, halves, m->node_count, &s->start, &s->half);
     free(node);
     if (!listed)
         return false;
@@ -322,17 +330,15 @@ static bool sort_stars(map_stars *s, const planar_map *m)
         uint32_t first = s->start[n], count = s->start[n + 1] - first;
         for (uint32_t k = 0; k < count; k++) {
             roberts_vec2 from = m->node[n], to = m->node[map_from(m, s->half[first + k] ^ 1)];
-            own[k] = (ray){from, to, s->half[first + k], to.y < from.y || (to.y == from.y && to.x < from.x)};
+            own[k] = (ray){from, to, s->half[first + k], vec2_compare(to, from) < 0};
         }
         if (count <= 16) {
             SORT_FEW(ray, own, count, comes_after(a, b));
         } else {
             qsort(own, count, sizeof *own, compare_rays);
         }
-        for (uint32_t k = 0; k < count; k++) {
+        for (uint32_t k = 0; k < count; k++)
             s->half[first + k] = own[k].half;
-            s->place[own[k].half] = first + k;
-        }
     }
     free(own);
     return own != NULL;
@@ -340,12 +346,12 @@ static bool sort_stars(map_stars *s, const planar_map *m)
 
 /* ---- cycles ---------------------------------------------------------------------------------------------------- */
 
-double map_area(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone)
+double map_area(const planar_map *m, const uint32_t *half, size_t count)
 {
-    roberts_vec2 O = m->node[map_from(m, half)];
+    roberts_vec2 O = m->node[map_from(m, half[0])];
     double twice = 0.0, sum = 0.0;
-    for (uint32_t h = map_next(c, m, half, gone); h != half; h = map_next(c, m, h, gone)) {
-        roberts_vec2 P = m->node[map_from(m, h)], Q = m->node[map_from(m, h ^ 1)];
+    for (size_t k = 1; k < count; k++) {
+        roberts_vec2 P = m->node[map_from(m, half[k])], Q = m->node[map_from(m, half[k] ^ 1)];
         double left = (P.x - O.x) * (Q.y - O.y), right = (P.y - O.y) * (Q.x - O.x);
         twice += left - right;
         sum += fabs(left) + fabs(right);
@@ -353,43 +359,73 @@ double map_area(const map_cells *c, const planar_map *m, uint32_t half, const ui
     if (fabs(twice) > 1e-6 * sum)
         return 0.5 * twice;
     dd exact = {0.0, 0.0};
-    for (uint32_t h = map_next(c, m, half, gone); h != half; h = map_next(c, m, h, gone)) {
-        roberts_vec2 P = m->node[map_from(m, h)], Q = m->node[map_from(m, h ^ 1)];
+    for (size_t k = 1; k < count; k++) {
+        roberts_vec2 P = m->node[map_from(m, half[k])], Q = m->node[map_from(m, half[k] ^ 1)];
         dd left = dd_mul(dd_two_diff(P.x, O.x), dd_two_diff(Q.y, O.y));
         exact = dd_add(exact, dd_sub(left, dd_mul(dd_two_diff(P.y, O.y), dd_two_diff(Q.x, O.x))));
     }
     return 0.5 * (exact.hi + exact.lo);
 }
 
+/* Finds the half-edge that follows each one: at its end, the next one clockwise. False: no memory. */
+static bool link_halves(map_cells *c, const planar_map *m, const map_stars *s)
+{
+    c->next = alloc_array(2 * m->line_count, sizeof *c->next);
+    for (size_t n = 0; c->next && n < m->node_count; n++)
+        for (uint32_t at = s->start[n]; at < s->start[n + 1]; at++)
+            c->next[s->half[at] ^ 1] = s->half[(at > s->start[n] ? at : s->start[n + 1]) - 1];
+    return c->next != NULL;
+}
+
 static bool trace_cycles(map_cells *c, const planar_map *m)
 {
-    size_t halves = 2 * m->line_count, room = 0, area_room = 0;
+    size_t halves = 2 * m->line_count, first_room = 0, area_room = 0, room = 0;
+    uint32_t *half = NULL; /* of one cycle */
     c->cycle = alloc_array(halves, sizeof *c->cycle);
-    for (size_t h = 0; c->cycle && h < halves; h++)
+    bool enough = c->cycle != NULL;
+    for (size_t h = 0; enough && h < halves; h++)
         c->cycle[h] = ROBERTS_NONE;
-    for (uint32_t first = 0; c->cycle && first < halves; first++) {
+    for (uint32_t first = 0; enough && first < halves; first++) {
+        size_t count = 0;
         if (c->cycle[first] != ROBERTS_NONE)
             continue;
-        if (!array_reserve(&c->first, &room, c->cycle_count + 1, sizeof *c->first) ||
-            !array_reserve(&c->area, &area_room, c->cycle_count + 1, sizeof *c->area))
-            return false;
-        for (uint32_t h = first; c->cycle[h] == ROBERTS_NONE; h = map_next(c, m, h, NULL))
+        for (uint32_t h = first; enough && c->cycle[h] == ROBERTS_NONE; h = c->next[h]) {
             c->cycle[h] = (uint32_t)c->cycle_count;
-        c->first[c->cycle_count] = first;
-        c->area[c->cycle_count++] = map_area(c, m, first, NULL);
+            enough = array_reserve(&half, &room, count + 1, sizeof *half);
+            if (enough)
+                half[count++] = h;
+        }
+        enough = enough && array_reserve(&c->first, &first_room, c->cycle_count + 1, sizeof *c->first) &&
+                 array_reserve(&c->area, &area_room, c->cycle_count + 1, sizeof *c->area);
+        if (enough) {
+            c->first[c->cycle_count] = first;
+            c->area[c->cycle_count++] = map_area(m, half, count);
+        }
     }
-    return c->cycle != NULL;
+    free(half);
+    return enough;
 }
 
 /* ---- which cell a group of lines lies in ----------------------------------------------------------------------- */
 
+/* A line that the sweep meets. Lines that follow one another there share a place in the order. */
+typedef struct sweep_line {
+    roberts_vec2 from, to;
+    uint32_t half; /* to the right; of a place that is free: the next free one */
+} sweep_line;
+
 typedef struct cell_sweep {
     map_cells *c;
     const planar_map *m;
-    sweep_order order;
-    uint8_t *second; /* [lines] the second half-edge is the one that runs to the right */
-    uint32_t *node;  /* [count] from left to right, then upward */
-    uint32_t *outer; /* [nodes] of the leftmost node of a group, the cycle round it from outside; else ROBERTS_NONE */
+    const map_stars *stars;
+    sweep_order order; /* of places */
+    sweep_line *line;  /* [lines] by places */
+    uint32_t *place;   /* [lines] of the line in the order */
+    uint32_t used;     /* places 0 .. used-1 have been used */
+    uint32_t unused;   /* the first of them that is free; ROBERTS_NONE: none is */
+    uint8_t *second;   /* [lines] the second half-edge is the one that runs to the right */
+    uint32_t *node;    /* [count] from left to right, then upward */
+    uint32_t *outer;   /* [nodes] of the leftmost node of a group, the cycle round it from outside; else ROBERTS_NONE */
     size_t count;
 } cell_sweep;
 
@@ -418,7 +454,7 @@ static void sort_equal_keys(sweep_node *item, size_t count)
 static bool sort_nodes(cell_sweep *s)
 {
     const planar_map *m = s->m;
-    const uint32_t *start = s->c->stars.start;
+    const uint32_t *start = s->stars->start;
     sweep_node *item = alloc_array(m->node_count, sizeof *item);
     uint32_t *key = alloc_array(m->node_count, sizeof *key), *order = alloc_array(m->node_count, sizeof *order);
     s->node = alloc_array(m->node_count, sizeof *s->node);
@@ -458,7 +494,7 @@ static bool find_leftmost(cell_sweep *s)
         if (c->area[k] > 0.0)
             continue;
         uint32_t least = map_from(m, c->first[k]);
-        for (uint32_t h = map_next(c, m, c->first[k], NULL); h != c->first[k]; h = map_next(c, m, h, NULL))
+        for (uint32_t h = c->next[c->first[k]]; h != c->first[k]; h = c->next[h])
             if (vec2_compare(m->node[map_from(m, h)], m->node[least]) < 0)
                 least = map_from(m, h);
         s->outer[least] = k;
@@ -481,62 +517,65 @@ static uint32_t rightward(const cell_sweep *s, uint32_t line)
     return 2 * line + s->second[line];
 }
 
-/* The line directly below a node at which no line of the order ends; ROBERTS_NONE: there is none. */
-static uint32_t line_below(const cell_sweep *s, uint32_t node)
+/* The place of the line directly below a node at which no line of the order ends; ROBERTS_NONE: there is none. */
+static uint32_t place_below(const cell_sweep *s, uint32_t node)
 {
+    const roberts_vec2 P = s->m->node[node];
     uint32_t below = ROBERTS_NONE;
-    for (uint32_t line = s->order.root; line != ROBERTS_NONE;) {
-        uint32_t h = rightward(s, line);
-        bool above = orient2d(s->m->node[map_from(s->m, h)], s->m->node[map_from(s->m, h ^ 1)], s->m->node[node]) > 0;
-        below = above ? line : below;
-        line = s->order.place[line].child[above];
+    for (uint32_t place = s->order.root; place != ROBERTS_NONE;) {
+        const bool above = orient2d(s->line[place].from, s->line[place].to, P) > 0.0;
+        below = above ? place : below;
+        place = s->order.place[place].child[above];
     }
     return below;
 }
 
-/* The cell above a line, or the outside. */
-static uint32_t cell_above(const cell_sweep *s, uint32_t line)
+/* Takes a free place, directly above another one. */
+static uint32_t take_place(cell_sweep *s, uint32_t below)
 {
-    return line == ROBERTS_NONE ? 0 : map_cell_of(s->c, rightward(s, line));
+    const uint32_t place = s->unused != ROBERTS_NONE ? s->unused : s->used++;
+    if (place == s->unused)
+        s->unused = s->line[place].half;
+    sweep_order_insert(&s->order, place, below);
+    return place;
+}
+
+static void free_place(cell_sweep *s, uint32_t place)
+{
+    sweep_order_remove(&s->order, place);
+    s->line[place].half = s->unused;
+    s->unused = place;
 }
 
 /* Removes the lines that end at a node from the order, and inserts those that begin there. Each takes the place of one
- * that ends, as long as there are any. Counter-clockwise from the right, a star has lines that begin and go upward,
- * lines that end, and lines that begin and go downward. */
+ * that ends, as long as there are any. In a star, the lines that begin come first, from the lowest to the highest, then
+ * those that end, from the highest to the lowest. */
 static void pass_node(cell_sweep *s, uint32_t node)
 {
-    const planar_map *m = s->m;
-    const uint32_t *half = s->c->stars.half, first = s->c->stars.start[node], end = s->c->stars.start[node + 1];
-    uint32_t down = end, ends = first, below;
-    while (down > first && rightward(s, half[down - 1] >> 1) == half[down - 1] &&
-           m->node[map_from(m, half[down - 1] ^ 1)].y < m->node[node].y)
-        down--;
-    while (ends < down && rightward(s, half[ends] >> 1) == half[ends])
+    const uint32_t *half = s->stars->half, first = s->stars->start[node], end = s->stars->start[node + 1];
+    uint32_t ends = first, left = end, below;
+    while (ends < end && rightward(s, half[ends] >> 1) == half[ends])
         ends++;
-    uint32_t left = down - ends; /* of those that end; the lowest comes last */
-    if (left > 0) {
-        below = s->order.place[half[down - 1] >> 1].near[0];
+    if (left > ends) {
+        below = s->order.place[s->place[half[end - 1] >> 1]].near[0];
     } else {
-        below = line_below(s, node);
+        below = place_below(s, node);
         if (s->outer[node] != ROBERTS_NONE)
-            s->c->cell[s->outer[node]] = cell_above(s, below);
+            s->c->cell[s->outer[node]] = below == ROBERTS_NONE ? 0 : map_cell_of(s->c, s->line[below].half);
     }
-    for (uint32_t i = 0; i < end - down + ends - first; i++) { /* from the lowest to the highest */
-        const uint32_t line = half[i < end - down ? down + i : first + i - (end - down)] >> 1;
-        if (left > 0)
-            sweep_order_replace(&s->order, half[ends + --left] >> 1, line);
-        else
-            sweep_order_insert(&s->order, line, below);
-        below = line;
+    for (uint32_t i = first; i < ends; i++) {
+        below = left > ends ? s->place[half[--left] >> 1] : take_place(s, below);
+        s->line[below] = (sweep_line){s->m->node[node], s->m->node[map_from(s->m, half[i] ^ 1)], half[i]};
+        s->place[half[i] >> 1] = below;
     }
-    while (left > 0)
-        sweep_order_remove(&s->order, half[ends + --left] >> 1);
+    while (left > ends)
+        free_place(s, s->place[half[--left] >> 1]);
 }
 
 /* Gives each cycle its cell. False: no memory. */
-static bool number_cells(map_cells *c, const planar_map *m)
+static bool number_cells(map_cells *c, const planar_map *m, const map_stars *stars)
 {
-    cell_sweep s = {.c = c, .m = m};
+    cell_sweep s = {.c = c, .m = m, .stars = stars, .unused = ROBERTS_NONE};
     size_t groups = 0;
     c->cell = alloc_array(c->cycle_count, sizeof *c->cell);
     c->cell_count = 1;
@@ -548,11 +587,15 @@ static bool number_cells(map_cells *c, const planar_map *m)
     }
     if (groups < 2)
         return true;
-    bool enough =
-        sort_nodes(&s) && find_leftmost(&s) && find_directions(&s) && sweep_order_start(&s.order, m->line_count);
+    s.line = alloc_sparse(m->line_count, sizeof *s.line); /* few are in the order at a time */
+    s.place = alloc_array(m->line_count, sizeof *s.place);
+    bool enough = s.line && s.place && sort_nodes(&s) && find_leftmost(&s) && find_directions(&s) &&
+                  sweep_order_start(&s.order, m->line_count);
     for (size_t i = 0; enough && i < s.count; i++)
         pass_node(&s, s.node[i]);
     sweep_order_free(&s.order);
+    free(s.line);
+    free(s.place);
     free(s.second);
     free(s.node);
     free(s.outer);
@@ -561,15 +604,18 @@ static bool number_cells(map_cells *c, const planar_map *m)
 
 bool map_cells_find(map_cells *c, planar_map *m)
 {
+    map_stars stars = {NULL, NULL};
     *c = (map_cells){0};
-    return prune(m) && sort_stars(&c->stars, m) && trace_cycles(c, m) && number_cells(c, m);
+    const bool enough = prune(m) && sort_stars(&stars, m) && link_halves(c, m, &stars) && trace_cycles(c, m) &&
+                        number_cells(c, m, &stars);
+    free(stars.start);
+    free(stars.half);
+    return enough;
 }
 
 void map_cells_free(map_cells *c)
 {
-    free(c->stars.start);
-    free(c->stars.half);
-    free(c->stars.place);
+    free(c->next);
     free(c->cycle);
     free(c->first);
     free(c->area);

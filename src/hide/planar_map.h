@@ -31,15 +31,8 @@ void planar_map_free(planar_map *m);
  * is the one on its left. A cell has one cycle round it, counter-clockwise, and one for each group of lines that lies
  * in it, clockwise. Cell 0 is what is outside of all. */
 
-/* Half-edges in the order round their nodes. */
-typedef struct map_stars {
-    uint32_t *start; /* [nodes + 1] node n begins half[start[n]] .. half[start[n + 1] - 1], counter-clockwise */
-    uint32_t *half;  /* [2 lines] */
-    uint32_t *place; /* [2 lines] of each half-edge in half[] */
-} map_stars;
-
 typedef struct map_cells {
-    map_stars stars;
+    uint32_t *next;  /* [2 lines] the half-edge that follows on the same cycle: the next one clockwise about its node */
     uint32_t *cycle; /* [2 lines] of each half-edge */
     uint32_t *first; /* [cycle_count] a half-edge of each cycle */
     double *area;    /* [cycle_count] > 0: it runs counter-clockwise */
@@ -61,18 +54,16 @@ static inline uint32_t map_cell_of(const map_cells *c, uint32_t half)
     return c->cell[c->cycle[half]];
 }
 
-/* The half-edge that follows on the same cycle. gone: [lines] 1: the line is removed; NULL: none is. */
-static inline uint32_t map_next(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone)
+/* The half-edge that follows once the lines in `gone`, [lines], are removed. */
+static inline uint32_t map_next(const map_cells *c, uint32_t half, const uint8_t *gone)
 {
-    const map_stars *s = &c->stars;
-    uint32_t node = map_from(m, half ^ 1), at = s->place[half ^ 1];
-    do
-        at = (at > s->start[node] ? at : s->start[node + 1]) - 1;
-    while (gone && gone[s->half[at] >> 1]);
-    return s->half[at];
+    uint32_t next = c->next[half];
+    while (gone[next >> 1])
+        next = c->next[next ^ 1];
+    return next;
 }
 
-/* The area within a cycle, > 0 if it runs counter-clockwise; the sign is right. */
-double map_area(const map_cells *c, const planar_map *m, uint32_t half, const uint8_t *gone);
+/* The area within a ring of half-edges, > 0 if it runs counter-clockwise; the sign is right. */
+double map_area(const planar_map *m, const uint32_t *half, size_t count);
 
 #endif

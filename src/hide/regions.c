@@ -10,6 +10,7 @@
  * Regions tile the picture because cells do, whatever the rounding. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/array.h"
 #include "base/error.h"
@@ -28,13 +29,11 @@ enum { CELLS_PER_THREAD = 2000 };
 
 /* A ring in the making. */
 typedef struct region_ring {
-    uint32_t half;  /* its leftmost corner begins it */
-    uint32_t face;  /* of the scene */
-    uint32_t outer; /* the ring round the whole piece: itself, unless it bounds a hole */
-    uint32_t root;  /* of its cells */
-    size_t corners;
+    size_t first, corners; /* its half-edges: side[first] .. side[first + corners - 1], the leftmost corner first */
+    uint32_t face;         /* of the scene */
+    uint32_t outer;        /* the ring round the whole piece: itself, unless it bounds a hole */
+    uint32_t root;         /* of its cells */
     double area;
-    roberts_vec2 at;
 } region_ring;
 
 typedef struct cell_sight {
@@ -47,12 +46,13 @@ typedef struct region_work {
     planar_map map;
     map_cells cells;
     region_depths depths;
-    uint32_t *start, *half; /* the half-edges of each cell: [cells + 1], [2 lines] */
-    cell_sight *sight;      /* [cells] */
-    uint8_t *gone;          /* [lines] the same face is seen on both sides */
-    uint32_t *root;         /* [cells] joined cells, represented by one of them */
-    region_ring *ring;      /* [ring_count] */
-    size_t ring_count, ring_room;
+    uint32_t *start, *cycle; /* the cycles of each cell: [cells + 1], [cycles] */
+    cell_sight *sight;       /* [cells] */
+    uint8_t *gone;           /* [lines] the same face is seen on both sides */
+    uint32_t *root;          /* [cells] joined cells, represented by one of them */
+    region_ring *ring;       /* [ring_count] */
+    uint32_t *side;          /* [side_count] half-edges of the rings */
+    size_t ring_count, ring_room, side_count, side_room;
 } region_work;
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
@@ -84,16 +84,10 @@ static bool take_lines(region_work *w, const roberts_drawing *drawing, const rob
 
 /* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
 
-/* Lists the half-edges of each cell. */
-static bool list_halves(region_work *w)
+/* Lists the cycles of each cell. */
+static bool list_cycles(region_work *w)
 {
-    size_t halves = 2 * w->map.line_count;
-    uint32_t *cell = alloc_array(halves, sizeof *cell);
-    for (uint32_t h = 0; cell && h < halves; h++)
-        cell[h] = map_cell_of(&w->cells, h);
-    bool enough = cell && sort_buckets(cell, halves, w->cells.cell_count, &w->start, &w->half);
-    free(cell);
-    return enough;
+    return sort_buckets(w->cells.cell, w->cells.cycle_count, w->cells.cell_count, &w->start, &w->cycle);
 }
 
 static roberts_vec2 corner_of(const region_work *w, uint32_t half)
@@ -117,16 +111,21 @@ typedef struct region_scratch {
 
 static bool take_sides(const region_work *w, uint32_t cell, region_scratch *scratch)
 {
-    const uint32_t first = w->start[cell], count = w->start[cell + 1] - first;
-    if (!array_reserve(&scratch->side, &scratch->side_room, count, sizeof *scratch->side) ||
-        !array_reserve(&scratch->item, &scratch->room, count, sizeof *scratch->item))
-        return false;
-    for (uint32_t k = 0; k < count; k++) {
-        const uint32_t half = w->half[first + k];
-        scratch->side[k] = (cell_side){corner_of(w, half), corner_of(w, half ^ 1)};
+    size_t count = 0;
+    for (uint32_t k = w->start[cell]; k < w->start[cell + 1]; k++) {
+        const uint32_t first = w->cells.first[w->cycle[k]];
+        roberts_vec2 P = corner_of(w, first);
+        for (uint32_t half = first, more = 1; more; more = half != first) {
+            if (!array_reserve(&scratch->side, &scratch->side_room, count + 1, sizeof *scratch->side))
+                return false;
+            half = w->cells.next[half];
+            const roberts_vec2 Q = corner_of(w, half);
+            scratch->side[count++] = (cell_side){P, Q};
+            P = Q;
+        }
     }
     scratch->count = count;
-    return true;
+    return array_reserve(&scratch->item, &scratch->room, count, sizeof *scratch->item);
 }
 
 /* The middle and the width of the widest stretch of a cell at height y. Width 0: there is none. */
@@ -318,37 +317,49 @@ static bool join_cells(region_work *w)
     return true;
 }
 
-/* Traces the ring of a half-edge, and marks it as done. */
-static region_ring ring_of(region_work *w, uint32_t half, uint8_t *done)
+/* Adds the half-edges of the ring that begins with `half` to the sides, from its leftmost corner on, and marks them as
+ * done. room: [*room_count] for the sides of a ring. False: no memory. */
+static bool add_ring(region_work *w, uint32_t half, uint8_t *done, uint32_t **room, size_t *room_count)
 {
-    uint32_t cell = map_cell_of(&w->cells, half);
-    region_ring ring = {.half = half, .face = w->sight[cell].face, .root = root_of(w, cell), .at = corner_of(w, half)};
-    for (uint32_t h = half; !done[h]; h = map_next(&w->cells, &w->map, h, w->gone)) {
-        roberts_vec2 P = corner_of(w, h);
+    const uint32_t cell = map_cell_of(&w->cells, half);
+    size_t count = 0, least = 0;
+    roberts_vec2 at = corner_of(w, half);
+    for (uint32_t h = half; !done[h]; h = map_next(&w->cells, h, w->gone)) {
+        const roberts_vec2 P = corner_of(w, h);
+        if (!array_reserve(room, room_count, count + 1, sizeof **room))
+            return false;
         done[h] = 1;
-        ring.corners++;
-        if (vec2_compare(P, ring.at) < 0) {
-            ring.at = P;
-            ring.half = h;
+        if (vec2_compare(P, at) < 0) {
+            at = P;
+            least = count;
         }
+        (*room)[count++] = h;
     }
-    ring.area = map_area(&w->cells, &w->map, ring.half, w->gone);
-    return ring;
+    if (!array_reserve(&w->side, &w->side_room, w->side_count + count, sizeof *w->side) ||
+        !array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring))
+        return false;
+    uint32_t *side = w->side + w->side_count;
+    memcpy(side, *room + least, (count - least) * sizeof *side);
+    memcpy(side + count - least, *room, least * sizeof *side);
+    w->ring[w->ring_count++] = (region_ring){.first = w->side_count,
+                                             .corners = count,
+                                             .face = w->sight[cell].face,
+                                             .root = root_of(w, cell),
+                                             .area = map_area(&w->map, side, count)};
+    w->side_count += count;
+    return true;
 }
 
 static bool trace_rings(region_work *w)
 {
-    uint32_t halves = 2 * (uint32_t)w->map.line_count;
+    uint32_t halves = 2 * (uint32_t)w->map.line_count, *room = NULL;
+    size_t room_count = 0;
     uint8_t *done = alloc_zeroed(halves, 1);
     uint32_t *outer = alloc_array(w->cells.cell_count, sizeof *outer); /* by root */
     bool enough = done && outer;
-    for (uint32_t h = 0; enough && h < halves; h++) {
-        if (done[h] || w->gone[h >> 1] || w->sight[map_cell_of(&w->cells, h)].face == ROBERTS_NONE)
-            continue;
-        enough = array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring);
-        if (enough)
-            w->ring[w->ring_count++] = ring_of(w, h, done);
-    }
+    for (uint32_t h = 0; enough && h < halves; h++)
+        if (!done[h] && !w->gone[h >> 1] && w->sight[map_cell_of(&w->cells, h)].face != ROBERTS_NONE)
+            enough = add_ring(w, h, done, &room, &room_count);
     for (size_t c = 0; enough && c < w->cells.cell_count; c++)
         outer[c] = ROBERTS_NONE;
     for (uint32_t r = 0; enough && r < w->ring_count; r++)
@@ -358,6 +369,7 @@ static bool trace_rings(region_work *w)
         uint32_t about = outer[w->ring[r].root];
         w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* NONE: the map is not planar */
     }
+    free(room);
     free(done);
     free(outer);
     return enough;
@@ -365,10 +377,9 @@ static bool trace_rings(region_work *w)
 
 /* A ring among those of its face. */
 typedef struct ring_place {
-    uint32_t face, ring;
+    uint32_t ring, half;
     bool hole;
     roberts_vec2 outer, at;
-    uint32_t half;
 } ring_place;
 
 static int compare_places(const void *pa, const void *pb)
@@ -383,29 +394,46 @@ static int compare_places(const void *pa, const void *pb)
     return order != 0 ? order : (a->half > b->half) - (a->half < b->half);
 }
 
-static ring_place *sort_rings(const region_work *w)
+/* Sorts the rings of one face: outer ones from left to right, each followed by its holes. place: for all of them. */
+static void sort_face_rings(const region_work *w, uint32_t *ring, size_t count, ring_place *place)
 {
-    const size_t count = w->ring_count;
+    for (size_t k = 0; k < count; k++) {
+        const region_ring *own = &w->ring[ring[k]];
+        const uint32_t half = w->side[own->first];
+        place[k] = (ring_place){ring[k], half, own->outer != ring[k], corner_of(w, w->side[w->ring[own->outer].first]),
+                                corner_of(w, half)};
+    }
+    qsort(place, count, sizeof *place, compare_places);
+    for (size_t k = 0; k < count; k++)
+        ring[k] = place[k].ring;
+}
+
+/* The numbers of the rings, by faces; NULL: no memory. The caller frees them. */
+static uint32_t *sort_rings(const region_work *w)
+{
+    const size_t count = w->ring_count, faces = w->job->seen.scene->face_count;
     uint32_t *face = alloc_array(count, sizeof *face), *start = NULL, *order = NULL;
     ring_place *place = NULL;
+    size_t room = 0;
+    bool enough = face;
     for (uint32_t r = 0; face && r < count; r++)
         face[r] = w->ring[r].face;
-    if (face && sort_buckets(face, count, w->job->seen.scene->face_count, &start, &order))
-        place = alloc_array(count, sizeof *place);
-    for (size_t i = 0, k = 0; place && i < count; i++) {
-        const region_ring *own = &w->ring[order[i]];
-        place[i] =
-            (ring_place){own->face, order[i], own->outer != order[i], w->ring[own->outer].at, own->at, own->half};
-        if (i + 1 < start[own->face + 1])
+    enough = enough && sort_buckets(face, count, faces, &start, &order);
+    for (size_t f = 0; enough && f < faces; f++) {
+        const size_t own = start[f + 1] - start[f];
+        if (own < 2)
             continue;
-        if (i > k)
-            qsort(place + k, i + 1 - k, sizeof *place, compare_places);
-        k = i + 1;
+        enough = array_reserve(&place, &room, own, sizeof *place);
+        if (enough)
+            sort_face_rings(w, order + start[f], own, place);
     }
     free(face);
     free(start);
+    free(place);
+    if (enough)
+        return order;
     free(order);
-    return place;
+    return NULL;
 }
 
 /* ---- the table ------------------------------------------------------------------------------------------------- */
@@ -413,9 +441,8 @@ static ring_place *sort_rings(const region_work *w)
 static void put_corners(const region_work *w, const region_ring *ring, roberts_region_list *out)
 {
     double unit = w->job->seen.view.unit;
-    uint32_t h = ring->half;
-    for (size_t k = 0; k < ring->corners; k++, h = map_next(&w->cells, &w->map, h, w->gone)) {
-        roberts_vec2 P = corner_of(w, h);
+    for (size_t k = 0; k < ring->corners; k++) {
+        roberts_vec2 P = corner_of(w, w->side[ring->first + k]);
         out->corner[out->corner_count++] = (roberts_vec2){P.x * unit, P.y * unit};
     }
 }
@@ -438,26 +465,24 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 {
     const roberts_scene *scene = w->job->seen.scene;
     double unit = w->job->seen.view.unit;
-    size_t faces = 0, corners = 0;
-    ring_place *place = sort_rings(w);
-    uint32_t *number = alloc_array(scene->face_count, sizeof *number);
-    for (size_t k = 0; place && k < w->ring_count; k++) {
-        faces += k == 0 || place[k].face != place[k - 1].face;
-        corners += w->ring[k].corners;
-    }
+    size_t faces = 0;
+    uint32_t *order = sort_rings(w), *number = alloc_array(scene->face_count, sizeof *number), solid = 0;
+    for (size_t k = 0; order && k < w->ring_count; k++)
+        faces += k == 0 || w->ring[order[k]].face != w->ring[order[k - 1]].face;
     out->region = alloc_array(faces, sizeof *out->region);
     out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
-    out->corner = alloc_array(corners, sizeof *out->corner);
-    bool enough = place && number && out->region && out->ring_start && out->corner;
+    out->corner = alloc_array(w->side_count, sizeof *out->corner);
+    bool enough = order && number && out->region && out->ring_start && out->corner;
     for (uint32_t f = 0; enough && f < scene->face_count; f++)
         number[f] = ROBERTS_NONE;
     for (size_t k = 0; enough && k < w->ring_count; k++) {
-        const region_ring *ring = &w->ring[place[k].ring];
-        if (k == 0 || ring->face != place[k - 1].face) {
-            uint32_t solid = scene_body_of_face(scene, ring->face), face = scene_face_number(scene, ring->face);
+        const region_ring *ring = &w->ring[order[k]];
+        if (number[ring->face] == ROBERTS_NONE) {
+            while (scene->solid[solid + 1].face <= ring->face)
+                solid++;
             number[ring->face] = (uint32_t)out->count;
             out->region[out->count++] = (roberts_region){.solid = solid,
-                                                         .face = face,
+                                                         .face = scene_face_number(scene, ring->face),
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
@@ -473,7 +498,7 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
         out->ring_start[out->ring_count] = out->corner_count;
         put_depths(w, number, out);
     }
-    free(place);
+    free(order);
     free(number);
     return enough;
 }
@@ -486,18 +511,19 @@ bool regions_find(const hide_job *job, const roberts_drawing *drawing, const rob
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
     region_work w = {.job = job};
     bool enough = take_lines(&w, drawing, rest) && planar_map_divide(&w.map, touching) &&
-                  map_cells_find(&w.cells, &w.map) && list_halves(&w) &&
+                  map_cells_find(&w.cells, &w.map) && list_cycles(&w) &&
                   region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&
                   join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
     region_depths_free(&w.depths);
     planar_map_free(&w.map);
     map_cells_free(&w.cells);
     free(w.start);
-    free(w.half);
+    free(w.cycle);
     free(w.sight);
     free(w.gone);
     free(w.root);
     free(w.ring);
+    free(w.side);
     return enough;
 }
 

@@ -79,19 +79,6 @@ void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below)
         rotate_up(order, line);
 }
 
-void sweep_order_replace(sweep_order *order, uint32_t old, uint32_t line)
-{
-    sweep_place *place = order->place;
-    replace_child(order, old, line);
-    place[line] = place[old];
-    for (int k = 0; k < 2; k++) {
-        if (place[line].child[k] != ROBERTS_NONE)
-            place[place[line].child[k]].parent = line;
-        if (place[line].near[k] != ROBERTS_NONE)
-            place[place[line].near[k]].near[1 - k] = line;
-    }
-}
-
 void sweep_order_remove(sweep_order *order, uint32_t line)
 {
     sweep_place *place = order->place, *own = &place[line];

@@ -1,7 +1,7 @@
 /* sweep_order.h - the lines that a sweep line meets, from the lowest to the highest: a list with a search tree over it.
  *
  * The tree is a treap (C. R. Aragon, R. Seidel, "Randomized search trees", Algorithmica 16, 1996) whose priorities are
- * computed from the numbers of the lines that were inserted first in each place, so every run is the same. */
+ * computed from the numbers of the lines, so every run is the same. */
 #ifndef ROBERTS_MODEL_SWEEP_ORDER_H
 #define ROBERTS_MODEL_SWEEP_ORDER_H
 
@@ -27,9 +27,6 @@ void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below);
 
 /* Returns the line directly above another, or the lowest if `below` is ROBERTS_NONE. */
 uint32_t sweep_order_above(const sweep_order *order, uint32_t below);
-
-/* Replaces a line by another one. This is faster than removing and inserting. */
-void sweep_order_replace(sweep_order *order, uint32_t old, uint32_t line);
 
 void sweep_order_remove(sweep_order *order, uint32_t line);
 
