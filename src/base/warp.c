@@ -1,6 +1,8 @@
 /* warp.c - see warp.h. */
 #include "base/warp.h"
 
+#include <math.h>
+
 /* Puts the pieces where the map that is wanted takes the values k / WARP_PIECES. That map is straight between low, the
  * values and high. */
 static void divide(warp *w, double low, double high, const double *value, size_t count)
@@ -42,5 +44,15 @@ bool warp_make(warp *w, double low, double high, const double *value, size_t cou
             return false;
         w->per[k] = 1.0 / (w->at[k + 1] - w->at[k]);
     }
+    return true;
+}
+
+bool warp_is_sound(const warp *w)
+{
+    if (w->from != w->at[0] || !(w->piece > 0.0) || !isfinite(w->at[WARP_PIECES]) || !isfinite(w->piece))
+        return false;
+    for (int k = 0; k < WARP_PIECES; k++)
+        if (!(w->at[k] < w->at[k + 1]) || w->per[k] != 1.0 / (w->at[k + 1] - w->at[k]))
+            return false;
     return true;
 }

@@ -22,6 +22,9 @@ typedef struct warp {
  * interval is too short for that. */
 bool warp_make(warp *w, double low, double high, const double *value, size_t count, double least);
 
+/* Can warp_make() have made this map? For one read from a file. */
+bool warp_is_sound(const warp *w);
+
 /* The piece that x lies in. */
 static inline unsigned warp_piece_of(const warp *w, double x)
 {

@@ -16,7 +16,7 @@
 /* The same where the axes are warped. */
 #define BOXES_PER_WARPED_CELL 1.0
 /* The axes are warped after a sample of at most WARP_MOST boxes. A sample of fewer than WARP_LEAST says too little. */
-#define WARP_MOST 1024
+#define WARP_MOST 512
 #define WARP_LEAST 256
 /* The axes are warped if that makes the surroundings of a box this many times larger, on average. For boxes that lie at
  * random it is about 1. */
@@ -161,15 +161,16 @@ static bool make_warp(warp *axis, double low, double high, const double *middle,
     return warp_make(axis, low - margin, high + margin, sorted, count, WARP_MARGINS * margin);
 }
 
-/* Makes warps by the middles of boxes at equal distances in the file. Middles outside the window count as on its
- * border. Returns how many times larger the warps make the surroundings of a middle, on average; 0: there are too few
- * boxes. */
+/* Makes warps by the middles of a sample: one box of each row of equally many in the file, at random, since boxes at
+ * equal distances may all lie in one column of a pattern. Middles outside the window count as on its border. Returns
+ * how many times larger the warps make the surroundings of a middle, on average; 0: there are too few boxes. */
 static double warp_axes(const cells_boxes *b, warp warps[2])
 {
     double x[WARP_MOST], y[WARP_MOST], sum = 0.0;
-    uint32_t count = 0, step = b->count / WARP_MOST + 1;
-    for (uint32_t i = 0; i < b->count; i += step) {
-        const hide_box *box = &b->box[i];
+    uint32_t count = 0, step = b->count / WARP_MOST + 1, chance = 1;
+    for (uint32_t i = 0; i + step <= b->count; i += step) {
+        chance = chance * 1664525u + 1013904223u; /* a linear congruential generator: the same sample in each run */
+        const hide_box *box = &b->box[i + (chance >> 8) % step];
         if (is_removed(box))
             continue;
         x[count] = lesser(greater(0.5 * ((double)box->x0 + (double)box->x1), b->low.x), b->high.x);
@@ -181,6 +182,14 @@ static double warp_axes(const cells_boxes *b, warp warps[2])
     for (uint32_t i = 0; i < count; i++)
         sum += warp_stretch(&warps[0], x[i]) * warp_stretch(&warps[1], y[i]);
     return sum / count;
+}
+
+/* Gives the frame these warps: [2], or NULL. Without memory for them, it has none, which costs only time. */
+static scan_frame with_warps(scan_frame frame, const warp *warps)
+{
+    if (warps && (frame.warps = malloc(2 * sizeof *warps)))
+        memcpy(frame.warps, warps, 2 * sizeof *warps);
+    return frame;
 }
 
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
@@ -200,23 +209,29 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
         divide(&s, count, warped ? BOXES_PER_WARPED_CELL : BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         enlarge(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }
-    scan_frame frame = scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
-    if (warped && (frame.warps = malloc(sizeof warps)))
-        memcpy(frame.warps, warps, sizeof warps);
-    return frame;
+    return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }
 
 scan_frame cells_for_covers(const cells_boxes *b, int threads)
 {
     double nx, ny;
     uint32_t count = b->count;
-    sizes s = measure(b, NULL, threads);
+    warp warps[2];
+    const bool warped = warp_axes(b, warps) > WARP_STRETCH;
+    sizes s = measure(b, warped ? warps : NULL, threads);
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
     divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
-    return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
+    return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
+}
+
+scan_frame cells_of_whole(const scene_whole *w, double margin)
+{
+    if (!w->columns)
+        return (scan_frame){0};
+    return with_warps(scan_frame_over(w->low, w->high, w->columns, w->rows, margin), w->warped ? w->warps : NULL);
 }
 
 bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count)

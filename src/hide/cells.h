@@ -4,6 +4,7 @@
 
 #include "hide/scan.h"
 #include "hide/types.h"
+#include "model/scene.h"
 
 /* Boxes over a window of the picture. */
 typedef struct cells_boxes {
@@ -20,8 +21,12 @@ typedef struct cells_boxes {
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
 
 /* Returns the cells for covers, which are much smaller than a mean box. If few boxes lie over one another, covers do
- * not pay, and the frame has no columns. The number of threads does not change the result. */
+ * not pay, and the frame has no columns. The number of threads does not change the result. Warps as above; cover_init()
+ * takes them. */
 scan_frame cells_for_covers(const cells_boxes *b, int threads);
+
+/* Returns the cells for covers of the scene to which a part belongs, as its plan keeps them. */
+scan_frame cells_of_whole(const scene_whole *w, double margin);
 
 /* Can cells_for_covers() return so many columns and rows, for `count` boxes? */
 bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count);

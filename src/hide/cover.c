@@ -16,7 +16,7 @@
 #define FILLED_BY_ONE 500000
 
 /* How far beside a box its cells may be read and written. */
-#define CELLS_BESIDE 4.0
+enum { CELLS_BESIDE = 4 };
 
 static bool fill_some(void *context, size_t first, size_t end)
 {
@@ -34,7 +34,7 @@ static void fill(float *depth, size_t count, int threads)
     threads_each(count > FILLED_BY_ONE ? threads : 1, count, 0, fill_some, depth);
 }
 
-/* Allocates the cells. Where nothing is written, they take no memory. */
+/* Allocates the cells, and takes the warps of the frame. Where nothing is written, cells take no memory. */
 static bool alloc_cells(cover *c, scan_frame frame)
 {
     size_t cells = scan_cells(&frame);
@@ -61,9 +61,11 @@ bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 
         return false;
     if (!c->depth)
         return true;
-    const double x = CELLS_BESIDE * frame.dx, y = CELLS_BESIDE * frame.dy;
-    const uint32_t first = scan_row(&frame, low.y - y), end = scan_row(&frame, high.y + y) + 1;
-    for (uint32_t i = scan_column(&frame, low.x - x); i <= scan_column(&frame, high.x + x); i++)
+    const uint32_t column = scan_column(&frame, low.x), row = scan_row(&frame, low.y);
+    const uint32_t first = row > CELLS_BESIDE ? row - CELLS_BESIDE : 0;
+    const uint32_t end = scan_clamp(scan_row(&frame, high.y) + (double)CELLS_BESIDE, frame.last_y) + 1;
+    const uint32_t last = scan_clamp(scan_column(&frame, high.x) + (double)CELLS_BESIDE, frame.last_x);
+    for (uint32_t i = column > CELLS_BESIDE ? column - CELLS_BESIDE : 0; i <= last; i++)
         fill(c->depth + (size_t)i * frame.ny + first, end - first, 1);
     return true;
 }
@@ -72,17 +74,18 @@ void cover_free(cover *c)
 {
     free(c->depth);
     free(c->by);
+    free(c->frame.warps);
     *c = (cover){0};
 }
 
-/* Returns the least depth of the faces' planes over the cell. Since z = (a x + b y + d) / -c with c < 0, each plane has
- * its least depth at a corner of the cell. */
-static double depth_over(const scan_frame *f, uint32_t i, uint32_t j, const hide_face *face, uint32_t face_count)
+/* Returns the least depth of the faces' planes over the cell low .. high. Since z = (a x + b y + d) / -c with c < 0,
+ * each plane has its least depth at a corner of the cell. */
+static double depth_over(roberts_vec2 low, roberts_vec2 high, const hide_face *face, uint32_t face_count)
 {
     double least = INFINITY;
     for (uint32_t k = 0; k < face_count; k++) {
         plane F = face[k].F;
-        double x = f->x0 + (F.a > 0.0 ? i : i + 1) * f->dx, y = f->y0 + (F.b > 0.0 ? j : j + 1) * f->dy;
+        double x = F.a > 0.0 ? low.x : high.x, y = F.b > 0.0 ? low.y : high.y;
         least = lesser(least, (F.a * x + F.b * y + F.d) / -F.c);
     }
     return least;
@@ -119,8 +122,14 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
             continue;
         if (!front->face_count)
             enter_level(cell + first, cell_by + first, last - first + 1, level, front->by);
-        for (uint32_t j = first; front->face_count && j <= last; j++) {
-            double own = greater(front->depth, depth_over(f, i, j, front->face, front->face_count));
+        roberts_vec2 low = {0.0, scan_lower(f, first)}, high = low;
+        if (front->face_count) {
+            low.x = scan_left(f, i);
+            high.x = scan_left(f, i + 1.0);
+        }
+        for (uint32_t j = first; front->face_count && j <= last; j++, low.y = high.y) {
+            high.y = scan_lower(f, j + 1.0);
+            double own = greater(front->depth, depth_over(low, high, front->face, front->face_count));
             enter(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
         }
     }
@@ -240,6 +249,19 @@ static bool hides_solid(const hide_fronts *fronts, const hide_whole_front *front
     return true;
 }
 
+/* The box without one and a half cells at each side. */
+static hide_box without_border(const scan_frame *f, const hide_box *box)
+{
+    float dx = 1.5f * (float)f->dx, dy = 1.5f * (float)f->dy, x0 = dx, x1 = dx, y0 = dy, y1 = dy;
+    if (f->warps) {
+        x0 /= (float)warp_stretch(&f->warps[0], (double)box->x0);
+        x1 /= (float)warp_stretch(&f->warps[0], (double)box->x1);
+        y0 /= (float)warp_stretch(&f->warps[1], (double)box->y0);
+        y1 /= (float)warp_stretch(&f->warps[1], (double)box->y1);
+    }
+    return (hide_box){box->x0 + x0, box->x1 - x1, box->y0 + y0, box->y1 - y1, box->z0, box->z1};
+}
+
 /* If the border of a solid lies on the border of the front that hides it, the cells there are not wholly covered. So if
  * only the inner cells are covered, hides_solid() asks the fronts that cover the middle and the corners of these. For
  * most solids that are not hidden, the middle or one of these corners is not covered. */
@@ -251,8 +273,7 @@ bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, ui
     if (!c->depth ||
         !cover_nearer(c, 0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1), box->z1))
         return false;
-    float dx = 1.5f * (float)c->frame.dx, dy = 1.5f * (float)c->frame.dy;
-    hide_box inner = {box->x0 + dx, box->x1 - dx, box->y0 + dy, box->y1 - dy, box->z0, box->z1};
+    hide_box inner = without_border(&c->frame, box);
     if (inner.x0 > inner.x1 || inner.y0 > inner.y1)
         return cover_hides(c, box);
     if (!cover_nearer(c, (double)inner.x0, (double)inner.y0, box->z1) ||

@@ -19,8 +19,8 @@ typedef struct cover {
     uint32_t *by; /* [nx * ny] what covers the cell: cover_front.by */
 } cover;
 
-/* Makes the cells of a frame, none of which is covered. In a frame without columns no covers are kept. False: no
- * memory. */
+/* Makes the cells of a frame, none of which is covered, and takes the frame's warps. In a frame without columns no
+ * covers are kept. False: no memory; call cover_free() in any case. */
 bool cover_init(cover *c, scan_frame frame, int threads);
 /* The same for bodies in a part of the picture, low..high. No other cells are used. */
 bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 high);

@@ -322,7 +322,8 @@ static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32
 static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *front, const hide_box *box)
 {
     const scan_frame *frame = &fronts->cover.frame;
-    if (!fronts->cover.depth || (double)(box->x1 - box->x0) < frame->dx || (double)(box->y1 - box->y0) < frame->dy)
+    if (!fronts->cover.depth || scan_columns(frame, (double)box->x0, (double)box->x1) < 1.0 ||
+        scan_rows(frame, (double)box->y0, (double)box->y1) < 1.0)
         return;
     hide_single single;
     hide_make_face(fronts, front->solid, front->piece, &single);
@@ -442,7 +443,8 @@ static bool enter_runs(hide_fronts *fronts, const front_faces *found, const uint
 static bool is_wide(const hide_fronts *fronts, const hide_box *box)
 {
     const scan_frame *f = &fronts->cover.frame;
-    return (double)(box->x1 - box->x0) > COVER_WIDE * f->dx || (double)(box->y1 - box->y0) > COVER_WIDE * f->dy;
+    return scan_columns(f, (double)box->x0, (double)box->x1) > COVER_WIDE ||
+           scan_rows(f, (double)box->y0, (double)box->y1) > COVER_WIDE;
 }
 
 /* Makes fronts, or a bundle, of the faces of a solid that is no front as a whole. Makes their runs too. False: no

@@ -561,8 +561,7 @@ static scan_frame cover_frame(const hide_fronts *fronts, int threads)
     const scene_whole *whole = fronts->scene->whole;
     const double margin = hide_margin(&fronts->space);
     if (whole)
-        return whole->columns ? scan_frame_over(whole->low, whole->high, whole->columns, whole->rows, margin)
-                              : (scan_frame){0};
+        return cells_of_whole(whole, margin);
     return cells_for_covers(&(cells_boxes){fronts->box, fronts->scene->solid_count, fronts->low, fronts->high, margin},
                             threads);
 }

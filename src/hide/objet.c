@@ -352,6 +352,7 @@ void objet_free(objet *grid)
     free(grid->apart);
     free(grid->below);
     free(grid->star);
+    grid->sheet.frame.warps = NULL; /* those of the grid */
     cover_free(&grid->sheet);
     free(grid->frame.warps);
     *grid = (objet){0};

@@ -86,7 +86,7 @@ void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uin
 static inline bool borders_between(const scan *s, const scan_frame *f, double from, double to, uint32_t *first,
                                    uint32_t *last)
 {
-    double low = (from - f->x0) * f->per_dx, high = (to - f->x0) * f->per_dx;
+    double low = (scan_along_x(f, from) - f->x0) * f->per_dx, high = (scan_along_x(f, to) - f->x0) * f->per_dx;
     *first = s->inner_first;
     *last = s->inner_last + 1;
     if (!(low <= *last) || !(high >= *first))
@@ -131,7 +131,7 @@ static void scan_borders(scan *s, const scan_frame *f, roberts_vec3 P, roberts_v
     if (!borders_between(s, f, left + m, right - m, &first, &last))
         return;
     for (uint32_t i = first; i <= last; i++)
-        bound[i] = greater(bound[i], from + (f->x0 + i * f->dx - left) * slope + lift);
+        bound[i] = greater(bound[i], from + (scan_left(f, i) - left) * slope + lift);
 }
 
 /* Bounds one side whose ends lie in columns `column` and `next`, away from the borders. Returns the number of borders
@@ -149,9 +149,9 @@ static inline uint32_t scan_side_borders(const scan *s, const scan_frame *f, con
     return below ? last - first : 0;
 }
 
-/* A faster scan_inner() with the same result to the last bit, for polygons with no corner near a border. Then one lower
- * and one upper side cross each border. False: a corner is near a border, or more sides cross one because the polygon
- * is not quite convex. */
+/* A faster scan_inner() with the same result to the last bit, for frames without warps and polygons with no corner near
+ * a border. Then one lower and one upper side cross each border. False: a corner is near a border, or more sides cross
+ * one because the polygon is not quite convex. */
 static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double near = 4.0 * f->margin * f->per_dx, inside = 1.0 - near;
@@ -186,10 +186,11 @@ static bool scan_apart(scan *s, const scan_frame *f, const roberts_vec3 *P, cons
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
 {
     double least, greatest;
-    if (scan_apart(s, f, P, corner, count))
+    if (!f->warps && scan_apart(s, f, P, corner, count))
         return;
     find_width(P, corner, count, &least, &greatest);
-    double low = (least + f->margin - f->x0) * f->per_dx, high = (greatest - f->margin - f->x0) * f->per_dx;
+    double low = (scan_along_x(f, least + f->margin) - f->x0) * f->per_dx;
+    double high = (scan_along_x(f, greatest - f->margin) - f->x0) * f->per_dx;
     s->inner_first = 1;
     s->inner_last = 0;
     if (!(low < f->nx) || !(high >= 1.0))

@@ -74,6 +74,17 @@ static inline uint32_t scan_row(const scan_frame *f, double y)
     return scan_clamp((scan_along_y(f, y) - f->y0) * f->per_dy, f->last_y);
 }
 
+/* Return how many columns wide, or rows high, something is. */
+static inline double scan_columns(const scan_frame *f, double x0, double x1)
+{
+    return (scan_along_x(f, x1) - scan_along_x(f, x0)) * f->per_dx;
+}
+
+static inline double scan_rows(const scan_frame *f, double y0, double y1)
+{
+    return (scan_along_y(f, y1) - scan_along_y(f, y0)) * f->per_dy;
+}
+
 /* Returns the cell of picture point (x, y). */
 static inline size_t scan_cell(const scan_frame *f, double x, double y)
 {
@@ -98,7 +109,7 @@ void scan_free(scan *s);
  * with scan_touched(). */
 void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
-/* Finds the cells completely inside the polygon; read them with scan_inside(). The frame has no warps. */
+/* Finds the cells completely inside the polygon; read them with scan_inside(). */
 void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint32_t *corner, uint32_t count);
 
 /* Gets the rows touched in column i. */
@@ -111,8 +122,8 @@ static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, 
 /* Gets the rows completely inside in inner column i. False if there are none. */
 static inline bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
 {
-    double low = (greater(s->under[i], s->under[i + 1]) + f->margin - f->y0) * f->per_dy;
-    double high = (-greater(s->over[i], s->over[i + 1]) - f->margin - f->y0) * f->per_dy;
+    double low = (scan_along_y(f, greater(s->under[i], s->under[i + 1]) + f->margin) - f->y0) * f->per_dy;
+    double high = (scan_along_y(f, -greater(s->over[i], s->over[i + 1]) - f->margin) - f->y0) * f->per_dy;
     if (!(low < f->ny) || !(high >= 1.0))
         return false;
     uint32_t below = low > 0.0 ? (uint32_t)low : 0;

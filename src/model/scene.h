@@ -20,6 +20,7 @@
 #include <string.h>
 
 #include "base/vec.h"
+#include "base/warp.h"
 
 /* Default tolerance: how far from planar and convex a solid may be. Published polyhedra are given to six digits. */
 #define SCENE_TOLERANCE 1e-5
@@ -87,6 +88,8 @@ typedef struct scene_whole {
     scene_reach reach;             /* perspective: by the camera that will see the part */
     roberts_vec2 low, high;        /* the picture's box, view units */
     uint32_t columns, rows;        /* of its covers (hide/cover.h); 0: none are kept */
+    uint32_t warped;               /* 1: their axes have these warps; else 0 */
+    warp warps[2];
 } scene_whole;
 
 /* Arrays that belong to the mesh while the scene is being built. */

@@ -62,7 +62,7 @@ typedef struct part {
 
 /* ---- which bodies ----------------------------------------------------------------------------------------------- */
 
-/* Returns the first or the last cell of a range, along axis k. */
+/* Returns the cell of a coordinate along axis k. */
 static int cell_of(const plan_facts *facts, double x, int k)
 {
     const double low = k ? facts->whole.low.y : facts->whole.low.x,
@@ -71,15 +71,21 @@ static int cell_of(const plan_facts *facts, double x, int k)
     return cell >= CELLS ? CELLS - 1 : cell > 0.0 ? (int)cell : 0; /* 0 also if the picture has no width */
 }
 
+/* Returns what is so many columns (k = 0) or rows (k = 1) of covers away from x. */
+static double beside(const plan_facts *facts, double x, int k, double cells)
+{
+    const scene_whole *w = &facts->whole;
+    const uint32_t count = k ? w->rows : w->columns;
+    const double size = count ? (k ? w->high.y - w->low.y : w->high.x - w->low.x) / count : 0.0;
+    return w->warped ? warp_back(&w->warps[k], warp_at(&w->warps[k], x) + cells * size) : x + cells * size;
+}
+
 /* Finds the cells that a body's box touches, widened by the margin and by the cells of covers about it. */
 static void cells_of(const plan_facts *facts, const plan_place *place, int first[2], int last[2])
 {
-    const scene_whole *whole = &facts->whole;
-    const double beside[2] = {whole->columns ? COVERS_BESIDE * (whole->high.x - whole->low.x) / whole->columns : 0.0,
-                              whole->rows ? COVERS_BESIDE * (whole->high.y - whole->low.y) / whole->rows : 0.0};
     for (int k = 0; k < 2; k++) {
-        first[k] = cell_of(facts, (double)place->low[k] - facts->margin - beside[k], k);
-        last[k] = cell_of(facts, (double)place->high[k] + facts->margin + beside[k], k);
+        first[k] = cell_of(facts, beside(facts, (double)place->low[k] - facts->margin, k, -COVERS_BESIDE), k);
+        last[k] = cell_of(facts, beside(facts, (double)place->high[k] + facts->margin, k, COVERS_BESIDE), k);
     }
 }
 

@@ -30,7 +30,7 @@
 enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 
 /* The last digit is the version. */
-static const char magic[16] = "roberts plan 1\n";
+static const char magic[16] = "roberts plan 2\n";
 
 /* Touching distances and roundings: how much larger the margin of boxes in the picture is. The cells that list fronts
  * are widened by a quarter of that (hide_margin()). */
@@ -412,6 +412,10 @@ static bool count_cells(planner *pl, double margin)
         const scan_frame frame = cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin}, 1);
         whole->columns = frame.nx;
         whole->rows = frame.ny;
+        whole->warped = frame.warps != NULL;
+        if (frame.warps)
+            memcpy(whole->warps, frame.warps, sizeof whole->warps);
+        free(frame.warps);
     }
     const bool done = box;
     free(box);
@@ -592,7 +596,9 @@ static bool is_sound(const plan_facts *facts, uint64_t end)
            facts->starts <= facts->names && facts->names <= end &&
            facts->starts - facts->places == facts->bodies * sizeof(plan_place) &&
            facts->names - facts->starts >= facts->bodies * sizeof(uint32_t) && facts->inputs > 0 &&
-           cells_may_cover(facts->whole.columns, facts->whole.rows, (uint32_t)facts->bodies);
+           cells_may_cover(facts->whole.columns, facts->whole.rows, (uint32_t)facts->bodies) &&
+           facts->whole.warped <= 1 &&
+           (!facts->whole.warped || (warp_is_sound(&facts->whole.warps[0]) && warp_is_sound(&facts->whole.warps[1])));
 }
 
 roberts_status plan_open(plan *p, const char *path, roberts_error *error)

@@ -148,6 +148,14 @@ static void models_are_the_same(void **state)
     assert_true(same > 40);
 }
 
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
 /* How the bodies of a scene are numbered. */
 typedef enum numbering { IN_A_ROW, MIXED_FACES, MIXED, NUMBERINGS } numbering;
 
@@ -203,6 +211,28 @@ static void crowds_are_the_same(void **state)
     }
 }
 
+/* Crowds in one spot of the picture: the axes of their covers are warped, and parts take the warps from the plan. */
+static void spots_are_the_same(void **state)
+{
+    static const char *const views[] = {"iso", "front", "dimetric"};
+    char *const names[] = {model[0], model[1]};
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        roberts_task task = task_of(views[i % 3]);
+        plan_facts facts;
+        size_t size;
+        task.hide.keep_hidden = false;
+        write_crowd(model[0], 300 + (uint64_t)i, 3000, (numbering)(i % NUMBERINGS));
+        write_text(model[1], "OFF\n4 4 0\n2000 0 0\n2001 3000 0\n2000 0 5000\n2001 -7 9\n"
+                             "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+        assert_true(is_same(&(roberts_inputs){2, names}, &task, counts[i % 4]));
+        char *bytes = whole_file(plan_path, &size);
+        memcpy(&facts, bytes + size - sizeof facts, sizeof facts);
+        free(bytes);
+        assert_int_equal(facts.whole.warped, 1);
+    }
+}
+
 /* A part holds less than the whole: in many parts, a row of boxes has few rows in each. */
 static void parts_are_small(void **state)
 {
@@ -235,14 +265,6 @@ static void parts_may_be_empty(void **state)
 }
 
 /* ---- refusals --------------------------------------------------------------------------------------------------- */
-
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
 
 static void require_join(const roberts_inputs *parts, const roberts_task *task, roberts_status wanted, const char *said)
 {
@@ -390,6 +412,8 @@ static void broken_plans_are_refused(void **state)
                  {end + offsetof(plan_facts, bodies), 0},
                  {end + offsetof(plan_facts, whole.columns), 1u << 31},
                  {end + offsetof(plan_facts, whole.columns), facts.whole.columns ? 0 : 1},
+                 {end + offsetof(plan_facts, whole.warped), 1},
+                 {end + offsetof(plan_facts, whole.warped), 2},
                  {place + offsetof(plan_place, vertices), vertices + 1},
                  {place + offsetof(plan_place, faces), 5},
                  {place + offsetof(plan_place, faces), 1000000},
@@ -417,6 +441,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(models_are_the_same, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(crowds_are_the_same, begin, temporary_remove),
+        cmocka_unit_test_setup_teardown(spots_are_the_same, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(parts_are_small, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(parts_may_be_empty, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(join_refuses, begin, temporary_remove),

@@ -39,6 +39,14 @@ static void it_ascends_and_turns_back(void **state)
             if (x >= LOW && x <= HIGH)
                 assert_true(fabs(warp_back(&w, warp_at(&w, x)) - x) < 1e-13);
         }
+        assert_true(warp_is_sound(&w));
+        double *const wrong[] = {&w.from, &w.at[0], &w.at[17], &w.at[WARP_PIECES], &w.per[0], &w.per[63], &w.piece};
+        for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+            const double right = *wrong[i];
+            *wrong[i] = i % 2 ? (double)NAN : -right;
+            assert_false(warp_is_sound(&w));
+            *wrong[i] = right;
+        }
     }
 }
 
