@@ -53,6 +53,7 @@ typedef struct box_list {
     tree_entry *entry;
     size_t count, room;
     double floor, rays_per_shadow;
+    tree_box *slice, *finer; /* [SLICES] the boxes of a face; too large for a small stack */
 } box_list;
 
 static void extend(tree_box *box, roberts_vec3 p)
@@ -95,13 +96,13 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
     }
 }
 
-/* Fills `slice` with the boxes of a face and returns their number. A long oblique face fills little of its box, and
+/* Fills list->slice with the boxes of a face and returns their number. A long oblique face fills little of its box, and
  * many such faces make a tree useless. Slices help (M. Ernst, G. Greiner, "Early split clipping for bounding volume
  * hierarchies", 2007) if the rays that they save cost more than the boxes that they add. The saving is proportional to
  * the reduction of the shadow. */
-static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list, tree_box *slice)
+static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list)
 {
-    tree_box finer[SLICES], whole = face_box(o, face);
+    tree_box *slice = list->slice, *finer = list->finer, whole = face_box(o, face);
     uint32_t count = 1;
     double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* estimate for this box */
     slice[0] = whole;
@@ -151,11 +152,10 @@ static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_ite
 static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
 {
     const roberts_scene *scene = o->s.scene;
-    tree_box slice[SLICES];
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
-        uint32_t count = o->s.facing[face] == SIGHT_NOT_FRONT ? 0 : boxes_of_face(o, face, list, slice);
+        uint32_t count = o->s.facing[face] == SIGHT_NOT_FRONT ? 0 : boxes_of_face(o, face, list);
         for (uint32_t i = 0; i < count; i++)
-            if (!add_entry(o, slice[i], solid, (tree_item){face, 1}, list))
+            if (!add_entry(o, list->slice[i], solid, (tree_item){face, 1}, list))
                 return false;
     }
     return true;
@@ -206,8 +206,9 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
 static bool build_tree(occluders *o, const double *rays)
 {
     const roberts_scene *scene = o->s.scene;
-    box_list list = {0};
-    bool built = true;
+    box_list list = {.slice = alloc_array(SLICES, sizeof *list.slice),
+                     .finer = alloc_array(SLICES, sizeof *list.finer)};
+    bool built = list.slice && list.finer;
     o->window = tree_no_box;
     for (uint32_t i = 0; i < scene->vertex_count; i++)
         extend(&o->window, picture_point(o, o->s.P[i]));
@@ -220,6 +221,8 @@ static bool build_tree(occluders *o, const double *rays)
     }
     built = built && list.count <= UINT32_MAX / TREE_WIDTH && tree_build(&o->t, list.entry, (uint32_t)list.count);
     free(list.entry);
+    free(list.slice);
+    free(list.finer);
     return built;
 }
 
