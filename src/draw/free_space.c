@@ -14,6 +14,9 @@
 
 enum { CELLS_MOST = 1000 /* a side */ };
 
+/* mm; boxes that overlap by no more touch in a line. */
+#define LINE 1e-9
+
 #define NOTHING UINT32_MAX
 
 typedef struct entry {
@@ -22,6 +25,7 @@ typedef struct entry {
 
 typedef struct page_line {
     roberts_vec2 a, b;
+    double length;
 } page_line;
 
 struct free_space {
@@ -115,7 +119,7 @@ bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
     double t[2];
     if (!array_reserve(&r->line, &r->line_room, r->line_count + 1, sizeof *r->line))
         return false;
-    r->line[r->line_count] = (page_line){a, b};
+    r->line[r->line_count] = (page_line){a, b, hypot(b.x - a.x, b.y - a.y)};
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++) {
             const space_box cell = cell_box(r, x, y);
@@ -184,67 +188,59 @@ bool space_move_box(free_space *r, uint32_t number, const space_box *box)
 /* The overlap of two boxes; false: there is none. */
 static bool share(const space_box *a, const space_box *b, space_box *both)
 {
-    *both = (space_box){{fmax(a->min.x, b->min.x), fmax(a->min.y, b->min.y)},
-                        {fmin(a->max.x, b->max.x), fmin(a->max.y, b->max.y)}};
+    *both = (space_box){{greater(a->min.x, b->min.x), greater(a->min.y, b->min.y)},
+                        {lesser(a->max.x, b->max.x), lesser(a->max.y, b->max.y)}};
     return both->min.x < both->max.x && both->min.y < both->max.y;
 }
 
-/* Whether cell x, y is the first one in which the queried box meets box `b`. */
-static bool is_first(const free_space *r, const cells *asked, const space_box *b, uint32_t x, uint32_t y)
-{
-    const cells of = cells_of(r, b);
-    return x == (asked->low_x > of.low_x ? asked->low_x : of.low_x) &&
-           y == (asked->low_y > of.low_y ? asked->low_y : of.low_y);
-}
-
-/* Lengths of lines in the part of the box that cell x, y holds. */
-static double lines_taken(const free_space *r, const space_box *box, uint32_t x, uint32_t y)
+/* Adds lengths of lines in the part of the box that cell x, y holds. */
+static void add_lines(const free_space *r, const space_box *box, uint32_t x, uint32_t y, double enough, double *mm)
 {
     const space_box cell = cell_box(r, x, y);
     double taken = 0.0, t[2];
     space_box part;
     if (!share(box, &cell, &part))
-        return 0.0;
-    for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
+        return;
+    for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING && *mm + taken < enough;
+         i = r->entry[i].next) {
         const page_line *line = &r->line[r->entry[i].what];
         if (clip(line->a, line->b, &part, t))
-            taken += (t[1] - t[0]) * hypot(line->b.x - line->a.x, line->b.y - line->a.y);
+            taken += (t[1] - t[0]) * line->length;
     }
-    return taken;
+    *mm += taken;
 }
 
-/* The shorter sides of the overlaps with other boxes, each counted in the first cell that both boxes share. */
-static double boxes_taken(const free_space *r, const space_box *box, uint32_t own)
+/* Adds the shorter sides of the overlaps with other boxes. Each overlap counts in the cell of its lower left corner. */
+static void add_boxes(const free_space *r, const space_box *box, uint32_t own, uint32_t most, space_load *load)
 {
     const cells in = cells_of(r, box);
-    double taken = 0.0;
     space_box part;
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
             for (uint32_t i = r->first_box[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
-                const space_box *other = &r->box[r->entry[i].what];
-                if (r->entry[i].what != own && share(box, other, &part) && is_first(r, &in, other, x, y))
-                    taken += fmin(part.max.x - part.min.x, part.max.y - part.min.y);
+                if (r->entry[i].what == own || !share(box, &r->box[r->entry[i].what], &part) ||
+                    cell_of(part.min.x, r->cell_mm, r->columns) != x || cell_of(part.min.y, r->cell_mm, r->rows) != y)
+                    continue;
+                const double side = lesser(part.max.x - part.min.x, part.max.y - part.min.y);
+                load->mm += side;
+                load->boxes += side > LINE;
+                if (load->boxes > most)
+                    return;
             }
-    return taken;
 }
 
-double space_taken(const free_space *r, const space_box *box, uint32_t own)
+space_load space_load_of(const free_space *r, const space_box *box, uint32_t own, uint32_t most_boxes, double enough)
 {
     const cells in = cells_of(r, box);
+    space_load load = {0.0, 0};
     if (box->min.x < r->page.min.x || box->min.y < r->page.min.y || box->max.x > r->page.max.x ||
         box->max.y > r->page.max.y)
-        return INFINITY;
-    double taken = boxes_taken(r, box, own);
+        return (space_load){INFINITY, 0};
+    add_boxes(r, box, own, most_boxes, &load);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
-        for (uint32_t x = in.low_x; x <= in.high_x; x++)
-            taken += lines_taken(r, box, x, y);
-    return taken;
-}
-
-bool space_is_on_box(const free_space *r, const space_box *box, uint32_t own)
-{
-    return boxes_taken(r, box, own) > 1e-9;
+        for (uint32_t x = in.low_x; x <= in.high_x && load.boxes <= most_boxes && load.mm < enough; x++)
+            add_lines(r, box, x, y, enough, &load.mm);
+    return load;
 }
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */

@@ -24,12 +24,16 @@ bool space_add_box(free_space *r, const space_box *box, uint32_t *number);
 bool space_move_box(free_space *r, uint32_t number, const space_box *box);
 void space_drop_box(free_space *r, uint32_t number);
 
-/* How much lies in `box`, in mm: lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free.
- * The box of number `own` does not count. Infinite if the box leaves the page. */
-double space_taken(const free_space *r, const space_box *box, uint32_t own);
+/* What lies in a box. */
+typedef struct space_load {
+    double mm; /* lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free. Infinite: the
+                  box leaves the page */
+    uint32_t boxes; /* other boxes that it overlaps by more than a line */
+} space_load;
 
-/* Whether it overlaps another box by more than a line. */
-bool space_is_on_box(const free_space *r, const space_box *box, uint32_t own);
+/* What lies in `box`. The box of number `own` does not count. Does not go on where more than `most_boxes` boxes, or at
+ * least `enough` mm, have been found. */
+space_load space_load_of(const free_space *r, const space_box *box, uint32_t own, uint32_t most_boxes, double enough);
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 

@@ -7,6 +7,7 @@
  * find no room. So the work is bounded, and the result is always the same. */
 #include "draw/labels.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,8 +24,16 @@ enum {
     VERTEX_RINGS = 4,  /* distances from it */
     EDGE_PLACES = 9,   /* along an edge, on each side */
     FACE_RINGS = 4,    /* of eight places each, round the middle of a region */
-    PASSES = 4
+    PASSES = 5,
+    MOST_UNDER = 3 /* labels that a place may lie on, until one of them is moved: then the work stays in proportion to
+                      the labels even if most of them find no room */
 };
+
+/* mm: the least that counts as something. */
+#define ANYTHING DBL_MIN
+
+/* The box of a label that has no place. */
+#define NO_BOX UINT32_MAX
 
 /* Costs, in mm of lines that a label lies on. */
 static const double beside_best = 0.2; /* the most that a place costs for not being the best one */
@@ -58,7 +67,7 @@ typedef struct label {
     char number[NAME_SIZE]; /* `text` of what has no name */
     const target *of;
     roberts_vec2 half; /* mm, of the box that is kept free */
-    uint32_t box;      /* in the room */
+    uint32_t box;      /* in the room; or NO_BOX */
     roberts_vec2 middle;
     bool is_dropped; /* there is no room for it */
 } label;
@@ -317,16 +326,18 @@ static space_box box_of(const label *l, roberts_vec2 middle)
     return (space_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
 }
 
-static double cost_of_what_lies_there(const free_space *r, const space_box *box, uint32_t own)
+/* The cost of what lies in a box. Infinite: the box leaves the page, or lies on too many labels. A cost of at least
+ * `enough` may be too low. */
+static double cost_of_what_lies_there(const free_space *r, const space_box *box, uint32_t own, double enough)
 {
-    const double taken = space_taken(r, box, own);
-    if (taken <= 0.0)
+    const space_load load = space_load_of(r, box, own, MOST_UNDER, greater(enough - touching, ANYTHING));
+    if (load.mm <= 0.0)
         return 0.0;
-    return taken + touching + (isfinite(taken) && space_is_on_box(r, box, own) ? on_label : 0.0);
+    return load.boxes > MOST_UNDER ? INFINITY : load.mm + touching + (load.boxes > 0 ? on_label : 0.0);
 }
 
-/* Finds the cheapest place, the first of several. */
-static void choose_place(const placing *p, label *l)
+/* Finds the cheapest place, the first of several. False: there is none. */
+static bool choose_place(const placing *p, label *l)
 {
     double least = INFINITY;
     for (size_t i = 0, places = count_places(l->of); i < places; i++) {
@@ -336,12 +347,13 @@ static void choose_place(const placing *p, label *l)
                                                                           : face_place(p, l, i, &cost);
         const space_box box = box_of(l, middle);
         if (cost < least)
-            cost += cost_of_what_lies_there(p->room, &box, l->box);
+            cost += cost_of_what_lies_there(p->room, &box, l->box, least - cost);
         if (cost < least) {
             least = cost;
             l->middle = middle;
         }
     }
+    return least < INFINITY;
 }
 
 /* Visible things first, then those with the fewest places. */
@@ -353,32 +365,37 @@ static int by_freedom(const void *a, const void *b)
     return p->kind != q->kind ? (p->kind > q->kind ? -1 : 1) : (p > q) - (p < q);
 }
 
-static bool place_all(const placing *p, label *l, size_t count)
+/* Puts a label where it is best. False: no memory. */
+static bool place_one(const placing *p, label *l)
 {
-    for (size_t i = 0; i < count; i++) {
-        l[i].box = UINT32_MAX;
-        choose_place(p, &l[i]);
-        const space_box box = box_of(&l[i], l[i].middle);
-        if (!space_add_box(p->room, &box, &l[i].box))
-            return false;
-    }
-    for (int pass = 0; pass < PASSES; pass++)
-        for (size_t i = 0; i < count; i++) {
-            choose_place(p, &l[i]);
-            const space_box box = box_of(&l[i], l[i].middle);
-            if (!space_move_box(p->room, l[i].box, &box))
-                return false;
-        }
+    const bool found = choose_place(p, l);
+    const space_box box = box_of(l, l->middle);
+    if (found)
+        return l->box == NO_BOX ? space_add_box(p->room, &box, &l->box) : space_move_box(p->room, l->box, &box);
+    if (l->box != NO_BOX)
+        space_drop_box(p->room, l->box);
+    l->box = NO_BOX;
     return true;
 }
 
-/* Leaves out labels that lie on others or off the page, starting with those placed last. */
+static bool place_all(const placing *p, label *l, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        l[i].box = NO_BOX;
+    for (int pass = 0; pass < PASSES; pass++)
+        for (size_t i = 0; i < count; i++)
+            if (!place_one(p, &l[i]))
+                return false;
+    return true;
+}
+
+/* Leaves out labels that have no place, or lie on others, starting with those placed last. */
 static void drop_some(label *l, size_t count, free_space *r)
 {
     for (size_t i = count; i-- > 0;) {
         const space_box box = box_of(&l[i], l[i].middle);
-        l[i].is_dropped = isinf(space_taken(r, &box, l[i].box)) || space_is_on_box(r, &box, l[i].box);
-        if (l[i].is_dropped)
+        l[i].is_dropped = l[i].box == NO_BOX || space_load_of(r, &box, l[i].box, 0, INFINITY).boxes > 0;
+        if (l[i].is_dropped && l[i].box != NO_BOX)
             space_drop_box(r, l[i].box);
     }
 }
@@ -399,7 +416,7 @@ static bool have_room(const label *l, size_t count, const free_space *r)
         return false;
     for (size_t i = 0; i < count; i++) {
         const space_box box = box_of(&l[i], l[i].middle);
-        on_lines += space_taken(r, &box, l[i].box) > 0.0;
+        on_lines += space_load_of(r, &box, l[i].box, 0, ANYTHING).mm > 0.0;
     }
     return (double)on_lines <= most_on_lines * (double)count;
 }

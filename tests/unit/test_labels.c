@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "draw/free_space.h"
 #include "draw/strokes.h"
 #include "drawing.h"
 #include "letters_box.h"
@@ -333,6 +334,40 @@ static void none_beyond_the_frame(void **state)
     free_cube(&c);
 }
 
+/* What lies in a box, by hand: each line and each other box counts once, however many cells they share; and nothing
+ * more is counted where that is enough. */
+static void what_lies_in_a_box(void **state)
+{
+    const space_box asked = {{10, 10}, {40, 20}}, other = {{35, 5}, {60, 18}}, beside = {{40, 10}, {50, 20}},
+                    over[] = {{{12, 12}, {30, 14}}, {{12, 13}, {30, 15}}};
+    free_space *r = space_new(100, 100, 7);
+    uint32_t own, number[4];
+    space_load load;
+    (void)state;
+    assert_non_null(r);
+    assert_true(space_load_of(r, &asked, UINT32_MAX, 9, INFINITY).mm == 0.0);
+    assert_true(isinf(space_load_of(r, &(space_box){{90, 90}, {101, 95}}, UINT32_MAX, 9, INFINITY).mm));
+    assert_true(space_add_box(r, &asked, &own));
+    assert_true(space_load_of(r, &asked, own, 9, INFINITY).mm == 0.0);
+    assert_true(space_add_line(r, (roberts_vec2){0, 15}, (roberts_vec2){100, 15}));
+    assert_true(fabs(space_load_of(r, &asked, own, 9, INFINITY).mm - 30.0) < 1e-12);
+    assert_true(space_add_box(r, &beside, &number[0]) && space_add_box(r, &other, &number[1]));
+    load = space_load_of(r, &asked, own, 9, INFINITY);
+    assert_true(load.boxes == 1 && fabs(load.mm - 35.0) < 1e-12);
+    load = space_load_of(r, &asked, own, 0, INFINITY); /* no box may lie there: lines do not matter */
+    assert_true(load.boxes == 1 && fabs(load.mm - 5.0) < 1e-12);
+    load = space_load_of(r, &asked, own, 9, 6.0);
+    assert_true(load.mm >= 6.0 && load.mm < 35.0);
+    assert_true(space_add_box(r, &over[0], &number[2]) && space_add_box(r, &over[1], &number[3]));
+    load = space_load_of(r, &asked, own, 9, INFINITY);
+    assert_true(load.boxes == 3 && fabs(load.mm - 39.0) < 1e-12);
+    space_drop_box(r, number[1]);
+    space_drop_box(r, number[2]);
+    load = space_load_of(r, &asked, own, 9, INFINITY);
+    assert_true(load.boxes == 1 && fabs(load.mm - 32.0) < 1e-12);
+    space_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron),
@@ -341,6 +376,7 @@ int main(void)
                                        cmocka_unit_test(hidden_and_named),
                                        cmocka_unit_test(same_again),
                                        cmocka_unit_test(kinds_are_told_apart),
-                                       cmocka_unit_test(none_beyond_the_frame)};
+                                       cmocka_unit_test(none_beyond_the_frame),
+                                       cmocka_unit_test(what_lies_in_a_box)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
