@@ -398,6 +398,9 @@ bool hint_flat(const cli_options *options, const roberts_scene *scene, const rob
     if (!options->hide.crease_auto || options->hide.all_edges ||
         drawing->drawn_edges > roberts_scene_edge_count(scene) / 2)
         return false;
+    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
+        if (roberts_scene_body_curved(scene, s))
+            return false; /* its edges are left out for another reason, which a note gives */
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)
             return false;

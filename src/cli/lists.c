@@ -147,6 +147,22 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
     return status;
 }
 
+/* Removes the quotation marks round a field of CSV (RFC 4180). False: the closing one is not at the end. */
+static bool unquote(char *text)
+{
+    char *to = text;
+    if (*text != '"')
+        return true;
+    for (const char *at = text + 1; *at; at++) {
+        if (*at == '"' && *++at != '"') { /* two of them stand for one */
+            *to = '\0';
+            return *at == '\0';
+        }
+        *to++ = *at;
+    }
+    return false;
+}
+
 /* Reads one line. Returns why it is wrong, or NULL. */
 static const char *read_line(char *line, roberts_name *name)
 {
@@ -160,6 +176,8 @@ static const char *read_line(char *line, roberts_name *name)
     const size_t kind = parse_find(line, kinds);
     if (!kinds[kind])
         return "the kind is none of vertex, edge, face and body";
+    if (!unquote(text))
+        return "a name that begins with a quotation mark ends with one; two within it stand for one";
     *name = (roberts_name){.of = of[kind], .text = text};
     char *second = name->of == ROBERTS_LABEL_EDGES ? strchr(number, '-') : NULL;
     if (name->of == ROBERTS_LABEL_EDGES && !second)

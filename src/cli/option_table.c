@@ -679,9 +679,11 @@ static const option rows[] = {
      TO(names),
      .brief = "names in place of numbers",
      .help = "names for labels: lines such as vertex,4,A and edge,4-17,a and face,3,base and body,0,leg",
-     .manual = "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
-               "face,3,base or body,0,leg, in UTF-8. Lines that begin with # are skipped. Everything with a name is "
-               "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
+     .manual =
+         "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
+         "face,3,base or body,0,leg, in UTF-8. A name may stand in quotation marks, as spreadsheets write it. Lines "
+         "that begin with # are skipped. Everything with a name is "
+         "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -5,6 +5,7 @@
 #include "cli/picture.h"
 
 #include <string.h>
+#include <strings.h>
 
 #include "cli/hints.h"
 #include "cli/lists.h"
@@ -338,6 +339,16 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
     v->explained = true;
 }
 
+static bool has_obj(const cli_options *options)
+{
+    for (size_t i = 0; i < options->input_count; i++) {
+        const char *dot = strrchr(options->input[i], '.');
+        if (dot && strcasecmp(dot, ".obj") == 0)
+            return true;
+    }
+    return false;
+}
+
 /* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
 static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v)
 {
@@ -353,8 +364,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
              "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
         warn(options, name_inputs(options, options->input[0], name, sizeof name),
-             "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in the .mtl files "
-             "beside it that it names)");
+             has_obj(options) ? "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in "
+                                "the .mtl files beside it that it names)"
+                              : "--fill model has no effect: no face that is seen has a colour");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }

@@ -1118,6 +1118,9 @@ static void regions(void **state)
     assert_string_equal(last.err, ""); /* it is filled, and so not empty */
     assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
     assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
+    assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour\n"));
+    put("plate.obj", "v 0 0 0\nv 4 0 0\nv 4 2 0\nf 1 2 3\n");
+    assert_int_equal(run("--fill model -o a.svg plate.obj"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour (those of an OBJ "
                                      "are in the .mtl files beside it that it names)\n"));
     assert_int_equal(run("--fill shade:pink -o a.svg models/table.off"), 2);

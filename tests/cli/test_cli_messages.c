@@ -688,13 +688,14 @@ static void sizes_of_paper(void **state)
 
 /* ---- drawings that show nothing ---- */
 
-/* Writes a sheet of n x n squares. */
-static void put_tiles(const char *path, int n)
+/* Writes a sheet of n x n squares, bent like a gutter: the higher, the farther from its left side. */
+static void put_tiles(const char *path, int n, double bend)
 {
-    char text[4096];
+    char text[40000];
     size_t used = (size_t)snprintf(text, sizeof text, "OFF %d %d 0\n", (n + 1) * (n + 1), n * n);
     for (int v = 0; v < (n + 1) * (n + 1); v++)
-        used += (size_t)snprintf(text + used, sizeof text - used, "%d %d 0\n", v % (n + 1), v / (n + 1));
+        used += (size_t)snprintf(text + used, sizeof text - used, "%d %d %g\n", v % (n + 1), v / (n + 1),
+                                 bend * (v % (n + 1)) * (v % (n + 1)));
     for (int f = 0, a; f < n * n; f++) {
         a = f / n * (n + 1) + f % n;
         used += (size_t)snprintf(text + used, sizeof text - used, "4 %d %d %d %d\n", a, a + 1, a + n + 2, a + n + 1);
@@ -708,12 +709,13 @@ static void flat_sheets_are_told(void **state)
     static const char said[] = "edges between faces in one plane are left out, so that only borders are drawn; "
                                "--all-edges draws them\n";
     (void)state;
-    put_tiles("few.off", 2);
-    put_tiles("many.off", 6);
+    put_tiles("few.off", 2, 0.0);
+    put_tiles("many.off", 6, 0.0);
+    put_tiles("curved.off", 24, 0.001);
     assert_int_equal(run("many.off --view top -o a.svg"), 0);
     assert_said(said);
     static const char *const silent[] = {"few.off", "--all-edges many.off", "--crease 1 many.off",
-                                         "many.off models/table.off"};
+                                         "many.off models/table.off", "curved.off"};
     for (size_t i = 0; i < sizeof silent / sizeof silent[0]; i++) {
         char line[100];
         snprintf(line, sizeof line, "--view top -o a.svg %s", silent[i]);

@@ -24,19 +24,24 @@ static void in_order(void **state)
     name_list n;
     roberts_error error;
     assert_int_equal(chdir(temporary), 0);
-    assert_int_equal(read_names("# all kinds\r\n\nface,3,Gr\xc3\xb6\xc3\x9f"
-                                "e\r\nedge,9-2,a, b\nvertex,12,\nvertex,2,A\nbody,0,x",
-                                &n, &error),
-                     ROBERTS_OK);
+    assert_int_equal(
+        read_names("# all kinds\r\n\nface,3,Gr\xc3\xb6\xc3\x9f"
+                   "e\r\nedge,9-2,a, b\nvertex,12,\nvertex,2,A\nbody,0,x\nbody,1,\"P, \"\"Q\"\"\"\nbody,2,\"\"\n"
+                   "body,3,6\"",
+                   &n, &error),
+        ROBERTS_OK);
     static const roberts_name wanted[] = {{ROBERTS_LABEL_VERTICES, 2, 0, "A"},
                                           {ROBERTS_LABEL_VERTICES, 12, 0, ""},
                                           {ROBERTS_LABEL_EDGES, 2, 9, "a, b"},
                                           {ROBERTS_LABEL_FACES, 3, 0,
                                            "Gr\xc3\xb6\xc3\x9f"
                                            "e"},
-                                          {ROBERTS_LABEL_BODIES, 0, 0, "x"}};
-    assert_int_equal(n.count, 5);
-    for (size_t i = 0; i < 5; i++) {
+                                          {ROBERTS_LABEL_BODIES, 0, 0, "x"},
+                                          {ROBERTS_LABEL_BODIES, 1, 0, "P, \"Q\""},
+                                          {ROBERTS_LABEL_BODIES, 2, 0, ""},
+                                          {ROBERTS_LABEL_BODIES, 3, 0, "6\""}};
+    assert_int_equal(n.count, 8);
+    for (size_t i = 0; i < 8; i++) {
         assert_int_equal(n.item[i].of, wanted[i].of);
         assert_int_equal(n.item[i].number, wanted[i].number);
         assert_int_equal(n.item[i].other, wanted[i].other);
@@ -62,6 +67,8 @@ static void faults(void **state)
         {"\n\nface,-1,A\n", 3, "the number is not a whole number from 0 on"},
         {"edge,4,A\n", 1, "an edge is named by its vertices, as 4-17"},
         {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
+        {"vertex,1,\"A\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
+        {"vertex,1,\"A\"B\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
         {"vertex,1,A\nvertex,1,B\n", 0, "vertex 1 has two names"},
         {"edge,4-7,A\nedge,7-4,B\n", 0, "edge 4-7 has two names"},
     };
