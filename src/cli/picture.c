@@ -90,10 +90,10 @@ static void tell_hulls(const cli_options *options, const roberts_scene *scene)
     if (hulls == 0)
         return;
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log, "convex hulls in place of %s", hulls == 1 ? "this solid" : "these solids");
+    fputs(hulls == 1 ? "a convex hull in place of solid" : "convex hulls in place of solids", options->log);
     for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
         if (roberts_scene_is_hull(scene, s))
-            fprintf(options->log, "%s%u", told++ ? ", " : ": ", (unsigned)s);
+            fprintf(options->log, "%s%u", told++ ? ", " : " ", (unsigned)s);
     fputs(hulls > told ? " ...\n" : "\n", options->log);
 }
 

@@ -622,7 +622,7 @@ static void program_draws_hulls(void **state)
     assert_string_equal(last.err, "roberts: in/fan.off: warning: 1 solid replaced by its convex hull: not closed\n");
     assert_int_equal(run("--hull -v -f null in/fan.off models/platonic/cube.off in/cube.off"), 0);
     assert_said(": 4 bodies, ");
-    assert_said("in/fan.off and 2 more: convex hulls in place of these solids: 1, 3\n");
+    assert_said("in/fan.off and 2 more: convex hulls in place of solids 1, 3\n");
     put("in/stray.off", "OFF\n11 7 0\n0 0 9 1 0 9 0 1 9\n" CUBE_POINTS
                         "3 0 1 2\n4 3 5 6 4\n4 3 4 8 7\n4 7 8 10 9\n4 5 9 10 6\n4 3 7 9 5\n4 4 6 10 8\n");
     assert_int_equal(run("--hull -f csv in/stray.off"), 0);

@@ -75,6 +75,7 @@ for (const wrong of ["table.off", undefined, cube.buffer])
     name: "TypeError",
     message: "model: the bytes of a file have to be a Uint8Array",
   });
+await assert.rejects(draw(cube, { format: "png" }), { name: "TypeError", message: /^format is no option here/ });
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
 
 // parts need a file of their own; batches need processes, which are not here

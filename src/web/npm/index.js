@@ -46,6 +46,8 @@ export function toArguments(options = {}) {
 }
 
 export async function save(bytes, format, options = {}) {
+  if (options.format !== undefined)
+    throw new TypeError("format is no option here: draw() gives SVG, and save() takes the format as an argument");
   const name = options.name ?? "model";
   const files = { ...options.files, [name]: bytes };
   for (const [file, content] of Object.entries(files))
