@@ -1,8 +1,9 @@
 /* fills.c - see fills.h.
  *
  * The sides of all regions are sorted by their ends. Where two regions of one colour share a side, it is dropped; where
- * the colours differ, it gets a seam. The remaining sides of a colour are joined to rings. Two regions have the same
- * corners along a border, which are rounded to the same points of the page, so only whole numbers are compared. */
+ * the colours differ, or regions are elements of their own, it gets a seam. The remaining sides of a colour are joined
+ * to rings. Two regions have the same corners along a border, which are rounded to the same points of the page, so only
+ * whole numbers are compared. */
 #include "draw/fills.h"
 
 #include <math.h>
@@ -169,6 +170,12 @@ static bool is_same_place(const fill_side *s, const fill_side *t)
            (compare_points(s->a, t->b) == 0 && compare_points(s->b, t->a) == 0);
 }
 
+/* Adds a seam along a side, in its colour. False: no memory. */
+static bool add_seam_along(fill_work *w, const fill_side *side)
+{
+    return add_side(&w->seam, side->a, side->b, side->key) && add_side(&w->seam, side->b, side->a, side->key);
+}
+
 /* Adds a seam if colours lie on both sides of a place, whose sides are item[from] .. item[to - 1]. False: no memory. */
 static bool add_seam(fill_work *w, size_t from, size_t to)
 {
@@ -176,8 +183,7 @@ static bool add_seam(fill_work *w, size_t from, size_t to)
     bool both = false;
     for (size_t i = from + 1; i < to && is_opaque(w->side.item[i].key); i++)
         both = both || (w->side.item[i].key != first->key && compare_points(w->side.item[i].a, first->a) != 0);
-    return !both || !is_opaque(first->key) ||
-           (add_side(&w->seam, first->a, first->b, first->key) && add_side(&w->seam, first->b, first->a, first->key));
+    return !both || !is_opaque(first->key) || add_seam_along(w, first);
 }
 
 /* Records the ends of sides with nothing filled on their other side. False: no memory. */
@@ -210,19 +216,22 @@ static bool is_rim(const fill_work *w, page_point p)
 static bool join_regions(fill_work *w)
 {
     fill_side *item = w->side.item;
+    const bool apart = strokes_are_grouped(w->s->options); /* each region is painted by itself */
     size_t kept = 0, count = w->side.count;
     bool enough = true;
     if (count > 1)
         qsort(item, count, sizeof *item, compare_places);
     for (size_t i = 0, next; enough && i < count; i = next) {
         size_t place = kept;
-        for (next = i; next < count && is_same_place(&item[next], &item[i]); next++)
+        for (next = i; enough && next < count && is_same_place(&item[next], &item[i]); next++)
             if (kept > place && item[kept - 1].key == item[next].key &&
-                compare_points(item[kept - 1].a, item[next].a) != 0)
+                compare_points(item[kept - 1].a, item[next].a) != 0) {
                 kept--; /* they run against one another */
-            else
+                enough = !apart || !is_opaque(item[next].key) || add_seam_along(w, &item[next]);
+            } else {
                 item[kept++] = item[next];
-        enough = add_rim(w, place, kept) && add_seam(w, place, kept);
+            }
+        enough = enough && add_rim(w, place, kept) && add_seam(w, place, kept);
     }
     w->side.count = kept;
     if (w->rim_count > 1)

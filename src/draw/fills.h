@@ -1,7 +1,8 @@
 /* fills.h - what visible faces are filled with: regions of one colour, joined to rings on the page.
  *
  * A viewer that smooths the borders of two areas side by side lets the paper shine through between them: a hairline.
- * So seams lie below all areas: lines along their common borders, in the colour of one of the two. */
+ * So seams lie below all areas: lines along their common borders, in the colour of one of the two. Where each region is
+ * painted by itself, they lie below the borders of all. */
 #ifndef ROBERTS_DRAW_FILLS_H
 #define ROBERTS_DRAW_FILLS_H
 

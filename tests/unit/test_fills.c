@@ -170,6 +170,38 @@ static void test_row(void **state)
     }
 }
 
+/* Where each region is an element, there are seams between regions of one colour, too; but not if it is translucent. */
+static void test_elements(void **state)
+{
+    static const struct {
+        const char *alpha;
+        roberts_grouping grouping;
+        size_t seams;
+    } cases[] = {{"1.0", ROBERTS_GROUP_CLASS, 2},
+                 {"1.0", ROBERTS_GROUP_BODY, 3},
+                 {"1.0", ROBERTS_GROUP_ELEMENT, 3},
+                 {"0.5", ROBERTS_GROUP_ELEMENT, 1}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_scene *scene = make_row(cases[i].alpha);
+        roberts_draw_options options = roberts_draw_options_default();
+        picture p;
+        strokes s;
+        size_t seams = 0;
+        options.fill = ROBERTS_FILL_MODEL;
+        options.grouping = cases[i].grouping;
+        draw_picture(scene, &from_above, &p);
+        assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(check_fills("elements", &s), 3);
+        for (size_t k = 0; k < s.fills.count; k++)
+            seams += s.fills.paint[k].seam ? s.fills.paint[k].end - s.fills.paint[k].first : 0;
+        assert_int_equal(seams, cases[i].seams);
+        strokes_free(&s);
+        free_picture(&p);
+        roberts_scene_free(scene);
+    }
+}
+
 /* Joined squares are one ring of four corners. */
 static void test_ring(void **state)
 {
@@ -331,8 +363,9 @@ static void test_models(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_row),     cmocka_unit_test(test_ring),
-                                       cmocka_unit_test(test_colors),  cmocka_unit_test(test_corner_colors),
-                                       cmocka_unit_test(test_normals), cmocka_unit_test(test_models)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_row),           cmocka_unit_test(test_elements),
+                                       cmocka_unit_test(test_ring),          cmocka_unit_test(test_colors),
+                                       cmocka_unit_test(test_corner_colors), cmocka_unit_test(test_normals),
+                                       cmocka_unit_test(test_models)};
     return cmocka_run_group_tests_name("fills", tests, NULL, NULL);
 }
