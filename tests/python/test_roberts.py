@@ -199,6 +199,16 @@ class Pages(unittest.TestCase):
                       "--margin", "5", "--group", "element", "--union", page=(100, 80, 5), group="element",
                       pens={"outline": {"width": 0.7, "color": (255, 0, 0)}})
 
+    def test_hidden_lines(self):
+        path = "models/table.off"
+        scene = roberts.read(path)
+        self.same(scene.hide(keep_hidden=True), path, "--hidden", "solid", "--style", "hidden:width=0.1",
+                  hidden="solid", pens={"hidden": {"width": 0.1}})
+        with self.assertRaisesRegex(ValueError, "keep_hidden"):
+            scene.hide().svg(hidden="dashed")
+        with self.assertRaisesRegex(ValueError, "'thick' is none of outline, .*, hidden, "):
+            scene.hide().svg(pens={"thick": {}})
+
     def test_angles_and_perspective(self):
         path = "models/table.off"
         scene = roberts.read(path)

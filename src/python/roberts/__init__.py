@@ -403,11 +403,12 @@ class _Drawable:
     def svg(self, **options: Any) -> str:
         """The drawing as SVG: the bytes that the program writes, if title and description are the same.
 
-        hidden            none, dashed or solid: hidden lines; default: dashed if hide() kept them, else none
+        hidden            none, dashed or solid: hidden lines, which hide() must have kept (keep_hidden); default:
+                          dashed if it did, else none
         page              (width, height) or (width, height, margin), mm; default: A4 upright with margins of 10
         scale             mm on paper for each model unit; default: as large as the margins allow
-        pens              a dict of pens by class (outline, border, crease, intersection, wire, back, frame, hatch,
-                          text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
+        pens              a dict of pens by class (outline, border, crease, intersection, wire, hidden, frame,
+                          symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
                           255), off
         background        (red, green, blue)
         fill              white, model, body, or (red, green, blue)
@@ -523,6 +524,8 @@ class _Page:
         self.regions = []
         o.format, o.scene, o.lettering.warnings = format, of._scene._handle, self.warned.struct
         o.hidden = _choice(_HIDDEN, given.pop("hidden", "dashed" if of._keeps_hidden else "none"), "hidden")
+        if o.hidden != _HIDDEN["none"] and not any(one._keeps_hidden for one in drawings):
+            raise ValueError("hidden: these lines were not kept; hide(..., keep_hidden=True) keeps them")
         o.grouping = _choice(_GROUPS, given.pop("group", "class"), "group")
         self._texts(of, given)
         self._paper(given)
@@ -557,9 +560,10 @@ class _Page:
         if "scale" in given:
             o.placement.scale = given.pop("scale")
         for name, values in given.pop("pens", {}).items():
-            if name not in c.PENS:
-                raise ValueError(f"pens: {name!r} is none of {', '.join(c.PENS)}")
-            pen = getattr(o, name)
+            field = "back" if name == "hidden" else name
+            if field not in c.PENS:
+                raise ValueError(f"pens: {name!r} is none of {', '.join(c.PENS).replace('back', 'hidden')}")
+            pen = getattr(o, field)
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
             if "color" in values:
                 pen.red, pen.green, pen.blue = values.pop("color")
