@@ -76,8 +76,8 @@ static const option rows[] = {
          "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
          "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
          "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
-         "regions of all faces tile the picture without gaps and overlaps. Which lines are drawn, and --union, change "
-         "nothing.\n"
+         "regions of all faces tile the picture without gaps and overlaps. They are the same "
+         "whichever lines are drawn, and with --union.\n"
          "If FILE ends in .csv, it is a table with a row for each face: body, face, area, z0, z1, color (numbers with "
          "blanks between them) and polygon, a MULTIPOLYGON as well-known text, as geographers' programs read it."},
     {.group = GROUP_OUTPUT,
@@ -552,8 +552,8 @@ static const option rows[] = {
          "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
          "whole lines. off leaves the class out, on brings it back. May be given several times.\n"
          "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
-         "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm, which follow the width. The pens "
-         "do not depend on the page: small or crowded pictures want thinner ones."},
+         "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm; with another width= both "
+         "change in proportion. The pens do not depend on the page: small or crowded pictures want thinner ones."},
     {.group = GROUP_LINES,
      .name = "hatch",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -570,8 +570,8 @@ static const option rows[] = {
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
          "of their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
          "them:\n"
-         "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. A face that has a part of the "
-         "light has so much fewer strokes, and a face on which the light falls straight has none (Lambert's law).\n"
+         "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. The more light falls on "
+         "a face, the fewer strokes it has; a face on which the light falls straight has none (Lambert's law).\n"
          "levels=N: how many tones there are; 0: one for each shade. Default: 10. Faces of one tone have strokes in "
          "line with one another.\n"
          "direction=picture (the default): strokes run the same way on all faces. steep, across: on each face along "
