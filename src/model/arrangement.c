@@ -450,6 +450,7 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules)
     memcpy(given, f->ring, f->ring_count * sizeof *given);
     if (join_ring(f, rules->touching / rules->unit, &crossed) && take_sides(f, &b))
         found = sweep_border(f, &b, rules, &crossed);
+    f->bent = crossed && !f->planar;
     f->planar = f->planar || crossed;
     f->uncut = found == TILING_BROKEN;
     bool enough = found != TILING_NO_MEMORY && list_sides(f, &b);

@@ -4,9 +4,10 @@
 
 #include "model/scene.h"
 
-/* What was left out, for warnings. */
+/* What was left out or cannot be right, for warnings. */
 typedef struct bodies_notes {
     size_t repeated; /* corners that repeat another of their face: any in convex solids, only adjacent ones elsewhere */
+    size_t bent;     /* faces that cross or touch themselves and are not planar; they count as planar */
     size_t uncut;    /* faces that cross themselves too often to be cut; their sides become wires */
 } bodies_notes;
 

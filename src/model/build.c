@@ -257,6 +257,14 @@ static void warn_repeated(size_t corners, const roberts_mesh *mesh, const robert
                      corners == 1 ? "" : "s", corners == 1 ? "s" : "");
 }
 
+static void warn_bent(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+{
+    if (faces > 0)
+        warning_send(warnings, only_name(mesh), 0, "%zu face%s and %s not planar: lines on %s may be wrong", faces,
+                     faces == 1 ? " crosses or touches itself" : "s cross or touch themselves",
+                     faces == 1 ? "is" : "are", faces == 1 ? "it" : "them");
+}
+
 static void warn_uncut(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
     if (faces > 0)
@@ -423,6 +431,7 @@ static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mes
     roberts_status status = bodies_build(scene, mesh, options, known, &notes, error);
     if (status == ROBERTS_OK) {
         warn_repeated(notes.repeated, mesh, &options->warnings);
+        warn_bent(notes.bent, mesh, &options->warnings);
         warn_uncut(notes.uncut, mesh, &options->warnings);
     }
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))

@@ -46,7 +46,7 @@ static bool join_corners(face_pieces *f)
 static bool take_ring(face_pieces *f, const roberts_vec3 *point, const uint32_t *corner, uint32_t count)
 {
     f->ring_count = f->node_count = f->piece_count = f->side_count = 0;
-    f->whole_sides = f->uncut = false;
+    f->whole_sides = f->bent = f->uncut = false;
     if (!array_reserve(&f->ring, &f->ring_room, count, sizeof *f->ring) ||
         !array_reserve(&f->side_of, &f->side_of_room, count, sizeof *f->side_of) ||
         !array_reserve(&f->node, &f->node_room, count, sizeof *f->node) ||

@@ -37,6 +37,7 @@ typedef struct face_pieces {
     fitted_plane fit; /* relative to the first corner of the ring; for a border that crosses itself, the plane in use */
     double chord;     /* greatest extent of the face along an axis */
     bool planar;      /* false: each piece is a triangle with a plane of its own */
+    bool bent;        /* the border crosses or touches itself, and the face is not planar: it counts as planar */
     bool uncut;       /* the border crosses itself too often to be cut: there are no pieces */
     bool whole_sides; /* the sides are whole sides of the face; their ends may not be corners of the pieces */
     double unit;      /* as in face_rules */

@@ -206,6 +206,7 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
         return count < 2 || take_wires(s, corner, count);
     if (!face_pieces_cut(p, rules, corner, count))
         return false;
+    s->bent += p->bent;
     s->uncut += p->uncut;
     return p->piece_count > 0 ? take_pieces(s, p, face, corner, count) : take_wires(s, corner, count);
 }

@@ -58,6 +58,7 @@ typedef struct surface {
     size_t start_room, corner_room, face_room, plane_room, fit_room, side_room, part_room, edge_room, many_room,
         edge_part_room, point_room, low_room;
     size_t repeated;  /* number of faces left out as copies of earlier ones */
+    size_t bent;      /* number of faces that cross or touch themselves and are not planar; they count as planar */
     size_t uncut;     /* number of faces whose borders cross themselves too often: their sides became wires */
     bool whole_sides; /* some side may end at a point that is not a corner of its piece */
 } surface;

@@ -230,6 +230,7 @@ try {
       done = shell(`roberts ${name}`);
     assert.equal(done.status, 1);
     assert.equal(said, done.messages);
+    assert.equal(await text("#command"), "");
   }
 
   // a large file does not stop the page, and leaves it and its memory as they were

@@ -339,6 +339,7 @@ async function open(own) {
   if (done.status !== 0) {
     tellScene();
     by("about").textContent = `${own.name} is not drawn.`;
+    by("command").textContent = "";
     stage.dataset.state = "failed";
     canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
     still.removeAttribute("src");
