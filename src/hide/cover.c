@@ -127,10 +127,11 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
             low.x = scan_left(f, i);
             high.x = scan_left(f, i + 1.0);
         }
-        for (uint32_t j = first; front->face_count && j <= last; j++, low.y = high.y) {
+        for (uint32_t j = first; front->face_count && j <= last; j++) {
             high.y = scan_lower(f, j + 1.0);
             double own = greater(front->depth, depth_over(low, high, front->face, front->face_count));
             enter(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
+            low.y = high.y;
         }
     }
 }
