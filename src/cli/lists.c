@@ -151,16 +151,15 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
 static bool unquote(char *text)
 {
     char *to = text;
+    const char *at = text + 1;
     if (*text != '"')
         return true;
-    for (const char *at = text + 1; *at; at++) {
-        if (*at == '"' && *++at != '"') { /* two of them stand for one */
-            *to = '\0';
-            return *at == '\0';
-        }
+    for (; *at && (at[0] != '"' || at[1] == '"'); at++) {
+        at += *at == '"'; /* two of them stand for one */
         *to++ = *at;
     }
-    return false;
+    *to = '\0';
+    return at[0] == '"' && at[1] == '\0';
 }
 
 /* Reads one line. Returns why it is wrong, or NULL. */
