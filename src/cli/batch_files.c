@@ -5,10 +5,10 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 
 #include "cli/message.h"
+#include "cli/parse.h"
 #include "cli/values.h"
 
 static int no_memory(void)
@@ -219,12 +219,6 @@ static bool is_current(const batch_files *b, size_t i)
 
 /* ---- materials: the colours of an OBJ come from .mtl files in its folder ---- */
 
-static bool ends_in(const char *name, const char *ending)
-{
-    const char *dot = strrchr(name, '.');
-    return dot && strcasecmp(dot, ending) == 0;
-}
-
 /* By the names of their folders. */
 static int by_folder(const void *a, const void *b)
 {
@@ -243,7 +237,7 @@ static bool newest_material(const char *name, struct timespec *newest)
     struct stat found;
     *newest = (struct timespec){0};
     for (const struct dirent *entry; open && (entry = readdir(open));)
-        if (ends_in(entry->d_name, ".mtl") && fstatat(dirfd(open), entry->d_name, &found, 0) == 0 &&
+        if (parse_has_ending(entry->d_name, ".mtl") && fstatat(dirfd(open), entry->d_name, &found, 0) == 0 &&
             is_newer(found.st_mtim, *newest))
             *newest = found.st_mtim;
     free(folder);
@@ -263,7 +257,7 @@ static int mark_coloured(const batch_files *b, bool *mark)
     if (!order)
         return no_memory();
     for (size_t i = 0; i < b->count; i++)
-        if (!mark[i] && ends_in(b->file[i].input, ".obj"))
+        if (!mark[i] && parse_has_ending(b->file[i].input, ".obj"))
             order[count++] = &b->file[i];
     qsort(order, count, sizeof *order, by_folder); /* NOLINT(bugprone-sizeof-expression) */
     for (size_t i = 0; i < count; i++) {

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -59,9 +58,8 @@ static int check_turntable(const cli_options *options)
 static bool ends_like_model(const char *name)
 {
     static const char *const endings[] = {".off", ".stl", ".obj", ".ply", ".mtl"};
-    const char *dot = strrchr(name, '.');
-    for (size_t i = 0; dot && i < sizeof endings / sizeof endings[0]; i++)
-        if (strcasecmp(dot, endings[i]) == 0)
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
+        if (parse_has_ending(name, endings[i]))
             return true;
     return false;
 }

@@ -393,18 +393,24 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
+size_t hint_curved(const roberts_scene *scene)
+{
+    size_t curved = 0;
+    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
+        curved += roberts_scene_body_curved(scene, s);
+    return curved;
+}
+
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)
 {
     if (!options->hide.crease_auto || options->hide.all_edges ||
         drawing->drawn_edges > roberts_scene_edge_count(scene) / 2)
         return false;
-    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
-        if (roberts_scene_body_curved(scene, s))
-            return false; /* its edges are left out for another reason, which a note gives */
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)
             return false;
-    return drawing->count > 0;
+    /* edges of curved bodies are left out for another reason, which a note gives */
+    return drawing->count > 0 && hint_curved(scene) == 0;
 }
 
 bool hint_idle_union(const roberts_scene *scene)

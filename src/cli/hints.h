@@ -51,6 +51,9 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
 /* Do all visible faces lack a colour, so that --fill model fills none? */
 bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
+/* How many bodies are curved? */
+size_t hint_curved(const roberts_scene *scene);
+
 /* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 

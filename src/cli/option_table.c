@@ -76,8 +76,8 @@ static const option rows[] = {
          "the viewer its farthest and its nearest point are, as in +depth. color holds the numbers from the input, or "
          "is null. rings holds polygons, each an array of corners [x, y] as in tables: a ring that runs "
          "counter-clockwise bounds a piece, and those after it that run clockwise bound the holes in that piece. The "
-         "regions of all faces tile the picture without gaps and overlaps. They are the same "
-         "whichever lines are drawn, and with --union.\n"
+         "regions of all faces tile the picture without gaps and overlaps. They are the same whichever lines are "
+         "drawn, and with --union.\n"
          "If FILE ends in .csv, it is a table with a row for each face: body, face, area, z0, z1, color (numbers with "
          "blanks between them) and polygon, a MULTIPOLYGON as well-known text, as geographers' programs read it."},
     {.group = GROUP_OUTPUT,
@@ -682,8 +682,8 @@ static const option rows[] = {
      .manual =
          "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
          "face,3,base or body,0,leg, in UTF-8. A name may stand in quotation marks, as spreadsheets write it. Lines "
-         "that begin with # are skipped. Everything with a name is "
-         "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
+         "that begin with # are skipped. Everything with a name is labelled; with --label, the rest is labelled by its "
+         "numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,

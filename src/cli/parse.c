@@ -114,6 +114,12 @@ bool parse_lengths(const char *value, char sign, double *a_mm, double *b_mm)
     return true;
 }
 
+bool parse_has_ending(const char *name, const char *ending)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && strcasecmp(dot, ending) == 0;
+}
+
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size)
 {
     const char *place = strchr(pattern, '%'), *at = place;

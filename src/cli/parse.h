@@ -35,6 +35,9 @@ const char *parse_word(const char *text, char end, char *word, size_t size, bool
 /* Index of `word` in a list that ends with NULL; that of the NULL if the list lacks it. */
 size_t parse_find(const char *word, const char *const *words);
 
+/* Does the name of a file end in `ending`, from its last point on, in capitals or not? */
+bool parse_has_ending(const char *name, const char *ending);
+
 /* Puts `number` in its place in `pattern`: %d, or %03d (at least so many digits, up to 9, with leading zeros). False if
  * there is no such place, more than one, another %, or the name does not fit. */
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);

@@ -5,7 +5,6 @@
 #include "cli/picture.h"
 
 #include <string.h>
-#include <strings.h>
 
 #include "cli/hints.h"
 #include "cli/lists.h"
@@ -119,11 +118,9 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
-    size_t curved = 0;
     if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
         return;
-    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
-        curved += roberts_scene_body_curved(scene, s);
+    const size_t curved = hint_curved(scene);
     if (curved == 0)
         return;
     message_open(options->log);
@@ -341,11 +338,9 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
 
 static bool has_obj(const cli_options *options)
 {
-    for (size_t i = 0; i < options->input_count; i++) {
-        const char *dot = strrchr(options->input[i], '.');
-        if (dot && strcasecmp(dot, ".obj") == 0)
+    for (size_t i = 0; i < options->input_count; i++)
+        if (parse_has_ending(options->input[i], ".obj"))
             return true;
-    }
     return false;
 }
 

@@ -258,10 +258,11 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
 static double box_cost(const strokes *s, const free_space *r, space_box box)
 {
     box = (space_box){{box.min.x - margin_mm, box.min.y - margin_mm}, {box.max.x + margin_mm, box.max.y + margin_mm}};
-    const bool outside = box.min.x < s->frame_mm[0].x || box.min.y < s->frame_mm[0].y || box.max.x > s->frame_mm[1].x ||
-                         box.max.y > s->frame_mm[1].y;
+    if (box.min.x < s->frame_mm[0].x || box.min.y < s->frame_mm[0].y || box.max.x > s->frame_mm[1].x ||
+        box.max.y > s->frame_mm[1].y)
+        return INFINITY;
     const space_load load = space_load_of(r, &box, UINT32_MAX, 0, INFINITY);
-    return outside || load.boxes > 0 ? INFINITY : load.mm;
+    return load.boxes > 0 ? INFINITY : load.mm;
 }
 
 static double line_cost(const strokes *s, const free_space *r, roberts_vec2 a, roberts_vec2 b)

@@ -88,16 +88,15 @@ static bool unite_lines(map_search *s)
 {
     planar_map *m = s->m;
     const size_t count = m->line_count;
-    uint32_t *start = alloc_zeroed(m->node_count + 2, sizeof *start); /* by the smaller node */
-    uint64_t *line = alloc_array(count, sizeof *line);                /* the smaller node, the other one, is it open? */
-    const bool enough = start && line;
+    uint32_t *key = alloc_array(count, sizeof *key), *start = NULL, *order = NULL;
+    uint64_t *line = alloc_array(count, sizeof *line); /* the smaller node, the other one, is it open? */
+    bool enough = key && line;
     for (size_t i = 0; enough && i < count; i++)
-        start[m->line[i][m->line[i][1] < m->line[i][0]] + 2]++;
-    for (size_t n = 0; enough && n < m->node_count; n++)
-        start[n + 2] += start[n + 1];
+        key[i] = m->line[i][m->line[i][1] < m->line[i][0]];
+    enough = enough && sort_buckets(key, count, m->node_count, &start, &order);
     for (size_t i = 0; enough && i < count; i++) {
-        const uint32_t *v = m->line[i], from = v[v[1] < v[0]];
-        line[start[from + 1]++] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[i];
+        const uint32_t *v = m->line[order[i]], from = key[order[i]];
+        line[i] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[order[i]];
     }
     for (size_t n = 0; enough && n < m->node_count; n++) {
         const size_t few = start[n + 1] - start[n];
@@ -118,7 +117,9 @@ static bool unite_lines(map_search *s)
     }
     if (enough)
         m->line_count = to;
+    free(key);
     free(start);
+    free(order);
     free(line);
     return enough;
 }

@@ -86,7 +86,7 @@ void scan_polygon(scan *s, const scan_frame *f, const roberts_vec3 *P, const uin
 static inline bool borders_between(const scan *s, const scan_frame *f, double from, double to, uint32_t *first,
                                    uint32_t *last)
 {
-    double low = (scan_along_x(f, from) - f->x0) * f->per_dx, high = (scan_along_x(f, to) - f->x0) * f->per_dx;
+    double low = scan_place_x(f, from), high = scan_place_x(f, to);
     *first = s->inner_first;
     *last = s->inner_last + 1;
     if (!(low <= *last) || !(high >= *first))
@@ -189,8 +189,7 @@ void scan_inner(scan *s, const scan_frame *f, const roberts_vec3 *P, const uint3
     if (!f->warps && scan_apart(s, f, P, corner, count))
         return;
     find_width(P, corner, count, &least, &greatest);
-    double low = (scan_along_x(f, least + f->margin) - f->x0) * f->per_dx;
-    double high = (scan_along_x(f, greatest - f->margin) - f->x0) * f->per_dx;
+    double low = scan_place_x(f, least + f->margin), high = scan_place_x(f, greatest - f->margin);
     s->inner_first = 1;
     s->inner_last = 0;
     if (!(low < f->nx) || !(high >= 1.0))

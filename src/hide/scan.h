@@ -58,6 +58,18 @@ static inline double scan_lower(const scan_frame *f, double i)
     return f->warps ? warp_back(&f->warps[1], y) : y;
 }
 
+/* Return how many columns x, or rows y, is away from the frame's corner: the inverse of scan_left() and scan_lower().
+ */
+static inline double scan_place_x(const scan_frame *f, double x)
+{
+    return (scan_along_x(f, x) - f->x0) * f->per_dx;
+}
+
+static inline double scan_place_y(const scan_frame *f, double y)
+{
+    return (scan_along_y(f, y) - f->y0) * f->per_dy;
+}
+
 /* Rounds down to the number of a column or row and clamps it to the grid; NaN gives 0. */
 static inline uint32_t scan_clamp(double position, double last)
 {
@@ -66,12 +78,12 @@ static inline uint32_t scan_clamp(double position, double last)
 
 static inline uint32_t scan_column(const scan_frame *f, double x)
 {
-    return scan_clamp((scan_along_x(f, x) - f->x0) * f->per_dx, f->last_x);
+    return scan_clamp(scan_place_x(f, x), f->last_x);
 }
 
 static inline uint32_t scan_row(const scan_frame *f, double y)
 {
-    return scan_clamp((scan_along_y(f, y) - f->y0) * f->per_dy, f->last_y);
+    return scan_clamp(scan_place_y(f, y), f->last_y);
 }
 
 /* Return how many columns wide, or rows high, something is. */
@@ -122,8 +134,8 @@ static inline void scan_touched(const scan *s, const scan_frame *f, uint32_t i, 
 /* Gets the rows completely inside in inner column i. False if there are none. */
 static inline bool scan_inside(const scan *s, const scan_frame *f, uint32_t i, uint32_t *first, uint32_t *last)
 {
-    double low = (scan_along_y(f, greater(s->under[i], s->under[i + 1]) + f->margin) - f->y0) * f->per_dy;
-    double high = (scan_along_y(f, -greater(s->over[i], s->over[i + 1]) - f->margin) - f->y0) * f->per_dy;
+    double low = scan_place_y(f, greater(s->under[i], s->under[i + 1]) + f->margin);
+    double high = scan_place_y(f, -greater(s->over[i], s->over[i + 1]) - f->margin);
     if (!(low < f->ny) || !(high >= 1.0))
         return false;
     uint32_t below = low > 0.0 ? (uint32_t)low : 0;

@@ -51,6 +51,27 @@ static roberts_scene *make_row(const char *alpha)
     return scene_of_text(text);
 }
 
+/* The row with its picture and strokes. */
+typedef struct row {
+    roberts_scene *scene;
+    picture p;
+    strokes s;
+} row;
+
+static void draw_row(const char *alpha, const roberts_draw_options *options, row *r)
+{
+    r->scene = make_row(alpha);
+    draw_picture(r->scene, &from_above, &r->p);
+    assert_int_equal(strokes_make(&r->s, &r->p.drawing, options, NULL), ROBERTS_OK);
+}
+
+static void free_row(row *r)
+{
+    strokes_free(&r->s);
+    free_picture(&r->p);
+    roberts_scene_free(r->scene);
+}
+
 /* ---- areas ----------------------------------------------------------------------------------------------------- */
 
 /* Twice the area of a ring, > 0 if it runs as pieces do. */
@@ -153,20 +174,15 @@ static void test_row(void **state)
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_scene *scene = make_row(cases[i].alpha);
         roberts_draw_options options = roberts_draw_options_default();
-        picture p;
-        strokes s;
+        row r;
         options.fill = cases[i].fill;
-        draw_picture(scene, &from_above, &p);
-        assert_int_equal(p.regions.count, 5);
-        assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
-        assert_int_equal(check_fills("row", &s), cases[i].rings);
-        assert_int_equal(count_paints(&s.fills, false), cases[i].paints);
-        assert_int_equal(count_paints(&s.fills, true), cases[i].seams);
-        strokes_free(&s);
-        free_picture(&p);
-        roberts_scene_free(scene);
+        draw_row(cases[i].alpha, &options, &r);
+        assert_int_equal(r.p.regions.count, 5);
+        assert_int_equal(check_fills("row", &r.s), cases[i].rings);
+        assert_int_equal(count_paints(&r.s.fills, false), cases[i].paints);
+        assert_int_equal(count_paints(&r.s.fills, true), cases[i].seams);
+        free_row(&r);
     }
 }
 
@@ -183,44 +199,34 @@ static void test_elements(void **state)
                  {"0.5", ROBERTS_GROUP_ELEMENT, 1}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_scene *scene = make_row(cases[i].alpha);
         roberts_draw_options options = roberts_draw_options_default();
-        picture p;
-        strokes s;
+        row r;
         size_t seams = 0;
         options.fill = ROBERTS_FILL_MODEL;
         options.grouping = cases[i].grouping;
-        draw_picture(scene, &from_above, &p);
-        assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
-        assert_int_equal(check_fills("elements", &s), 3);
-        for (size_t k = 0; k < s.fills.count; k++)
-            seams += s.fills.paint[k].seam ? s.fills.paint[k].end - s.fills.paint[k].first : 0;
+        draw_row(cases[i].alpha, &options, &r);
+        assert_int_equal(check_fills("elements", &r.s), 3);
+        for (const fill_paint *paint = r.s.fills.paint; paint < r.s.fills.paint + r.s.fills.count; paint++)
+            seams += paint->seam ? paint->end - paint->first : 0;
         assert_int_equal(seams, cases[i].seams);
-        strokes_free(&s);
-        free_picture(&p);
-        roberts_scene_free(scene);
+        free_row(&r);
     }
 }
 
 /* Joined squares are one ring of four corners. */
 static void test_ring(void **state)
 {
-    roberts_scene *scene = make_row("1.0");
     roberts_draw_options options = roberts_draw_options_default();
-    picture p;
-    strokes s;
+    row r;
     (void)state;
     options.fill = ROBERTS_FILL_COLOR;
     options.placement.scale = 10;
-    draw_picture(scene, &from_above, &p);
-    assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
-    assert_int_equal(s.fills.lines.count, 2);
-    assert_int_equal(s.fills.lines.item[0].count, 4);
-    assert_int_equal(s.fills.lines.item[1].count, 4);
-    assert_true(ring_area(s.fills.lines.point, 4) == 2 * (int64_t)40000 * 10000); /* 40 x 10 mm */
-    strokes_free(&s);
-    free_picture(&p);
-    roberts_scene_free(scene);
+    draw_row("1.0", &options, &r);
+    assert_int_equal(r.s.fills.lines.count, 2);
+    assert_int_equal(r.s.fills.lines.item[0].count, 4);
+    assert_int_equal(r.s.fills.lines.item[1].count, 4);
+    assert_true(ring_area(r.s.fills.lines.point, 4) == 2 * (int64_t)40000 * 10000); /* 40 x 10 mm */
+    free_row(&r);
 }
 
 /* Colours of the file, of bodies, of an index; light. */

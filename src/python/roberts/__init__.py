@@ -37,6 +37,8 @@ LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_ou
 """The names of the values of segments["line"]."""
 
 _KINDS = ("convex", "closed", "open")
+# pens by the program's names; roberts.h calls that of hidden lines back
+_PENS = {**{"hidden" if name == "back" else name: name for name in c.PENS}, "back": "back"}
 _HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
 _GROUPS = {"class": 0, "body": 1, "element": 2}
 _LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
@@ -104,7 +106,7 @@ def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
         setattr(struct, name, value)
 
 
-def _choice(table: Mapping[str, int], value: str, what: str) -> int:
+def _choice(table: Mapping[str, Any], value: str, what: str) -> Any:
     if value not in table:
         raise ValueError(f"{what}: {value!r} is none of {', '.join(table)}")
     return table[value]
@@ -408,8 +410,8 @@ class _Drawable:
         page              (width, height) or (width, height, margin), mm; default: A4 upright with margins of 10
         scale             mm on paper for each model unit; default: as large as the margins allow
         pens              a dict of pens by class (outline, border, crease, intersection, wire, hidden, frame,
-                          symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red, green, blue; 0 to
-                          255), off
+                          symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red,
+                          green, blue; 0 to 255), off
         background        (red, green, blue)
         fill              white, model, body, or (red, green, blue)
         shaded            fills are darker where less light falls
@@ -560,10 +562,7 @@ class _Page:
         if "scale" in given:
             o.placement.scale = given.pop("scale")
         for name, values in given.pop("pens", {}).items():
-            field = "back" if name == "hidden" else name
-            if field not in c.PENS:
-                raise ValueError(f"pens: {name!r} is none of {', '.join(c.PENS).replace('back', 'hidden')}")
-            pen = getattr(o, field)
+            pen = getattr(o, _choice(_PENS, name, "pens"))
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
             if "color" in values:
                 pen.red, pen.green, pen.blue = values.pop("color")
