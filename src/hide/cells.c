@@ -11,8 +11,9 @@
 #include "base/threads.h"
 
 /* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
- * longer. */
-#define BOXES_PER_CELL 2.0
+ * longer. The more lines there are for each box, the more smaller cells gain. */
+#define BOXES_PER_CELL 2.5
+#define BOXES_PER_CELL_OF_NET 1.3
 /* The same where the axes are warped. */
 #define BOXES_PER_WARPED_CELL 1.0
 /* The axes are warped after a sample of at most WARP_MOST boxes. A sample of fewer than WARP_LEAST says too little. */
@@ -206,7 +207,8 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
         nx = ny = n;
         enlarge(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
     } else if (count) {
-        divide(&s, count, warped ? BOXES_PER_WARPED_CELL : BOXES_PER_CELL, CELLS_PER_BOX * count + 1.0, &nx, &ny);
+        double boxes = warped ? BOXES_PER_WARPED_CELL : b->net ? BOXES_PER_CELL_OF_NET : BOXES_PER_CELL;
+        divide(&s, count, boxes, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         enlarge(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);

@@ -146,14 +146,31 @@ BITS_INLINE void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
 BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32_t face)
 {
     const roberts_scene *scene = fronts->scene;
+    const roberts_vec3 *P = fronts->P;
     const uint32_t *corner = scene->corner + scene->face_start[face],
                    *end = scene->corner + scene->face_start[face + 1];
-    const double plain = fronts->space.plain, turn = fronts->seen->facing[face] == VIEW_BACK ? -1.0 : 1.0;
+    const double plain = fronts->space.plain;
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, low = INFINITY, high = -INFINITY;
+    bool shared = false;
+    for (const uint32_t *c = corner; c < end; c++) {
+        if (*c == e->a || *c == e->b) {
+            if (shared)
+                return false; /* the line joins two corners */
+            shared = true;
+            continue;
+        }
+        double left = dx * (P[*c].y - e->A.y) - dy * (P[*c].x - e->A.x);
+        low = lesser(low, left);
+        high = greater(high, left);
+    }
+    if (low > plain || high < -plain)
+        return true;
+    const double turn = fronts->seen->facing[face] == VIEW_BACK ? -1.0 : 1.0;
     const two X = two_of(e->A.x, e->B.x), Y = two_of(e->A.y, e->B.y), least = two_all(-plain);
     uint32_t last = end[-1];
-    two px = two_sub(two_all(fronts->P[last].x), X), py = two_sub(two_all(fronts->P[last].y), Y);
+    two px = two_sub(two_all(P[last].x), X), py = two_sub(two_all(P[last].y), Y);
     for (const uint32_t *c = corner; c < end; last = *c++) {
-        two qx = two_sub(two_all(fronts->P[*c].x), X), qy = two_sub(two_all(fronts->P[*c].y), Y);
+        two qx = two_sub(two_all(P[*c].x), X), qy = two_sub(two_all(P[*c].y), Y);
         two left = two_mul(two_sub(two_mul(px, qy), two_mul(py, qx)), two_all(turn));
         unsigned out = two_at_most(left, least);
         uint32_t other = out == 1 ? e->b : e->a; /* ROBERTS_NONE is no corner */
@@ -162,20 +179,7 @@ BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32
         px = qx;
         py = qy;
     }
-    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, low = INFINITY, high = -INFINITY;
-    bool shared = false;
-    for (const uint32_t *c = corner; c < end; c++) {
-        if (*c == e->a || *c == e->b) {
-            if (shared)
-                return false;
-            shared = true;
-            continue;
-        }
-        double left = dx * (fronts->P[*c].y - e->A.y) - dy * (fronts->P[*c].x - e->A.x);
-        low = lesser(low, left);
-        high = greater(high, left);
-    }
-    return low > plain || high < -plain;
+    return false;
 }
 
 /* Does the line not meet a front because it lies in it, or plainly beside a face of a surface? */
