@@ -151,6 +151,13 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_
                                           .span = m->outline.span,
                                           .sides = sides,
                                           .hull = hull});
+    /* What a solid hides lies behind the planes of all its faces. */
+    for (uint32_t k = 0; m->whole && k < m->face_count; k++)
+        if (hide_test1(&m->face[k], e)) {
+            sides->tally.pairs++;
+            sides->tally.test1_visible++;
+            return false;
+        }
     for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
         if (by_face(fronts, &m->face[k], m->outline.span, e, sides, &part))
