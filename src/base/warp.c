@@ -5,7 +5,7 @@
 
 /* Puts the pieces where the map that is wanted takes the values k / WARP_PIECES. That map is straight between low, the
  * values and high. */
-static void divide(warp *w, double low, double high, const double *value, size_t count)
+static void divide_axis(warp *w, double low, double high, const double *value, size_t count)
 {
     double last = low, reached = 0.0;
     size_t i = 0;
@@ -33,7 +33,7 @@ bool warp_make(warp *w, double low, double high, const double *value, size_t cou
     w->piece = (high - low) / WARP_PIECES;
     if (!(w->piece >= 2.0 * least) || !(w->piece > 0.0))
         return false;
-    divide(w, low, high, value, count);
+    divide_axis(w, low, high, value, count);
     /* a piece that is too short takes from the next ones, and the last ones from those before them */
     for (int k = 1; k < WARP_PIECES; k++)
         w->at[k] = greater(w->at[k], w->at[k - 1] + least);

@@ -50,7 +50,7 @@ static int open_manifest(batch *b)
     return message_error(stderr, &error);
 }
 
-static int prepare(batch *b)
+static int prepare_batch(batch *b)
 {
     const cli_options *options = b->options;
     const bool draws = options->draw.format != ROBERTS_NULL;
@@ -101,7 +101,7 @@ static void begin(void *context)
         manifest_close(&b->manifest);
 }
 
-static void describe(const picture_result *made, char *text, size_t size)
+static void describe_result(const picture_result *made, char *text, size_t size)
 {
     const roberts_error *error = &made->error;
     if (error->status == ROBERTS_OK && made->contradictions > 0)
@@ -137,7 +137,7 @@ static file_report make_one(const batch *b, const batch_file *file, FILE *log)
     report.seconds = report_since(start).wall;
     report.lines = made.segments;
     report.warnings = counter.count;
-    describe(&made, report.error, sizeof report.error);
+    describe_result(&made, report.error, sizeof report.error);
     return report;
 }
 
@@ -284,7 +284,7 @@ static void make_all(batch *b)
     workers_run(&plan);
 }
 
-static void tell(const batch *b, roberts_time start)
+static void tell_batch(const batch *b, roberts_time start)
 {
     message_open(stderr);
     fprintf(stderr, "roberts: %zu file%s drawn, %zu up to date, %zu failed; %.3f s\n", b->files.count - b->failed,
@@ -296,11 +296,11 @@ int batch_make(const cli_options *options)
 {
     batch b = {.options = options, .manifest = {.descriptor = -1}};
     const roberts_time start = report_now();
-    b.result = prepare(&b);
+    b.result = prepare_batch(&b);
     if (b.result == EXIT_DONE) {
         make_all(&b);
         if (options->verbose)
-            tell(&b, start);
+            tell_batch(&b, start);
         if (b.failed > 0)
             b.result = EXIT_FAILED;
     }

@@ -41,7 +41,7 @@ static const char *name_inputs(const cli_options *options, const char *first, ch
     return name;
 }
 
-static void warn(const cli_options *options, const char *file, const char *text)
+static void warn_of_file(const cli_options *options, const char *file, const char *text)
 {
     const roberts_warnings *to = &options->scene.warnings;
     if (to->warn)
@@ -167,7 +167,7 @@ static void warn_names(const cli_options *options, const roberts_mesh *mesh, siz
 {
     char text[256], name[NAME_SIZE];
     if (checks_names(options) && hint_idle_names(options, mesh, bodies, text, sizeof text))
-        warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }
 
 /* Reads the inputs and builds the scene. The mesh is released. */
@@ -332,7 +332,7 @@ static void warn_near(const cli_options *options, const roberts_scene *scene, vi
     char why[256], name[NAME_SIZE];
     if (options->quiet || !hint_near_plane(options, scene, &v->drawing[0], why, sizeof why))
         return;
-    warn(options, name_output(options, name, sizeof name), why);
+    warn_of_file(options, name_output(options, name, sizeof name), why);
     v->explained = true;
 }
 
@@ -352,18 +352,20 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->quiet || options->turntable > 0)
         return;
     if (options->hide.unite && scene && hint_idle_union(scene))
-        warn(options, name_inputs(options, options->input[0], name, sizeof name),
-             "--union has no effect: no body is closed");
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     "--union has no effect: no body is closed");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
-        warn(options, name_inputs(options, options->input[0], name, sizeof name),
-             "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
+        warn_of_file(
+            options, name_inputs(options, options->input[0], name, sizeof name),
+            "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
-        warn(options, name_inputs(options, options->input[0], name, sizeof name),
-             has_obj(options) ? "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in "
-                                "the .mtl files beside it that it names)"
-                              : "--fill model has no effect: no face that is seen has a colour");
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     has_obj(options)
+                         ? "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in "
+                           "the .mtl files beside it that it names)"
+                         : "--fill model has no effect: no face that is seen has a colour");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
-        warn(options, name_inputs(options, options->input[0], name, sizeof name), text);
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }
 
 static void free_views(views *v)
@@ -437,7 +439,7 @@ static void warn_empty(const cli_options *options, const views *v)
     if (!why)
         return;
     snprintf(text, sizeof text, "the drawing is empty: %s", why);
-    warn(options, name_output(options, name, sizeof name), text);
+    warn_of_file(options, name_output(options, name, sizeof name), text);
 }
 
 static size_t count_segments(const views *v)

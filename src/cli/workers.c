@@ -150,7 +150,7 @@ static void hand_out(worker *w, size_t task)
     (void)send_all(w->socket, &task, sizeof task);
 }
 
-static void tell(crew *c, const worker_outcome *outcome)
+static void tell_outcome(crew *c, const worker_outcome *outcome)
 {
     (void)c->plan->finish(c->plan->context, outcome);
     c->done++;
@@ -183,7 +183,8 @@ static void end_task(crew *c, int number, worker_outcome *outcome)
         if (start(c, number))
             hand_out(w, outcome->task);
         else
-            tell(c, &(worker_outcome){.task = outcome->task, .end = WORKER_UNSTARTED, .status = errno, .fresh = true});
+            tell_outcome(
+                c, &(worker_outcome){.task = outcome->task, .end = WORKER_UNSTARTED, .status = errno, .fresh = true});
     }
     free(report);
 }
@@ -272,7 +273,8 @@ void workers_run(const worker_plan *plan)
         if (any)
             wait_for_some(&c);
         else if (c.next < plan->tasks)
-            tell(&c, &(worker_outcome){.task = c.next++, .end = WORKER_UNSTARTED, .status = reason, .fresh = true});
+            tell_outcome(&c,
+                         &(worker_outcome){.task = c.next++, .end = WORKER_UNSTARTED, .status = reason, .fresh = true});
     }
     for (int i = 0; i < plan->workers; i++)
         if (c.member[i].socket >= 0)

@@ -47,7 +47,7 @@ static page_point rounded(roberts_vec2 p)
     return (page_point){page_round(p.x), page_round(p.y)};
 }
 
-static bool is_same(page_point p, page_point q)
+static bool same_page_point(page_point p, page_point q)
 {
     return p.x == q.x && p.y == q.y;
 }
@@ -101,7 +101,7 @@ static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
     page_point *p = out->point + line->first;
-    if (line->count < 4 || !is_same(p[0], p[line->count - 1]))
+    if (line->count < 4 || !same_page_point(p[0], p[line->count - 1]))
         return;
     line->closed = true;
     line->count--;
@@ -129,18 +129,18 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
         if (p->item[i].line != line)
             continue;
         page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
-        if (is_same(a, b))
+        if (same_page_point(a, b))
             continue;
         polyline *last = open ? &out->item[out->count - 1] : NULL;
         page_point *end = out->point + out->point_count;
-        if (open && last->count == 2 && !is_same(end[-1], a) && !is_same(end[-1], b) &&
-            (is_same(end[-2], a) || is_same(end[-2], b))) {
+        if (open && last->count == 2 && !same_page_point(end[-1], a) && !same_page_point(end[-1], b) &&
+            (same_page_point(end[-2], a) || same_page_point(end[-2], b))) {
             page_point swap = end[-1]; /* draws the first piece the other way round */
             end[-1] = end[-2];
             end[-2] = swap;
         }
-        if (open && last->count < CHAIN_POINTS_MAX && (is_same(end[-1], a) || is_same(end[-1], b))) {
-            if (!add_point(out, is_same(end[-1], a) ? b : a))
+        if (open && last->count < CHAIN_POINTS_MAX && (same_page_point(end[-1], a) || same_page_point(end[-1], b))) {
+            if (!add_point(out, same_page_point(end[-1], a) ? b : a))
                 return false;
             continue;
         }
@@ -159,7 +159,7 @@ bool chain_apart(const pieces *p, roberts_line line, polylines *out)
 {
     for (size_t i = 0; i < p->count; i++) {
         page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
-        if (p->item[i].line != line || is_same(a, b))
+        if (p->item[i].line != line || same_page_point(a, b))
             continue;
         if (!polylines_start(out) || !polylines_append(out, a) || !polylines_append(out, b))
             return false;
@@ -170,7 +170,7 @@ bool chain_apart(const pieces *p, roberts_line line, polylines *out)
 
 /* ---- places ---- */
 
-static uint32_t *cell_of(const net *n, int32_t x, int32_t y)
+static uint32_t *net_cell(const net *n, int32_t x, int32_t y)
 {
     uint64_t key = (uint64_t)(uint32_t)x << 32 | (uint32_t)y;
     return &n->head[(key * 0x9e3779b97f4a7c15u) >> (64 - n->bits)];
@@ -190,7 +190,7 @@ static search search_for(const net *n, roberts_vec2 p)
     int columns = page_cells(f.at.x, PLACE_CELL, x), rows = page_cells(f.at.y, PLACE_CELL, y);
     for (int i = 0; i < columns; i++)
         for (int k = 0; k < rows; k++)
-            f.cell[f.cells++] = cell_of(n, x[i], y[k]);
+            f.cell[f.cells++] = net_cell(n, x[i], y[k]);
     return f;
 }
 
@@ -202,7 +202,7 @@ static uint32_t find_in_cell(const net *n, page_point at, uint32_t i)
     return i;
 }
 
-static uint32_t place_of(net *n, const search *f)
+static uint32_t net_place(net *n, const search *f)
 {
     for (int k = 0; k < f->cells; k++) {
         uint32_t found = find_in_cell(n, f->at, *f->cell[k]);
@@ -247,7 +247,7 @@ static void link_some(net *n, const search *f, size_t ends)
             if (*f[i].cell[k] != NO_PLACE)
                 FETCH_AHEAD(&n->place[*f[i].cell[k]]);
     for (size_t i = 0; i < ends; i += 2) {
-        uint32_t from = place_of(n, &f[i]), to = place_of(n, &f[i + 1]);
+        uint32_t from = net_place(n, &f[i]), to = net_place(n, &f[i + 1]);
         if (from == to)
             continue;
         n->link[n->link_count++] = (link){.from = from, .to = to};

@@ -82,7 +82,7 @@ static uint32_t hash_of(int64_t direction, int64_t distance)
     return (uint32_t)(key * 0x9e3779b97f4a7c15u >> 32);
 }
 
-static uint32_t *cell_of(const sorter *s, uint32_t hash)
+static uint32_t *bucket_of_hash(const sorter *s, uint32_t hash)
 {
     return &s->head[hash >> (32 - s->bits)];
 }
@@ -101,7 +101,7 @@ static bool make_cells(sorter *s, size_t lines)
         return false;
     memset(s->head, 0xff, size);
     for (uint32_t l = 0; l < s->lines->count; l++) { /* in this order the newest line of a cell stays its first */
-        uint32_t *cell = cell_of(s, s->lines->item[l].hash);
+        uint32_t *cell = bucket_of_hash(s, s->lines->item[l].hash);
         s->lines->item[l].next = *cell;
         *cell = l;
     }
@@ -174,7 +174,7 @@ static uint32_t likely_line(const sorter *s, const search *f)
 {
     uint32_t line = NO_LINE;
     for (int k = 0; k < f->cells && line == NO_LINE; k++) {
-        line = *cell_of(s, f->hash[k]);
+        line = *bucket_of_hash(s, f->hash[k]);
         while (line != NO_LINE && !may_coincide(s, &s->lines->item[line], f->at))
             line = s->lines->item[line].next;
     }
@@ -194,9 +194,9 @@ static void sort_to_line(sorter *s, uint32_t i, const search *f)
     const piece *p = &s->p->item[i];
     uint32_t line = NO_LINE;
     for (int k = 0; k < f->cells && line == NO_LINE; k++)
-        line = find_in_cell(s, p, f->at, *cell_of(s, f->hash[k]));
+        line = find_in_cell(s, p, f->at, *bucket_of_hash(s, f->hash[k]));
     if (line == NO_LINE) {
-        uint32_t *cell = cell_of(s, f->hash[0]);
+        uint32_t *cell = bucket_of_hash(s, f->hash[0]);
         line = s->lines->count++;
         s->lines->item[line] = (page_line){.distance = f->at.distance, .hash = f->hash[0], .next = *cell};
         *cell = line;
@@ -213,8 +213,8 @@ static void sort_some(sorter *s, const search *f, size_t first, size_t count)
 {
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < f[i].cells; k++)
-            if (*cell_of(s, f[i].hash[k]) != NO_LINE)
-                FETCH_AHEAD(&s->lines->item[*cell_of(s, f[i].hash[k])]);
+            if (*bucket_of_hash(s, f[i].hash[k]) != NO_LINE)
+                FETCH_AHEAD(&s->lines->item[*bucket_of_hash(s, f[i].hash[k])]);
     for (size_t i = 0; i < count; i++) {
         uint32_t line = likely_line(s, &f[i]);
         if (line != NO_LINE)
@@ -235,7 +235,7 @@ static bool sort_to_lines(sorter *s)
         for (size_t i = 0; i < count; i++) {
             f[i] = search_for(s, &s->p->item[first + i]);
             for (int k = 0; k < f[i].cells; k++)
-                FETCH_AHEAD(cell_of(s, f[i].hash[k]));
+                FETCH_AHEAD(bucket_of_hash(s, f[i].hash[k]));
         }
         sort_some(s, f, first, count);
     }
@@ -243,7 +243,7 @@ static bool sort_to_lines(sorter *s)
 }
 
 /* Sets the origin in the middle of the pieces, where an error in a line's direction changes its distance least. */
-static void prepare(sorter *s)
+static void prepare_sorter(sorter *s)
 {
     roberts_vec2 min = {INFINITY, INFINITY}, max = {-INFINITY, -INFINITY};
     for (size_t i = 0; i < s->p->count; i++) {
@@ -283,7 +283,7 @@ bool collinear_find(page_lines *c, const pieces *p)
     sorter s = {.p = p, .lines = c, .line_of = alloc_array(p->count, sizeof *s.line_of)};
     *c = (page_lines){.item = alloc_array(p->count, sizeof *c->item),
                       .member = alloc_array(p->count, sizeof *c->member)};
-    prepare(&s);
+    prepare_sorter(&s);
     bool done = c->item && c->member && s.line_of && sort_to_lines(&s);
     if (done)
         list_members(&s);

@@ -47,7 +47,7 @@ void dimension_text(double value, const char *unit, char *text, size_t size)
     snprintf(text, size, unit && *unit ? "%s %s" : "%s%s", number, unit ? unit : "");
 }
 
-static roberts_vec2 along(roberts_vec2 p, roberts_vec2 d, double mm)
+static roberts_vec2 moved_along(roberts_vec2 p, roberts_vec2 d, double mm)
 {
     return (roberts_vec2){p.x + mm * d.x, p.y + mm * d.y};
 }
@@ -55,9 +55,9 @@ static roberts_vec2 along(roberts_vec2 p, roberts_vec2 d, double mm)
 /* An arrow whose tip is at `tip` and points toward `d`. */
 static bool add_arrow(strokes *s, roberts_vec2 tip, roberts_vec2 d)
 {
-    const roberts_vec2 back = along(tip, d, -arrow_length), side = {-d.y, d.x};
-    return notes_add_line(&s->notes, along(back, side, arrow_half), tip, s->units_per_mm) &&
-           notes_add_line(&s->notes, tip, along(back, side, -arrow_half), s->units_per_mm);
+    const roberts_vec2 back = moved_along(tip, d, -arrow_length), side = {-d.y, d.x};
+    return notes_add_line(&s->notes, moved_along(back, side, arrow_half), tip, s->units_per_mm) &&
+           notes_add_line(&s->notes, tip, moved_along(back, side, -arrow_half), s->units_per_mm);
 }
 
 /* The corner that an extension line measures. `start` is a corner of the view's box, and the line runs through it along
@@ -78,7 +78,7 @@ static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts
                 least = fmin(least, fmax(d.x * off.x + d.y * off.y, 0.0));
         }
     }
-    return least < INFINITY ? along(start, off, -least) : start;
+    return least < INFINITY ? moved_along(start, off, -least) : start;
 }
 
 /* The direction in which text along `d` is read: from below or, where it is upright, from the right. */
@@ -100,18 +100,18 @@ bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
     const double before = d->shift < 0.0 ? fmax(outside, half - d->shift - length / 2.0) : outside;
     const double behind = d->shift > 0.0 ? fmax(outside, half + d->shift - length / 2.0) : outside;
     const roberts_vec2 middle = {(from.x + to.x) / 2.0, (from.y + to.y) / 2.0}, read = reading(l->along);
-    l->line[0] = along(from, l->along, -before);
-    l->line[1] = along(to, l->along, behind);
+    l->line[0] = moved_along(from, l->along, -before);
+    l->line[1] = moved_along(to, l->along, behind);
     for (int i = 0; i < 2; i++) {
-        l->extension[i][0] = along(d->corner[i], d->off, extension_gap);
-        l->extension[i][1] = along(d->end[i], d->off, extension_over);
+        l->extension[i][0] = moved_along(d->corner[i], d->off, extension_gap);
+        l->extension[i][1] = moved_along(d->end[i], d->off, extension_over);
     }
     const roberts_vec2 up = text_upward(read);
     const double beyond = extension_over + text_apart; /* no extension line is beside the text there */
     const bool is_outward = up.x * d->off.x + up.y * d->off.y > 0.0;
     const bool fits = d->shift != 0.0 || 2.0 * (half + text_apart) < length;
     const double base = fits ? text_off : is_outward ? beyond : -beyond - height;
-    l->text = (text_line){d->text, along(along(middle, l->along, d->shift), up, base), height, 0.5, read};
+    l->text = (text_line){d->text, moved_along(moved_along(middle, l->along, d->shift), up, base), height, 0.5, read};
     return true;
 }
 
@@ -123,8 +123,8 @@ size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES
     const size_t count = is_straight ? 1 : (size_t)fmin(fmax(ceil(width / h), 1.0), DIMENSION_BOXES);
     for (size_t i = 0; i < count; i++) {
         const double low = width * ((double)i / (double)count - 0.5), high = low + width / (double)count;
-        const roberts_vec2 a = along(line->at, d, low), b = along(line->at, d, high), c = along(a, up, h),
-                           e = along(b, up, h);
+        const roberts_vec2 a = moved_along(line->at, d, low), b = moved_along(line->at, d, high),
+                           c = moved_along(a, up, h), e = moved_along(b, up, h);
         box[i] = (space_box){{fmin(fmin(a.x, b.x), fmin(c.x, e.x)), fmin(fmin(a.y, b.y), fmin(c.y, e.y))},
                              {fmax(fmax(a.x, b.x), fmax(c.x, e.x)), fmax(fmax(a.y, b.y), fmax(c.y, e.y))}};
     }
@@ -155,7 +155,7 @@ static bool add_overall(strokes *s, const page_view *view, const roberts_vec2 en
     char text[DIMENSION_TEXT];
     dimension_text(value, s->options->lettering.unit, text, sizeof text);
     const dimension d = {{find_corner(s, view, ends[0], off), find_corner(s, view, ends[1], off)},
-                         {along(ends[0], off, line_off), along(ends[1], off, line_off)},
+                         {moved_along(ends[0], off, line_off), moved_along(ends[1], off, line_off)},
                          off,
                          text,
                          0.0};
@@ -356,7 +356,7 @@ static bool add_to_page(strokes *s, free_space *r, const dimension *d)
 
 /* ---- all of them ---- */
 
-static void tell(const strokes *s, const roberts_distance *of, const char *why)
+static void tell_distance(const strokes *s, const roberts_distance *of, const char *why)
 {
     const roberts_warnings *to = &s->options->lettering.warnings;
     char text[200];
@@ -384,13 +384,13 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
     if (status != ROBERTS_OK)
         return status;
     if (!seen.view) {
-        tell(s, of, "no view shows it in true length");
+        tell_distance(s, of, "no view shows it in true length");
         return ROBERTS_OK;
     }
     dimension_text(length, s->options->lettering.unit, text, sizeof text);
     dimension best = {.text = text};
     if (!find_place(s, r, &seen, &best)) {
-        tell(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
+        tell_distance(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
         return ROBERTS_OK;
     }
     return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);

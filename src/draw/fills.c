@@ -105,7 +105,7 @@ typedef struct fill_work {
     size_t rim_count, rim_room;
 } fill_work;
 
-static uint32_t key_of(fill_color c)
+static uint32_t key_of_color(fill_color c)
 {
     return (uint32_t)c.red << 24 | (uint32_t)c.green << 16 | (uint32_t)c.blue << 8 | c.alpha;
 }
@@ -126,7 +126,7 @@ static int compare_points(page_point p, page_point q)
     return p.x != q.x ? (p.x < q.x ? -1 : 1) : (p.y > q.y) - (p.y < q.y);
 }
 
-static bool add_side(side_list *to, page_point a, page_point b, uint32_t key)
+static bool add_fill_side(side_list *to, page_point a, page_point b, uint32_t key)
 {
     if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
         return false;
@@ -146,7 +146,7 @@ static bool take_region(void *context, const page_region *region)
         for (size_t k = first; enough && k < end; k++) {
             page_point b = {page_round(region->point[k].x), page_round(region->point[k].y)};
             if (compare_points(a, b) != 0)
-                enough = add_side(&w->side, a, b, key_of(color));
+                enough = add_fill_side(&w->side, a, b, key_of_color(color));
             a = b;
         }
     }
@@ -173,7 +173,7 @@ static bool is_same_place(const fill_side *s, const fill_side *t)
 /* Adds a seam along a side, in its colour. False: no memory. */
 static bool add_seam_along(fill_work *w, const fill_side *side)
 {
-    return add_side(&w->seam, side->a, side->b, side->key) && add_side(&w->seam, side->b, side->a, side->key);
+    return add_fill_side(&w->seam, side->a, side->b, side->key) && add_fill_side(&w->seam, side->b, side->a, side->key);
 }
 
 /* Adds a seam if colours lie on both sides of a place, whose sides are item[from] .. item[to - 1]. False: no memory. */

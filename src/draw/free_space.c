@@ -44,7 +44,7 @@ typedef struct cells {
     uint32_t low_x, low_y, high_x, high_y;
 } cells;
 
-static uint32_t cell_of(double mm, double cell_mm, uint32_t count)
+static uint32_t cell_along_page(double mm, double cell_mm, uint32_t count)
 {
     const double cell = floor(mm / cell_mm);
     return cell <= 0.0 ? 0 : cell >= count ? count - 1 : (uint32_t)cell;
@@ -52,8 +52,9 @@ static uint32_t cell_of(double mm, double cell_mm, uint32_t count)
 
 static cells cells_of(const free_space *r, const space_box *box)
 {
-    return (cells){cell_of(box->min.x, r->cell_mm, r->columns), cell_of(box->min.y, r->cell_mm, r->rows),
-                   cell_of(box->max.x, r->cell_mm, r->columns), cell_of(box->max.y, r->cell_mm, r->rows)};
+    return (cells){
+        cell_along_page(box->min.x, r->cell_mm, r->columns), cell_along_page(box->min.y, r->cell_mm, r->rows),
+        cell_along_page(box->max.x, r->cell_mm, r->columns), cell_along_page(box->max.y, r->cell_mm, r->rows)};
 }
 
 free_space *space_new(double width_mm, double height_mm, double cell_mm)
@@ -89,7 +90,7 @@ void space_free(free_space *r)
     free(r);
 }
 
-static bool enter(free_space *r, uint32_t *first, uint32_t what)
+static bool enter_item(free_space *r, uint32_t *first, uint32_t what)
 {
     if (!array_reserve(&r->entry, &r->entry_room, r->entry_count + 1, sizeof *r->entry))
         return false;
@@ -123,7 +124,7 @@ bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++) {
             const space_box cell = cell_box(r, x, y);
-            if (clip(a, b, &cell, t) && !enter(r, &r->first_line[y * r->columns + x], (uint32_t)r->line_count))
+            if (clip(a, b, &cell, t) && !enter_item(r, &r->first_line[y * r->columns + x], (uint32_t)r->line_count))
                 return false;
         }
     r->line_count++;
@@ -150,7 +151,7 @@ static bool enter_box(free_space *r, uint32_t number)
     const cells in = cells_of(r, &r->box[number]);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
-            if (!enter(r, &r->first_box[y * r->columns + x], number))
+            if (!enter_item(r, &r->first_box[y * r->columns + x], number))
                 return false;
     return true;
 }
@@ -219,7 +220,8 @@ static void add_boxes(const free_space *r, const space_box *box, uint32_t own, u
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
             for (uint32_t i = r->first_box[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
                 if (r->entry[i].what == own || !share(box, &r->box[r->entry[i].what], &part) ||
-                    cell_of(part.min.x, r->cell_mm, r->columns) != x || cell_of(part.min.y, r->cell_mm, r->rows) != y)
+                    cell_along_page(part.min.x, r->cell_mm, r->columns) != x ||
+                    cell_along_page(part.min.y, r->cell_mm, r->rows) != y)
                     continue;
                 const double side = lesser(part.max.x - part.min.x, part.max.y - part.min.y);
                 load->mm += side;

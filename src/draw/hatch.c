@@ -103,7 +103,7 @@ typedef struct hatch_corner {
     double across, along;
 } hatch_corner;
 
-static hatch_corner corner_at(const hatch_lines *lines, roberts_vec2 p)
+static hatch_corner hatch_corner_at(const hatch_lines *lines, roberts_vec2 p)
 {
     const roberts_vec2 q = {p.x - lines->origin.x, p.y - lines->origin.y};
     return (hatch_corner){(lines->across.x * q.x + lines->across.y * q.y) / lines->step - 0.5,
@@ -156,7 +156,7 @@ static int by_line(const void *pa, const void *pb)
     return (a->t > b->t) - (a->t < b->t);
 }
 
-static roberts_vec2 point_at(const hatch_lines *lines, const hatch_crossing *c)
+static roberts_vec2 hatch_point(const hatch_lines *lines, const hatch_crossing *c)
 {
     const double across = ((double)c->line + 0.5) * lines->step;
     return (roberts_vec2){lines->origin.x + c->t * lines->along.x + across * lines->across.x,
@@ -169,7 +169,7 @@ static bool is_point(roberts_vec2 a, roberts_vec2 b)
 }
 
 /* Adds the strokes between crossings. Each line crosses the rings an even number of times. */
-static bool add_strokes(hatch_work *w, const hatch_lines *lines)
+static bool add_hatch_strokes(hatch_work *w, const hatch_lines *lines)
 {
     pieces *p = w->p;
     if (p->count - w->first + w->crossing_count / 2 > HATCH_MOST) {
@@ -179,7 +179,7 @@ static bool add_strokes(hatch_work *w, const hatch_lines *lines)
     if (!array_reserve(&p->item, w->room, p->count + w->crossing_count / 2, sizeof *p->item))
         return false;
     for (size_t i = 0; i + 1 < w->crossing_count; i += 2) {
-        const roberts_vec2 a = point_at(lines, &w->crossing[i]), b = point_at(lines, &w->crossing[i + 1]);
+        const roberts_vec2 a = hatch_point(lines, &w->crossing[i]), b = hatch_point(lines, &w->crossing[i + 1]);
         if (!is_point(a, b))
             p->item[p->count++] =
                 (piece){.a = a, .b = b, .za = behind_all, .zb = behind_all, .number = w->number, .line = LINE_HATCH};
@@ -192,9 +192,9 @@ static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *
     w->crossing_count = 0;
     for (size_t r = 0; r < on->ring_count; r++) {
         const size_t first = on->ring_start[r], end = on->ring_start[r + 1];
-        hatch_corner before = corner_at(lines, on->point[end - 1]);
+        hatch_corner before = hatch_corner_at(lines, on->point[end - 1]);
         for (size_t k = first; k < end; k++) {
-            const hatch_corner own = corner_at(lines, on->point[k]);
+            const hatch_corner own = hatch_corner_at(lines, on->point[k]);
             if (!cross_side(w, lines, before, own))
                 return false;
             before = own;
@@ -202,7 +202,7 @@ static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *
     }
     if (w->crossing_count > 1)
         qsort(w->crossing, w->crossing_count, sizeof *w->crossing, by_line);
-    return add_strokes(w, lines);
+    return add_hatch_strokes(w, lines);
 }
 
 /* Hatches one region: if it is darker than options->cross, its further strokes run across the others. */

@@ -472,7 +472,7 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
     return count;
 }
 
-static bool add_strokes(const strokes *s, free_space *r, size_t first, size_t end)
+static bool block_strokes(const strokes *s, free_space *r, size_t first, size_t end)
 {
     for (size_t i = first; i < end; i++)
         if (!space_add_polyline(r, &s->lines, i, s->units_per_mm))
@@ -484,9 +484,9 @@ static bool add_strokes(const strokes *s, free_space *r, size_t first, size_t en
 static bool add_all_strokes(const strokes *s, free_space *r)
 {
     if (!strokes_are_grouped(s->options))
-        return add_strokes(s, r, s->start[1], s->lines.count);
+        return block_strokes(s, r, s->start[1], s->lines.count);
     for (size_t g = 0; g < s->group_count; g++)
-        if (s->group[g].line != LINE_HATCH && !add_strokes(s, r, s->group[g].first, s->group[g].end))
+        if (s->group[g].line != LINE_HATCH && !block_strokes(s, r, s->group[g].first, s->group[g].end))
             return false;
     return true;
 }

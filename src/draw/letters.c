@@ -299,7 +299,7 @@ typedef struct writer {
 } writer;
 
 /* x along the base line, y down from it, both in units of the fonts. */
-static void add_point(writer *w, double x, double y)
+static void add_letter_point(writer *w, double x, double y)
 {
     const double along = x * w->scale - w->before, down = y * w->scale;
     const roberts_vec2 at = w->line->at, d = w->line->along, up = text_upward(d);
@@ -324,7 +324,7 @@ static void end_stroke(const writer *w)
 
 /* Adds strokes of a font, pair by pair. `x`, `y`: where R is. Without `dots` only the last stroke: an i without its
  * dot. */
-static void add_strokes(writer *w, const char *pair, const roberts_vec2 zero, const composed *c, bool dots)
+static void add_letter_strokes(writer *w, const char *pair, const roberts_vec2 zero, const composed *c, bool dots)
 {
     const char *last = pair;
     for (const char *at = pair; !dots && at[0] && at[1]; at += 2)
@@ -342,7 +342,7 @@ static void add_strokes(writer *w, const char *pair, const roberts_vec2 zero, co
             w->failed = !polylines_start(w->out);
         down = true;
         if (!w->failed)
-            add_point(w, zero.x + (pair[0] - ZERO) * c->size, zero.y + (pair[1] - ZERO) * c->size);
+            add_letter_point(w, zero.x + (pair[0] - ZERO) * c->size, zero.y + (pair[1] - ZERO) * c->size);
     }
     if (down)
         end_stroke(w);
@@ -357,7 +357,7 @@ static void add_accent(writer *w, char letter, double middle, const composed *c)
         y = letter == 'd' || letter == 'h' ? capital_top + 4.0 : y - 1.0;
     if (c->accent == BAR && letter == 'd')
         middle += 4.0;
-    add_strokes(w, accent_strokes[c->accent], (roberts_vec2){middle, y - base_line}, c, true);
+    add_letter_strokes(w, accent_strokes[c->accent], (roberts_vec2){middle, y - base_line}, c, true);
 }
 
 /* Draws one character in the form of a font, with an accent over or below it; 0: none. */
@@ -367,7 +367,7 @@ static void add_character(writer *w, const char *strokes, char letter, const com
     const roberts_vec2 zero = {w->pen - left, -base_line * c->size - c->raised};
     const bool dots = !letter || c->accent == NO_ACCENT || c->accent >= CEDILLA || !strchr("ij", letter);
     if (w->out) {
-        add_strokes(w, strokes + 2, zero, c, dots);
+        add_letter_strokes(w, strokes + 2, zero, c, dots);
         if (letter && c->accent != NO_ACCENT)
             add_accent(w, letter, zero.x + (left + right) / 2.0, c);
     }

@@ -81,7 +81,7 @@ static void emit(span *out, size_t *count, uint32_t piece_index, double t0, doub
 }
 
 /* Merges two envelopes, each sorted and free of overlap; `out` has room for 2 (na + nb). */
-static size_t merge(const line_view *v, const span *a, size_t na, const span *b, size_t nb, span *out)
+static size_t merge_spans(const line_view *v, const span *a, size_t na, const span *b, size_t nb, span *out)
 {
     size_t i = 0, j = 0, count = 0;
     double at = -INFINITY;
@@ -107,7 +107,7 @@ static size_t envelope(const line_view *v, span *item, size_t count, span *work)
     size_t half = count / 2;
     memmove(item + 2 * half, item + half, (count - half) * sizeof *item);
     size_t na = envelope(v, item, half, work), nb = envelope(v, item + 2 * half, count - half, work);
-    size_t merged = merge(v, item, na, item + 2 * half, nb, work);
+    size_t merged = merge_spans(v, item, na, item + 2 * half, nb, work);
     memcpy(item, work, merged * sizeof *item);
     return merged;
 }
@@ -119,7 +119,7 @@ static bool is_one_part(const pieces *p, uint32_t i, uint32_t j)
 }
 
 /* Joins neighbours of one class and part. A stretch shorter than PIECE_TOUCH goes to a neighbour that it touches. */
-static size_t join(const line_view *v, span *item, size_t count)
+static size_t join_spans(const line_view *v, span *item, size_t count)
 {
     size_t kept = 0;
     for (size_t i = 0; i < count; i++) {
@@ -159,7 +159,7 @@ typedef struct result {
 } result;
 
 /* Appends the piece that a stretch is drawn as. It has the direction of the stretch's first piece. */
-static bool add_piece(result *out, const line_view *v, const span *s)
+static bool add_seen_span(result *out, const line_view *v, const span *s)
 {
     const piece *first = &v->p->item[s->first], *seen = &v->p->item[s->piece];
     roberts_vec2 a = {v->from.x + s->t0 * v->u.x, v->from.y + s->t0 * v->u.y};
@@ -184,9 +184,9 @@ static bool draw_group(const line_view *v, span *item, size_t count, span *pool,
         return true; /* the piece stays as it is */
     span *work = pool + 2 * count;
     memcpy(pool, item, count * sizeof *item);
-    size_t kept = join(v, pool, envelope(v, pool, count, work));
+    size_t kept = join_spans(v, pool, envelope(v, pool, count, work));
     for (size_t i = 0; i < kept; i++)
-        if (!add_piece(out, v, &pool[i]))
+        if (!add_seen_span(out, v, &pool[i]))
             return false;
     for (size_t i = 0; i < count; i++)
         v->p->item[item[i].piece].line = PIECE_GONE;

@@ -21,7 +21,7 @@ typedef struct region_walk {
     size_t *start, start_room;
 } region_walk;
 
-static bool add_point(point_list *to, roberts_vec2 p)
+static bool add_ring_point(point_list *to, roberts_vec2 p)
 {
     if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
         return false;
@@ -63,9 +63,9 @@ static bool cut_by(const frame_side *side, const point_list *ring, point_list *t
     for (size_t i = 0; enough && i < ring->count; i++) {
         roberts_vec2 p = ring->item[i], q = ring->item[i + 1 < ring->count ? i + 1 : 0];
         if (is_within(side, p))
-            enough = add_point(to, p);
+            enough = add_ring_point(to, p);
         if (enough && is_within(side, p) != is_within(side, q))
-            enough = add_point(to, crossing(side, p, q));
+            enough = add_ring_point(to, crossing(side, p, q));
     }
     return enough;
 }
@@ -80,7 +80,7 @@ static bool take_ring(region_walk *w, const roberts_region_list *list, size_t ri
     bool enough = true;
     w->cut[0].count = 0;
     for (size_t k = list->ring_start[ring]; enough && k < list->ring_start[ring + 1]; k++)
-        enough = add_point(&w->cut[0], list->corner[k]);
+        enough = add_ring_point(&w->cut[0], list->corner[k]);
     for (size_t i = 0; enough && w->view->drawing->framed && i < sizeof side / sizeof side[0]; i++) {
         point_list before = w->cut[0];
         w->cut[0] = w->cut[1];
@@ -102,7 +102,7 @@ static bool place_ring(region_walk *w, size_t *rings)
     w->start[(*rings)++] = w->point.count;
     for (size_t k = 0; enough && k < w->cut[0].count; k++) {
         roberts_vec2 mm = page_place(&w->view->map, w->cut[0].item[k]);
-        enough = add_point(&w->point, (roberts_vec2){mm.x * units, mm.y * units});
+        enough = add_ring_point(&w->point, (roberts_vec2){mm.x * units, mm.y * units});
     }
     w->start[*rings] = w->point.count;
     return enough;

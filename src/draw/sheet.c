@@ -44,7 +44,7 @@ typedef struct layout {
     double left_mm, top_mm; /* of the room for the views */
 } layout;
 
-static range join(range a, range b)
+static range join_ranges(range a, range b)
 {
     return (range){fmin(a.low, b.low), fmax(a.high, b.high)};
 }
@@ -54,7 +54,7 @@ static double length(range a)
     return fmax(a.high - a.low, 0.0);
 }
 
-static double middle(range a)
+static double range_middle(range a)
 {
     return a.low <= a.high ? (a.low + a.high) / 2.0 : 0.0;
 }
@@ -87,12 +87,12 @@ static cells widths(range front, range beside, range iso, double gap_mm)
 }
 
 /* Front and top view share their x, front and side view their y. */
-static void divide(const roberts_sheet *sheet, const roberts_draw_options *options, layout *l)
+static void divide_sheet(const roberts_sheet *sheet, const roberts_draw_options *options, layout *l)
 {
     const double usual = options->lettering.distance_count > 0 ? gap_for_distances : default_gap;
     const double gap_mm = sheet->gap_mm > 0.0 ? sheet->gap_mm : usual;
-    l->x[FRONT] = l->x[TOP] = join(l->x[FRONT], l->x[TOP]);
-    l->y[FRONT] = l->y[SIDE] = join(l->y[FRONT], l->y[SIDE]);
+    l->x[FRONT] = l->x[TOP] = join_ranges(l->x[FRONT], l->x[TOP]);
+    l->y[FRONT] = l->y[SIDE] = join_ranges(l->y[FRONT], l->y[SIDE]);
     l->columns = widths(l->x[FRONT], l->x[SIDE], l->x[ISO], gap_mm);
     l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
 }
@@ -209,8 +209,8 @@ static roberts_vec2 origin(const layout *l, int view, bool top_is_above)
     if (view == TOP) /* next to the front view, a gap away */
         at.y = top_is_above ? row + (l->rows.iso + l->y[TOP].low) * k : row + l->y[TOP].high * k;
     if (view == ISO) {
-        at.x = column + (l->columns.iso / 2.0 - middle(l->x[ISO])) * k;
-        at.y = row + (l->rows.iso / 2.0 + middle(l->y[ISO])) * k;
+        at.x = column + (l->columns.iso / 2.0 - range_middle(l->x[ISO])) * k;
+        at.y = row + (l->rows.iso / 2.0 + range_middle(l->y[ISO])) * k;
     }
     return at;
 }
@@ -225,7 +225,7 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     if (!page_placement_is_valid(placement, error))
         return false;
     take_windows(sheet, &l);
-    divide(sheet, options, &l);
+    divide_sheet(sheet, options, &l);
     if (!find_room(&l, options, third, &room, error) || !find_scale(&l, placement, &room, error))
         return false;
     place_cells(&l.columns, l.half_mm, l.left_mm, room.width_mm, placement->align_x, false);
@@ -286,7 +286,7 @@ typedef struct symbol {
     bool failed;
 } symbol;
 
-static void add_point(symbol *s, double x, double y)
+static void add_symbol_point(symbol *s, double x, double y)
 {
     page_point p = {(int32_t)floor((s->origin.x + s->size * x) * s->units_per_mm + 0.5),
                     (int32_t)floor((s->origin.y + s->size * y) * s->units_per_mm + 0.5)};
@@ -303,10 +303,10 @@ static void start(symbol *s, bool closed)
 static void add_cone(symbol *s)
 {
     start(s, true);
-    add_point(s, -wide, -narrow);
-    add_point(s, wide, -wide);
-    add_point(s, wide, wide);
-    add_point(s, -wide, narrow);
+    add_symbol_point(s, -wide, -narrow);
+    add_symbol_point(s, wide, -wide);
+    add_symbol_point(s, wide, wide);
+    add_symbol_point(s, -wide, narrow);
 }
 
 static void add_circle(symbol *s, double radius)
@@ -314,7 +314,7 @@ static void add_circle(symbol *s, double radius)
     start(s, true);
     for (int i = 0; i < CIRCLE_CORNERS; i++) {
         roberts_vec2 p = angle_unit(360.0 * i / CIRCLE_CORNERS);
-        add_point(s, radius * p.x, radius * p.y);
+        add_symbol_point(s, radius * p.x, radius * p.y);
     }
 }
 
@@ -326,7 +326,7 @@ static void add_centre_line(symbol *s, bool upright)
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         start(s, false);
         for (int k = 0; k < 2; k++)
-            add_point(s, upright ? 0.0 : ends[i][k], upright ? ends[i][k] : 0.0);
+            add_symbol_point(s, upright ? 0.0 : ends[i][k], upright ? ends[i][k] : 0.0);
     }
 }
 

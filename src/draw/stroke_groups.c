@@ -74,7 +74,7 @@ static uint32_t rank_of(roberts_line line)
     return below;
 }
 
-static uint64_t key_of(const strokes *s, const piece *p)
+static uint64_t key_of_piece(const strokes *s, const piece *p)
 {
     const piece_source source = groups_source(s, p->number);
     const uint64_t view = source.view, body = source.body;
@@ -101,7 +101,7 @@ static group_key *sort_pieces(const strokes *s, pieces *p)
         return NULL;
     }
     for (size_t i = 0; i < p->count; i++)
-        key[i] = (group_key){key_of(s, &p->item[i]), (uint32_t)i};
+        key[i] = (group_key){key_of_piece(s, &p->item[i]), (uint32_t)i};
     if (p->count > 1)
         qsort(key, p->count, sizeof *key, by_key);
     for (size_t i = 0; i < p->count; i++)

@@ -105,7 +105,7 @@ bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment
     return is_class_drawn(options, *line);
 }
 
-static void enlarge(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
+static void enlarge_box(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
 {
     *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
     *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
@@ -133,7 +133,7 @@ static void enlarge_by_regions(const roberts_drawing *drawing, const roberts_dra
     const bool drawn = options->fill != ROBERTS_FILL_NONE || is_hatched(drawing, options);
     const roberts_region_list *regions = drawn ? drawing->regions : NULL;
     for (size_t i = 0; regions && i < regions->corner_count; i++)
-        enlarge(min, max, regions->corner[i]);
+        enlarge_box(min, max, regions->corner[i]);
 }
 
 /* The box of what is drawn, or the drawing's window. */
@@ -151,8 +151,8 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
         if (strokes_is_drawn(options, segment, &line)) {
-            enlarge(min, max, segment->p0);
-            enlarge(min, max, segment->p1);
+            enlarge_box(min, max, segment->p0);
+            enlarge_box(min, max, segment->p1);
         }
     }
     if (options->outline.off || options->border.off) /* otherwise no region reaches farther than these */
@@ -161,14 +161,14 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
 
-static roberts_vec2 between(roberts_vec2 p, roberts_vec2 q, double t)
+static roberts_vec2 point_between(roberts_vec2 p, roberts_vec2 q, double t)
 {
     if (t == 0.0 || t == 1.0)
         return t == 0.0 ? p : q;
     return (roberts_vec2){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-static roberts_vec2 place(const strokes *s, const page_map *map, roberts_vec2 p)
+static roberts_vec2 place_on_page(const strokes *s, const page_map *map, roberts_vec2 p)
 {
     roberts_vec2 mm = page_place(map, p);
     return (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
@@ -190,8 +190,8 @@ static void collect(const strokes *s, const page_view *view, size_t number, piec
         if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
-        piece own = {.a = place(s, &view->map, between(segment->p0, segment->p1, t[0])),
-                     .b = place(s, &view->map, between(segment->p0, segment->p1, t[1])),
+        piece own = {.a = place_on_page(s, &view->map, point_between(segment->p0, segment->p1, t[0])),
+                     .b = place_on_page(s, &view->map, point_between(segment->p0, segment->p1, t[1])),
                      .za = segment->z0 + t[0] * z,
                      .zb = segment->z0 + t[1] * z,
                      .number = (uint32_t)(number + i),

@@ -131,7 +131,7 @@ static bool is_at_block(const strokes *s, double x)
     return title_block_is_wanted(s->options) && x > s->frame_mm[1].x - BLOCK_WIDTH;
 }
 
-static bool add_side(strokes *s, bool is_level)
+static bool add_zones(strokes *s, bool is_level)
 {
     static const char letters[] = "ABCDEFGHJKLMNPQRSTUVWXYZ"; /* without I and O */
     const roberts_vec2 low = s->frame_mm[0], high = s->frame_mm[1];
@@ -165,5 +165,5 @@ static bool add_side(strokes *s, bool is_level)
 
 bool zones_add(strokes *s)
 {
-    return !s->options->lettering.zones || s->options->frame.off || (add_side(s, true) && add_side(s, false));
+    return !s->options->lettering.zones || s->options->frame.off || (add_zones(s, true) && add_zones(s, false));
 }

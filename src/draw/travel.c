@@ -57,15 +57,15 @@ static uint32_t column_of(const tour *t, page_point p)
     return c < 0.0 ? 0 : c >= t->nx[0] ? t->nx[0] - 1 : (uint32_t)c;
 }
 
-static uint32_t row_of(const tour *t, page_point p)
+static uint32_t tour_row(const tour *t, page_point p)
 {
     double r = (p.y - t->y0) / t->cell;
     return r < 0.0 ? 0 : r >= t->ny[0] ? t->ny[0] - 1 : (uint32_t)r;
 }
 
-static size_t cell_of(const tour *t, page_point p)
+static size_t tour_cell(const tour *t, page_point p)
 {
-    return (size_t)row_of(t, p) * t->nx[0] + column_of(t, p);
+    return (size_t)tour_row(t, p) * t->nx[0] + column_of(t, p);
 }
 
 /* Chooses the size of the square cells: ENDS_PER_CELL ends to each if they are spread evenly. In a narrow box there
@@ -105,15 +105,15 @@ static bool fill_grid(tour *t)
     if (!t->start || !t->end || !t->slot || !t->spot)
         return false;
     for (uint32_t i = 0; i < 2 * t->count; i++) {
-        uint32_t x = column_of(t, t->at[i]), y = row_of(t, t->at[i]);
-        t->start[cell_of(t, t->at[i]) + 1]++;
+        uint32_t x = column_of(t, t->at[i]), y = tour_row(t, t->at[i]);
+        t->start[tour_cell(t, t->at[i]) + 1]++;
         for (uint32_t l = 0; l < t->levels; l++)
             t->left[l][(size_t)(y >> l) * t->nx[l] + (x >> l)]++;
     }
     for (size_t c = 0; c < cells; c++)
         t->start[c + 1] += t->start[c];
     for (uint32_t i = 0; i < 2 * t->count; i++) { /* meanwhile `start` moves on to the end of the cell */
-        size_t c = cell_of(t, t->at[i]);
+        size_t c = tour_cell(t, t->at[i]);
         t->slot[i] = t->start[c]++;
         t->end[t->slot[i]] = i;
         t->spot[t->slot[i]] = t->at[i];
@@ -127,7 +127,7 @@ static bool fill_grid(tour *t)
 /* Moves an end behind the remaining ones of its cell. */
 static void take_out(tour *t, uint32_t e)
 {
-    uint32_t x = column_of(t, t->at[e]), y = row_of(t, t->at[e]);
+    uint32_t x = column_of(t, t->at[e]), y = tour_row(t, t->at[e]);
     size_t cell = (size_t)y * t->nx[0] + x;
     uint32_t last = t->start[cell] + t->left[0][cell] - 1, other = t->end[last];
     t->end[t->slot[e]] = other;
@@ -192,7 +192,7 @@ static bool nearest_cell(const tour *t, page_point p, uint32_t l, const int64_t 
 /* Finds an end near p among those left. There is at least one. */
 static uint32_t nearest(const tour *t, page_point p)
 {
-    uint32_t x = column_of(t, p), y = row_of(t, p), cx = 0, cy = 0, l = 0;
+    uint32_t x = column_of(t, p), y = tour_row(t, p), cx = 0, cy = 0, l = 0;
     found best = {NO_END, INFINITY};
     for (uint32_t j = y ? y - 1 : 0; j <= y + 1 && j < t->ny[0]; j++)
         for (uint32_t i = x ? x - 1 : 0; i <= x + 1 && i < t->nx[0]; i++)
@@ -237,7 +237,7 @@ static page_point exit_at(const tour *t, uint32_t k)
 }
 
 /* Draws polylines i..j backward. */
-static void turn(tour *t, uint32_t i, uint32_t j)
+static void turn_tour(tour *t, uint32_t i, uint32_t j)
 {
     t->turned += j - i + 1;
     for (;; i++, j--) {
@@ -266,7 +266,7 @@ static bool try_turn(tour *t, uint32_t i, uint32_t j)
     }
     if (then >= now - least_gain)
         return false;
-    turn(t, i + 1, j);
+    turn_tour(t, i + 1, j);
     return true;
 }
 
@@ -311,7 +311,7 @@ static bool improve(tour *t, uint32_t k, bool from_exit)
 {
     page_point p = from_exit ? exit_at(t, k) : entry_at(t, k + 1);
     double way_square = page_square(exit_at(t, k), entry_at(t, k + 1)), way = sqrt(way_square);
-    uint32_t most = t->count > SMALL ? 2 : 8, x = column_of(t, p), y = row_of(t, p);
+    uint32_t most = t->count > SMALL ? 2 : 8, x = column_of(t, p), y = tour_row(t, p);
     uint32_t reach = way < (most - 1) * t->cell ? 1 + (uint32_t)(way / t->cell) : most;
     for (uint32_t j = y > reach ? y - reach : 0; j <= y + reach && j < t->ny[0]; j++) {
         double dy = gap(p.y, t->y0, t->cell, j);
@@ -334,7 +334,7 @@ static bool try_head(tour *t, uint32_t k)
            then = page_distance(entry_at(t, 0), entry_at(t, k + 1));
     if ((t->count > SMALL && k > BACKWARD_MAX) || then >= now - least_gain)
         return false;
-    turn(t, 0, k);
+    turn_tour(t, 0, k);
     return true;
 }
 

@@ -50,7 +50,7 @@ typedef struct middles {
 } middles;
 
 /* Sorts order[first .. first+count-1] by key[0 .. count-1]. False: no memory. */
-static bool sort(const middles *m, uint32_t first, uint32_t count)
+static bool sort_middles(const middles *m, uint32_t first, uint32_t count)
 {
     uint32_t *order = m->order + first;
     if (count > FEW && !radix_order(m->key, count, m->place))
@@ -78,7 +78,7 @@ static bool sort_node(const middles *m, const list_tree *over, int rank, uint32_
         roberts_vec3 M = m->at[m->order[i]];
         m->key[i - first] = radix_key_descending((float)(upright ? M.y : M.x));
     }
-    if (!sort(m, first, end - first))
+    if (!sort_middles(m, first, end - first))
         return false;
     for (uint32_t next; rank > 0 && first < end; first = next) {
         next = list_tree_end(over, rank, first);
@@ -116,7 +116,7 @@ typedef struct node_faces {
 
 /* Sets the node's frame: M is the mean of the midpoints, and (ux, uy) the direction in which the corners spread most,
  * the first principal axis of their second moments. */
-static void set_frame(const node_faces *s, bundle_node *n)
+static void set_node_frame(const node_faces *s, bundle_node *n)
 {
     double xx = 0.0, xy = 0.0, yy = 0.0;
     for (uint32_t k = s->first; k < s->end; k++)
@@ -139,7 +139,7 @@ static void set_frame(const node_faces *s, bundle_node *n)
 
 /* Adds a face to the node. At the far end of the scene its plane may be off by `touch - limit`, or by half of `touch`
  * if that is more (see set_trust() in front.c). */
-static void add_face(const node_faces *s, bundle_node *n, const hide_face *F)
+static void add_to_node(const node_faces *s, bundle_node *n, const hide_face *F)
 {
     double m = hide_margin(s->space), uncertain = greater(0.5 * F->touch, F->touch - (double)F->limit);
     for (uint32_t i = 0; i < F->count; i++) {
@@ -164,9 +164,9 @@ static bundle_node make_node(const node_faces *s)
                      .least = {INFINITY, INFINITY, INFINITY},
                      .most = {-INFINITY, -INFINITY, -INFINITY},
                      .behind = -INFINITY};
-    set_frame(s, &n);
+    set_node_frame(s, &n);
     for (uint32_t k = s->first; k < s->end; k++)
-        add_face(s, &n, &s->face[s->order[k]]);
+        add_to_node(s, &n, &s->face[s->order[k]]);
     return n;
 }
 

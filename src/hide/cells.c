@@ -71,7 +71,7 @@ static inline bool is_removed(const hide_box *box)
 }
 
 /* Returns the length of low..high along an axis. axis: its warp, or NULL. */
-static inline double along(const warp *axis, float low, float high)
+static inline double warped_length(const warp *axis, float low, float high)
 {
     return axis ? warp_at(axis, (double)high) - warp_at(axis, (double)low) : (double)(high - low);
 }
@@ -82,8 +82,8 @@ static sizes measure_some(const hide_box *box, uint32_t count, const measuring *
     for (uint32_t i = 0; i < count; i++) {
         if (is_removed(&box[i]))
             continue;
-        double w = along(m->warps, box[i].x0, box[i].x1),
-               h = along(m->warps ? m->warps + 1 : NULL, box[i].y0, box[i].y1);
+        double w = warped_length(m->warps, box[i].x0, box[i].x1),
+               h = warped_length(m->warps ? m->warps + 1 : NULL, box[i].y0, box[i].y1);
         w = m->per_width > 0.0 ? lesser(1.0, w * m->per_width) : 1.0;
         h = m->per_height > 0.0 ? lesser(1.0, h * m->per_height) : 1.0;
         s.w += w;
@@ -106,7 +106,7 @@ static bool measure_pieces(void *context, size_t first, size_t end)
 
 /* Sums up the boxes, along axes that may be warped. The pieces do not depend on the threads. If the window has no width
  * (height), all boxes count as wide (high) as the window. */
-static sizes measure(const cells_boxes *b, const warp *warps, int threads)
+static sizes measure_boxes(const cells_boxes *b, const warp *warps, int threads)
 {
     uint32_t count = b->count;
     sizes all = {.width = b->high.x - b->low.x, .height = b->high.y - b->low.y}, some[PIECES];
@@ -123,7 +123,7 @@ static sizes measure(const cells_boxes *b, const warp *warps, int threads)
 }
 
 /* Finds columns and rows for cells that are `boxes` mean boxes wide and high, with `most` cells at the most. */
-static void divide(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
+static void divide_window(const sizes *s, uint32_t count, double boxes, double most, double *nx, double *ny)
 {
     *nx = lesser(SIDE_MOST, count / greater(s->w * boxes, 1e-9));
     *ny = lesser(SIDE_MOST, count / greater(s->h * boxes, 1e-9));
@@ -146,7 +146,7 @@ static uint32_t whole(double n)
 }
 
 /* Makes the cells larger until they and their entries, each cell counted as `cell` entries, are no more than `most`. */
-static void enlarge(const sizes *s, uint32_t count, double cell, double most, double *nx, double *ny)
+static void enlarge_cells(const sizes *s, uint32_t count, double cell, double most, double *nx, double *ny)
 {
     while (*nx * *ny > 1.0 && entries(s, count, *nx, *ny) + cell * *nx * *ny > most) {
         *nx = greater(1.0, 0.9 * *nx);
@@ -199,17 +199,17 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
     uint32_t count = b->count;
     warp warps[2];
     bool warped = !n && warp_axes(b, warps) > WARP_STRETCH;
-    sizes s = measure(b, NULL, 1);
+    sizes s = measure_boxes(b, NULL, 1);
     *depth = s.area;
     if (warped)
-        s = measure(b, warps, 1);
+        s = measure_boxes(b, warps, 1);
     if (n) {
         nx = ny = n;
-        enlarge(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
+        enlarge_cells(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
     } else if (count) {
         double boxes = warped ? BOXES_PER_WARPED_CELL : b->net ? BOXES_PER_CELL_OF_NET : BOXES_PER_CELL;
-        divide(&s, count, boxes, CELLS_PER_BOX * count + 1.0, &nx, &ny);
-        enlarge(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
+        divide_window(&s, count, boxes, CELLS_PER_BOX * count + 1.0, &nx, &ny);
+        enlarge_cells(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }
@@ -220,12 +220,12 @@ scan_frame cells_for_covers(const cells_boxes *b, int threads)
     uint32_t count = b->count;
     warp warps[2];
     const bool warped = warp_axes(b, warps) > WARP_STRETCH;
-    sizes s = measure(b, warped ? warps : NULL, threads);
+    sizes s = measure_boxes(b, warped ? warps : NULL, threads);
     if (!(s.area > COVER_DEPTH) || !(s.width > 0.0) || !(s.height > 0.0))
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
-    divide(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
+    divide_window(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }
 

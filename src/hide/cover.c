@@ -29,7 +29,7 @@ static bool fill_some(void *context, size_t first, size_t end)
 }
 
 /* Sets all depths to -infinity. With several threads, each gets its part of the memory from the system. */
-static void fill(float *depth, size_t count, int threads)
+static void fill_depths(float *depth, size_t count, int threads)
 {
     threads_each(count > FILLED_BY_ONE ? threads : 1, count, 0, fill_some, depth);
 }
@@ -51,7 +51,7 @@ bool cover_init(cover *c, scan_frame frame, int threads)
     if (!alloc_cells(c, frame))
         return false;
     if (c->depth)
-        fill(c->depth, scan_cells(&frame), threads);
+        fill_depths(c->depth, scan_cells(&frame), threads);
     return true;
 }
 
@@ -66,7 +66,7 @@ bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 
     const uint32_t end = scan_clamp(scan_row(&frame, high.y) + (double)CELLS_BESIDE, frame.last_y) + 1;
     const uint32_t last = scan_clamp(scan_column(&frame, high.x) + (double)CELLS_BESIDE, frame.last_x);
     for (uint32_t i = column > CELLS_BESIDE ? column - CELLS_BESIDE : 0; i <= last; i++)
-        fill(c->depth + (size_t)i * frame.ny + first, end - first, 1);
+        fill_depths(c->depth + (size_t)i * frame.ny + first, end - first, 1);
     return true;
 }
 
@@ -91,7 +91,7 @@ static double depth_over(roberts_vec2 low, roberts_vec2 high, const hide_face *f
     return least;
 }
 
-static inline void enter(float *cell, uint32_t *cell_by, float bound, uint32_t by)
+static inline void enter_cover(float *cell, uint32_t *cell_by, float bound, uint32_t by)
 {
     if (bound > *cell) {
         *cell = bound;
@@ -102,7 +102,7 @@ static inline void enter(float *cell, uint32_t *cell_by, float bound, uint32_t b
 static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, float bound, uint32_t by)
 {
     for (uint32_t k = 0; k < count; k++)
-        enter(&cell[k], &cell_by[k], bound, by);
+        enter_cover(&cell[k], &cell_by[k], bound, by);
 }
 
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front)
@@ -130,7 +130,7 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
         for (uint32_t j = first; front->face_count && j <= last; j++) {
             high.y = scan_lower(f, j + 1.0);
             double own = greater(front->depth, depth_over(low, high, front->face, front->face_count));
-            enter(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
+            enter_cover(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
             low.y = high.y;
         }
     }

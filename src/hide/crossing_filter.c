@@ -243,7 +243,7 @@ static ray ray_of(const hide_fronts *fronts, uint32_t from, uint32_t to)
     return (ray){x, y, LOOSE * fronts->space.rounding * (fabs(x) + fabs(y))};
 }
 
-static double turn(const ray *a, const ray *b)
+static double turn_of_rays(const ray *a, const ray *b)
 {
     return a->x * b->y - a->y * b->x;
 }
@@ -255,8 +255,8 @@ bool filter_fan(const hide_fronts *fronts, const uint32_t f[3], int i, const uin
     int k = g[0] == v ? 0 : g[1] == v ? 1 : 2;
     const ray a = ray_of(fronts, v, f[(i + 1) % 3]), b = ray_of(fronts, v, f[(i + 2) % 3]);
     const ray c = ray_of(fronts, v, g[(k + 1) % 3]), d = ray_of(fronts, v, g[(k + 2) % 3]);
-    double ac = turn(&a, &c), ad = turn(&a, &d), bc = turn(&b, &c), bd = turn(&b, &d);
-    double s = turn(&a, &b) > 0.0 ? 1.0 : -1.0, t = turn(&c, &d) > 0.0 ? 1.0 : -1.0;
+    double ac = turn_of_rays(&a, &c), ad = turn_of_rays(&a, &d), bc = turn_of_rays(&b, &c), bd = turn_of_rays(&b, &d);
+    double s = turn_of_rays(&a, &b) > 0.0 ? 1.0 : -1.0, t = turn_of_rays(&c, &d) > 0.0 ? 1.0 : -1.0;
     return (s * ac <= a.loose && s * ad <= a.loose) || (-s * bc <= b.loose && -s * bd <= b.loose) ||
            (-t * ac <= c.loose && -t * bc <= c.loose) || (t * ad <= d.loose && t * bd <= d.loose);
 }

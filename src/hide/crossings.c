@@ -527,7 +527,7 @@ static int compare_named(const void *pa, const void *pb)
 }
 
 /* Are they one line? An edge may have a part in common with several others. */
-static bool is_same(const named *a, const named *b)
+static bool same_named(const named *a, const named *b)
 {
     named c = *b;
     c.is.edge[0] = a->is.edge[0];
@@ -570,7 +570,7 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
         qsort(all, count, sizeof *all, compare_named);
     for (size_t k = 0; enough && k < count; k++) {
         const named *n = &all[k];
-        if (k > 0 && is_same(n, n - 1))
+        if (k > 0 && same_named(n, n - 1))
             continue;
         c->pairs += k == 0 || n->is.face[0] != n[-1].is.face[0] || n->is.face[1] != n[-1].is.face[1];
         c->item[c->count] = n->is;

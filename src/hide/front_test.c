@@ -57,7 +57,7 @@ BITS_INLINE bool by_face(const hide_fronts *fronts, const hide_face *F, double s
 }
 
 /* Adds a part to the hull of the hidden parts. If nothing has been `*found`, the part becomes the hull. */
-static void join(hide_interval *hull, bool *found, const hide_interval *part)
+static void join_hidden(hide_interval *hull, bool *found, const hide_interval *part)
 {
     *hull = *found ? hide_intervals_joined(hull, part) : *part;
     *found = true;
@@ -96,7 +96,7 @@ static void test_faces(bundle_search *c, uint32_t item)
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
         if (by_face(c->fronts, &c->face[c->b->order[item]], c->span, c->e, c->sides, &part))
-            join(c->hull, &c->found, &part);
+            join_hidden(c->hull, &c->found, &part);
     }
 }
 
@@ -161,7 +161,7 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_
     for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
         if (by_face(fronts, &m->face[k], m->outline.span, e, sides, &part))
-            join(hull, &found, &part);
+            join_hidden(hull, &found, &part);
     }
     return found;
 }

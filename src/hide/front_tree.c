@@ -83,7 +83,7 @@ static box3 space_box(const hide_box *box)
                   {(double)box->x1, (double)box->y1, (double)box->z1}};
 }
 
-static item measure(const hide_fronts *fronts, uint32_t front)
+static item measure_front(const hide_fronts *fronts, uint32_t front)
 {
     item of = {.front = front, .up = {0, 0, 1}};
     hide_single single = {.front = ROBERTS_NONE};
@@ -262,7 +262,7 @@ bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_
     *tree = (front_tree){.node = alloc_array(2 * (size_t)count / 3 + 1, sizeof *tree->node)}; /* see build_node() */
     bool done = b.item && b.box && b.place && tree->node;
     for (uint32_t i = 0; done && i < count; i++) {
-        b.item[i] = measure(fronts, front[i]);
+        b.item[i] = measure_front(fronts, front[i]);
         b.box[i] = space_box(&fronts->front_box[front[i]]);
         b.place[i] = i;
     }

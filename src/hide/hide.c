@@ -306,7 +306,7 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
 }
 
 /* In perspective the picture may be a square about the look-at point. */
-static void set_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
+static void set_drawing_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     double half;
     if (!view_frame(&job->seen.view, camera, job->seen.clip.clipped, &half))
@@ -317,7 +317,7 @@ static void set_frame(const hide_job *job, const roberts_camera *camera, roberts
 }
 
 /* The window is the box of all vertices: every solid has outlines, and they are always drawn. */
-static void describe(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
+static void describe_scene(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     const hide_fronts *fronts = &job->fronts;
     const view *v = &job->seen.view;
@@ -336,7 +336,7 @@ static void describe(const hide_job *job, const roberts_camera *camera, roberts_
     drawing->edge_on_faces = fronts->edge_on;
     drawing->window_min = (roberts_vec2){fronts->low.x * unit, fronts->low.y * unit};
     drawing->window_max = (roberts_vec2){fronts->high.x * unit, fronts->high.y * unit};
-    set_frame(job, camera, drawing);
+    set_drawing_frame(job, camera, drawing);
 }
 
 roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,
@@ -356,7 +356,7 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
         drawing->grid_time = lap(&clock);
     }
     if (status == ROBERTS_OK) {
-        describe(job, camera, drawing);
+        describe_scene(job, camera, drawing);
         status = find_crossings(job, drawing);
     }
     if (status == ROBERTS_OK) {

@@ -14,7 +14,7 @@
 #define SHORT_RUN 16
 #define MANY 256
 
-static bool append(hide_intervals *intervals, uint32_t solid, const hide_interval *part)
+static bool append_interval(hide_intervals *intervals, uint32_t solid, const hide_interval *part)
 {
     if (!array_reserve(&intervals->item, &intervals->room, intervals->count + 1, sizeof *intervals->item))
         return false;
@@ -32,7 +32,7 @@ bool hide_intervals_add_closely(hide_intervals *intervals, uint32_t solid, hide_
         intervals->item[i] = intervals->item[--intervals->count];
         i = intervals->count; /* the larger part may touch others that the smaller did not */
     }
-    return append(intervals, solid, part);
+    return append_interval(intervals, solid, part);
 }
 
 /* Searches from the end: the faces of a solid usually come one after another. */
@@ -44,7 +44,7 @@ bool hide_intervals_hull(hide_intervals *hulls, uint32_t solid, hide_interval *p
             hulls->item[i].part = *part = hide_intervals_joined(&hulls->item[i].part, part);
             return true;
         }
-    return append(hulls, solid, part);
+    return append_interval(hulls, solid, part);
 }
 
 /* Orders parts by where they can first touch another. Ties are broken by start and solid, so that the order in which

@@ -115,7 +115,7 @@ static bool fold_all(const layers *l)
 
 /* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to decide, or this is no
  * triangle. */
-static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
+static int triangle_holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 {
     uint32_t turned[SEEN_TURNED];
     const hide_face outline = hide_outline(fronts, front, turned), *F = &outline;
@@ -133,10 +133,10 @@ static int holds(const hide_fronts *fronts, uint32_t front, double x, double y)
 }
 
 /* A part of a cell's faces: see layers.h. */
-typedef struct part {
+typedef struct cell_part {
     float depth; /* of its farthest corner */
     uint32_t sheets;
-} part;
+} cell_part;
 
 /* Records the nearest sheet of a cell: everything deeper than `depth` lies behind it, and every line nearer than
  * `below` lies in it. */
@@ -164,7 +164,7 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
     hide_box about = hide_box_around(&point);
     uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));
     double slack = SHEET_SLACK * fronts->space.epsilon;
-    part at = {INFINITY, 0};
+    cell_part at = {INFINITY, 0};
     bool found = false, all = fronts->seen->rules.hidden;
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end && (all || !found); k += 4) {
         unsigned near = objet_near(grid, k, end, most);
@@ -177,12 +177,12 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
                     if (!all)
                         break;
                 }
-                at = (part){box->z0, 0};
+                at = (cell_part){box->z0, 0};
             }
             at.depth = box->z0 < at.depth ? box->z0 : at.depth;
             if (!(at.depth > fold))
                 return;
-            int held = near & 1 ? holds(fronts, grid->entry[i].front, x, y) : 0;
+            int held = near & 1 ? triangle_holds(fronts, grid->entry[i].front, x, y) : 0;
             if (held < 0 || (at.sheets += (uint32_t)held) > 1)
                 return;
         }

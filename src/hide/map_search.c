@@ -117,7 +117,7 @@ static void add_crossing(map_search *s, uint32_t i, uint32_t j, roberts_vec2 X)
     add_stop(s, j, node);
 }
 
-static double turn(roberts_vec2 a, roberts_vec2 b)
+static double map_turn(roberts_vec2 a, roberts_vec2 b)
 {
     return a.x * b.y - a.y * b.x;
 }
@@ -125,7 +125,7 @@ static double turn(roberts_vec2 a, roberts_vec2 b)
 /* Are C and D on one side of the line from A along `ab`, and not near it? */
 static bool is_beside(roberts_vec2 A, roberts_vec2 ab, roberts_vec2 C, roberts_vec2 D, double margin)
 {
-    const double c = turn(ab, map_between(A, C)), d = turn(ab, map_between(A, D));
+    const double c = map_turn(ab, map_between(A, C)), d = map_turn(ab, map_between(A, D));
     const double near = margin * (fabs(ab.x) + fabs(ab.y));
     return lesser(c, d) > near || greater(c, d) < -near;
 }
@@ -163,7 +163,7 @@ static void compare_branches(map_search *s, uint32_t i, uint32_t j, uint32_t S, 
 {
     const roberts_vec2 *at = s->m->node;
     const roberts_vec2 p = map_between(at[S], at[P]), q = map_between(at[S], at[Q]);
-    const double size = fabs(turn(p, q)), r = s->margin;
+    const double size = fabs(map_turn(p, q)), r = s->margin;
     if (size > r * (fabs(p.x) + fabs(p.y)) && size > r * (fabs(q.x) + fabs(q.y)))
         return;
     compare_with_node(s, i, Q);
@@ -212,7 +212,7 @@ static bool is_fan(const map_search *s, size_t first, size_t end, const map_box 
 
 /* ---- halving --------------------------------------------------------------------------------------------------- */
 
-static double along(roberts_vec2 p, int axis)
+static double map_coordinate(roberts_vec2 p, int axis)
 {
     return axis ? p.y : p.x;
 }
@@ -221,7 +221,7 @@ static double along(roberts_vec2 p, int axis)
 static roberts_vec2 cut_at(const map_search *s, uint32_t line, int axis, double at, roberts_vec2 p, roberts_vec2 q)
 {
     roberts_vec2 A = s->m->node[s->m->line[line][0]], B = s->m->node[s->m->line[line][1]];
-    double t = (at - along(A, axis)) / (along(B, axis) - along(A, axis));
+    double t = (at - map_coordinate(A, axis)) / (map_coordinate(B, axis) - map_coordinate(A, axis));
     if (axis) {
         double x = A.x + t * (B.x - A.x);
         return (roberts_vec2){x < lesser(p.x, q.x) ? lesser(p.x, q.x) : lesser(x, greater(p.x, q.x)), at};
@@ -233,7 +233,7 @@ static roberts_vec2 cut_at(const map_search *s, uint32_t line, int axis, double 
 /* Finds the part of an item on one side: -1 below `at`, 1 above it. False: there is none, not even near it. */
 static bool part_of(const map_search *s, const map_item *all, int axis, double at, int side, map_item *part)
 {
-    double a = side * (along(all->a, axis) - at), b = side * (along(all->b, axis) - at);
+    double a = side * (map_coordinate(all->a, axis) - at), b = side * (map_coordinate(all->b, axis) - at);
     if (greater(a, b) < -s->margin)
         return false;
     *part = *all;
@@ -251,7 +251,7 @@ static size_t count_both(const map_search *s, size_t first, size_t end, int axis
 {
     size_t both = 0;
     for (size_t i = first; i < end; i++) {
-        double a = along(s->item[i].a, axis) - at, b = along(s->item[i].b, axis) - at;
+        double a = map_coordinate(s->item[i].a, axis) - at, b = map_coordinate(s->item[i].b, axis) - at;
         both += lesser(a, b) <= s->margin && greater(a, b) >= -s->margin;
     }
     return both;

@@ -102,7 +102,7 @@ static void list_all(filling *job, bool fill)
 }
 
 /* Makes room for this many entries. False: no memory. */
-static bool make_room(objet *grid, size_t count)
+static bool make_entry_room(objet *grid, size_t count)
 {
     if (count > UINT32_MAX || !array_reserve(&grid->entry, &grid->room, count + OBJET_SPARE, sizeof *grid->entry))
         return false;
@@ -121,7 +121,7 @@ static bool sum_counts(objet *grid)
         grid->start[c] = (uint32_t)total;
         total += count;
     }
-    return make_room(grid, total);
+    return make_entry_room(grid, total);
 }
 
 /* Moves each start back. Filling has moved it to the end of its list, where the next list starts. */
@@ -198,7 +198,7 @@ static bool spread_lists(const filling *job)
     for (size_t c = 0; c < cells; c++)
         more += job->place[c];
     uint32_t end = grid->start[cells], shift = (uint32_t)more;
-    if (!make_room(grid, end + more))
+    if (!make_entry_room(grid, end + more))
         return false;
     grid->start[cells] = end + shift;
     for (size_t c = cells; c-- > 0;) {

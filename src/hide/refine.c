@@ -11,7 +11,7 @@ static seen_point vertex_point(const hide_space *space, uint32_t a)
     return (seen_point){scene->point[a], scene->low ? scene->low[a] : (roberts_vec3){0.0, 0.0, 0.0}};
 }
 
-static seen_point place_of(const hide_space *space, refine_point x)
+static seen_point refine_place(const hide_space *space, refine_point x)
 {
     return x.vertex == ROBERTS_NONE ? *x.place : vertex_point(space, x.vertex);
 }
@@ -69,7 +69,7 @@ static double per_determinant(const hide_space *space, uint32_t p, uint32_t q, r
 double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
 {
     const sight_plane sight = sight_plane_through(space, p, q);
-    return side_determinant(space, &sight, place_of(space, x)).hi * per_determinant(space, p, q, x);
+    return side_determinant(space, &sight, refine_place(space, x)).hi * per_determinant(space, p, q, x);
 }
 
 /* ---- the same in doubles ---- */
@@ -119,7 +119,7 @@ static refine_near determinant_nearly(const hide_space *space, const near_plane 
 refine_near refine_side_nearly(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
 {
     const near_plane s = plane_nearly(space, p, q);
-    const seen_point X = place_of(space, x);
+    const seen_point X = refine_place(space, x);
     const refine_near d = determinant_nearly(space, &s, &X);
     const double scale = per_determinant(space, p, q, x);
     return (refine_near){d.value * scale, d.error * fabs(scale)};
@@ -129,7 +129,7 @@ refine_near refine_side_nearly(const hide_space *space, uint32_t p, uint32_t q, 
 bool refine_crossing_nearly(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, double *t)
 {
     const near_plane s = plane_nearly(space, p, q);
-    const seen_point A = place_of(space, refine_start(e)), B = place_of(space, refine_end(e));
+    const seen_point A = refine_place(space, refine_start(e)), B = refine_place(space, refine_end(e));
     const refine_near a = determinant_nearly(space, &s, &A), b = determinant_nearly(space, &s, &B);
     const double near_a = 1.0 + e->A.z * space->view->inverse_distance;
     const double near_b = 1.0 + e->B.z * space->view->inverse_distance;
@@ -146,15 +146,15 @@ static double to_picture(const hide_space *space, const hide_edge *e, double t)
 double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e)
 {
     const sight_plane sight = sight_plane_through(space, p, q);
-    const dd a = side_determinant(space, &sight, place_of(space, refine_start(e)));
-    const dd b = side_determinant(space, &sight, place_of(space, refine_end(e)));
+    const dd a = side_determinant(space, &sight, refine_place(space, refine_start(e)));
+    const dd b = side_determinant(space, &sight, refine_place(space, refine_end(e)));
     return to_picture(space, e, dd_zero_of(a, b));
 }
 
 double refine_pierce(const hide_space *space, const hide_face *F, const hide_edge *e)
 {
     seen_point origin = vertex_point(space, F->corner[0]);
-    seen_point A = place_of(space, refine_start(e)), B = place_of(space, refine_end(e));
+    seen_point A = refine_place(space, refine_start(e)), B = refine_place(space, refine_end(e));
     dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal as a sum of triangles; the sum of the corners */
     for (uint32_t i = 0; i < F->count; i++) {
         dd3 p = between(space, vertex_point(space, F->corner[i]), origin);

@@ -77,7 +77,7 @@ double region_depth_at(const hide_fronts *fronts, const uint32_t *corner, uint32
     return z < low ? low : z > high ? high : z;
 }
 
-static roberts_vec2 point_at(const roberts_vec2 side[2], double t)
+static roberts_vec2 side_point(const roberts_vec2 side[2], double t)
 {
     return (roberts_vec2){side[0].x + t * (side[1].x - side[0].x), side[0].y + t * (side[1].y - side[0].y)};
 }
@@ -106,8 +106,8 @@ static bool cut_side(const region_depths *d, const roberts_vec2 side[2], uint32_
     }
     if (part->t0 > part->t1)
         return false;
-    part->z0 = region_depth_at(fronts, look.corner, look.count, look.F, point_at(side, part->t0));
-    part->z1 = region_depth_at(fronts, look.corner, look.count, look.F, point_at(side, part->t1));
+    part->z0 = region_depth_at(fronts, look.corner, look.count, look.F, side_point(side, part->t0));
+    part->z1 = region_depth_at(fronts, look.corner, look.count, look.F, side_point(side, part->t1));
     return true;
 }
 
@@ -117,7 +117,7 @@ static int compare_parts(const void *pa, const void *pb)
     return (a->t0 > b->t0) - (a->t0 < b->t0);
 }
 
-static double depth_of(const depth_part *part, double t)
+static double part_depth(const depth_part *part, double t)
 {
     return t < part->t1 ? part->z0 + (t - part->t0) / (part->t1 - part->t0) * (part->z1 - part->z0) : part->z1;
 }
@@ -126,7 +126,7 @@ static double depth_of(const depth_part *part, double t)
 static bool is_nearer(const depth_part *a, const depth_part *b, double t)
 {
     const double middle = 0.5 * (t + lesser(a->t1, b->t1));
-    return depth_of(a, middle) > depth_of(b, middle);
+    return part_depth(a, middle) > part_depth(b, middle);
 }
 
 /* Goes along a side from part to part. A face that is not planar may lie before itself: then its nearest part is seen.
@@ -149,7 +149,7 @@ static void follow(const depth_parts *parts, double slack, depth_range *range)
                 shown = p;
         }
         if (shown) {
-            const double z = depth_of(shown, greater(t, shown->t0));
+            const double z = part_depth(shown, greater(t, shown->t0));
             range->low = lesser(range->low, lesser(z, shown->z1));
             range->high = greater(range->high, greater(z, shown->z1));
         }

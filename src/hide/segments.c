@@ -34,7 +34,7 @@ typedef struct line_row {
     double t0, t1; /* which part of the named edge the line is */
 } line_row;
 
-BITS_INLINE line_row row_of(const line_writer *w, const seen_line *line)
+BITS_INLINE line_row row_of_segment(const line_writer *w, const seen_line *line)
 {
     const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
     seen_name name = line->end ? none : seen_line_name(w->seen, w->body, line);
@@ -82,7 +82,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
 /* Writes a part of an edge that the near plane has removed. at: where the plane cuts the edge. The chunk has room. */
 static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
-    line_row row = row_of(w, taken);
+    line_row row = row_of_segment(w, taken);
     roberts_vec2 cut = {at.x * w->unit, at.y * w->unit};
     if (row.t0 < row.t1)
         w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
@@ -111,7 +111,7 @@ static BITS_RARE void put_taken(const line_writer *w, const hide_line *line, uns
 }
 
 /* Adds the visible segments of a line, and the hidden ones if they are wanted. False: no memory. */
-BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
+BITS_INLINE bool add_line_segments(const line_writer *w, const hide_line *line)
 {
     hide_chunk *out = w->out;
     size_t parts = line->intervals.count;
@@ -122,7 +122,7 @@ BITS_INLINE bool add_line(const line_writer *w, const hide_line *line)
         put_taken(w, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
     if (line->is.taken & SEEN_TAKEN)
         return true;
-    line_row row = row_of(w, &line->is);
+    line_row row = row_of_segment(w, &line->is);
     for (size_t i = 0; i < parts; i++) {
         const hide_solid_interval *hidden = &line->intervals.item[i];
         shown.t1 = hidden->part.t0;
@@ -173,7 +173,8 @@ static void put_parts(const line_writer *w, const line_row *row, const hide_line
 }
 
 /* Adds the segments of one piece of a line. Each piece has its own class. False: no memory. */
-static bool add_piece(const line_writer *w, const hide_line *line, const union_piece *piece, roberts_line class)
+static bool add_piece_segments(const line_writer *w, const hide_line *line, const union_piece *piece,
+                               roberts_line class)
 {
     const view *v = &w->seen->view;
     const hide_edge *e = &line->e;
@@ -192,7 +193,7 @@ static bool add_piece(const line_writer *w, const hide_line *line, const union_p
     if (!gone && t0 < t1) {
         part.t0 = whole->t0;
         part.t1 = whole->t1;
-        line_row row = row_of(w, &part);
+        line_row row = row_of_segment(w, &part);
         hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
         if (t1 < whole->t1)
             shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
@@ -206,12 +207,12 @@ static bool add_piece(const line_writer *w, const hide_line *line, const union_p
 }
 
 /* Adds the segments of a line that has pieces. False: no memory. */
-static BITS_RARE bool add_pieces(const line_writer *w, const hide_line *line)
+static BITS_RARE bool add_pieces_segments(const line_writer *w, const hide_line *line)
 {
     const union_piece *piece = line->is.piece;
     for (bool last = false; !last; piece++) {
         roberts_line class;
-        if (seen_piece_class(w->seen, w->body, &line->is, piece, &class) && !add_piece(w, line, piece, class))
+        if (seen_piece_class(w->seen, w->body, &line->is, piece, &class) && !add_piece_segments(w, line, piece, class))
             return false;
         last = piece->t1 == 1.0;
     }
@@ -220,7 +221,7 @@ static BITS_RARE bool add_pieces(const line_writer *w, const hide_line *line)
 
 BITS_INLINE bool add_either(const line_writer *w, const hide_line *line)
 {
-    return line->is.piece ? add_pieces(w, line) : add_line(w, line);
+    return line->is.piece ? add_pieces_segments(w, line) : add_line_segments(w, line);
 }
 
 /* Sets the level of a line's hidden segments, taken at their middle in space. The line's segments start at `first`. */
@@ -243,7 +244,7 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
     return true;
 }
 
-static bool add_lines(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
+static bool add_body_segments(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     line_writer writer = writer_for(job, out, body);
     bool levels = writer.all && job->options->levels;
@@ -391,7 +392,8 @@ static bool find_further(const hide_job *job, hide_worker *w, hide_chunk *out, u
 {
     const uint32_t *first = job->seen.further.first;
     for (uint32_t next = first[body]; next < first[body + 1];)
-        if (!take_further(job, w, &next, first[body + 1]) || !hide_lines(job, w) || !add_lines(job, w, out, body))
+        if (!take_further(job, w, &next, first[body + 1]) || !hide_lines(job, w) ||
+            !add_body_segments(job, w, out, body))
             return false;
     return true;
 }
@@ -407,10 +409,10 @@ static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uin
 {
     if (segments_at_once(job, body))
         return (job->order.solid ? picture_order_recall(&job->order, body, w) : segments_hide(job, w, body)) &&
-               add_lines(job, w, out, body);
+               add_body_segments(job, w, out, body);
     seen_walk walk = seen_walk_begin(&job->seen, body);
     while (walk.edge < walk.end)
-        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_lines(job, w, out, body))
+        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_body_segments(job, w, out, body))
             return false;
     return true;
 }

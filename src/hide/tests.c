@@ -78,7 +78,7 @@ typedef struct side_line {
     int direction; /* 1, or -1 if the face runs the other way */
 } side_line;
 
-static side_line measure(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
+static side_line measure_chord(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
 {
     uint32_t p = F->corner[side.first], q = F->corner[side.last];
     side_line s = {.p = p < q ? p : q, .q = p < q ? q : p, .direction = p < q ? 1 : -1};
@@ -113,7 +113,7 @@ static int sign_closely(const hide_space *space, const side_line *s, refine_poin
 static hide_side look_closely(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e,
                               uint64_t *refined)
 {
-    side_line s = measure(space, F, side, e);
+    side_line s = measure_chord(space, F, side, e);
     /* A side no longer than epsilon is ignored: its neighbours bound the face to within epsilon. */
     if (s.length <= space->epsilon)
         return (hide_side){0, 0};
@@ -169,7 +169,7 @@ hide_side hide_side_signs(const hide_space *space, const hide_face *F, hide_chor
 
 hide_crossing hide_cross_side(const hide_space *space, const hide_face *F, hide_chord side, const hide_edge *e)
 {
-    side_line s = measure(space, F, side, e);
+    side_line s = measure_chord(space, F, side, e);
     double apart = fabs(s.a - s.b), error = (s.error_a + s.error_b) / apart;
     hide_crossing c = {.t = s.a / (s.a - s.b), .touch = space->epsilon * s.length / apart, .side = side};
     if (hide_accurate(space, e, error) || !space->scene)

@@ -31,7 +31,7 @@ void runs_table_free(runs_table *table)
     *table = (runs_table){0};
 }
 
-static roberts_vec3 corner_at(const hide_space *space, const uint32_t *corner, uint32_t count, uint32_t i)
+static roberts_vec3 run_corner(const hide_space *space, const uint32_t *corner, uint32_t count, uint32_t i)
 {
     return space->P[corner[i < count ? i : i - count]];
 }
@@ -40,7 +40,7 @@ static roberts_vec3 corner_at(const hide_space *space, const uint32_t *corner, u
 static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint32_t count, uint32_t first,
                            uint32_t end)
 {
-    roberts_vec3 P = corner_at(space, corner, count, first), Q = corner_at(space, corner, count, end);
+    roberts_vec3 P = run_corner(space, corner, count, first), Q = run_corner(space, corner, count, end);
     double dx = Q.x - P.x, dy = Q.y - P.y, length = sqrt(dx * dx + dy * dy);
     runs_node n = {.x = P.x, .y = P.y, .ux = 1.0};
     if (length > 0.0) {
@@ -48,7 +48,7 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
         n.uy = dy / length;
     }
     for (uint32_t i = first + 1; i <= end; i++) {
-        Q = corner_at(space, corner, count, i);
+        Q = run_corner(space, corner, count, i);
         dx = Q.x - P.x;
         dy = Q.y - P.y;
         double x = n.ux * dx + n.uy * dy, y = n.ux * dy - n.uy * dx;
@@ -87,7 +87,7 @@ static runs_node make_run(const hide_space *space, const uint32_t *corner, uint3
     runs_node n = frame_run(space, corner, count, first, end);
     n.over = -INFINITY;
     for (uint32_t i = first; i < end && n.over < INFINITY; i++)
-        if (!lift_over(space, &n, corner_at(space, corner, count, i), corner_at(space, corner, count, i + 1)))
+        if (!lift_over(space, &n, run_corner(space, corner, count, i), run_corner(space, corner, count, i + 1)))
             n.over = INFINITY;
     n.over += RUNS_CLEAR * space->epsilon + RUNS_CLEAR_ROUNDINGS * space->rounding;
     return n;
@@ -143,8 +143,8 @@ bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *cor
     for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end, &straight);)
         for (uint32_t next; i < end; i = next) {
             next = straight ? end : i + 1;
-            if (!hide_side_holds(corner_at(space, corner, r->tree.items, i),
-                                 corner_at(space, corner, r->tree.items, next), x, y, slack))
+            if (!hide_side_holds(run_corner(space, corner, r->tree.items, i),
+                                 run_corner(space, corner, r->tree.items, next), x, y, slack))
                 return false;
         }
     return true;

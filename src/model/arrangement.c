@@ -237,7 +237,7 @@ static double along(const face_pieces *f, const border_line *line, uint32_t node
 }
 
 /* Divides the lines at their stops. same[]: from join_nodes(). False: no memory. */
-static bool divide(const face_pieces *f, border *b, const uint32_t *same)
+static bool divide_border(const face_pieces *f, border *b, const uint32_t *same)
 {
     size_t k = 0, to = 0;
     border_line *item = alloc_array(b->count + b->stop_count, sizeof *item);
@@ -298,7 +298,7 @@ static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, b
             return TILING_BROKEN;
         touching *= sweeps < FIRST_WIDER ? 1.0 : 2.0;
         uint32_t *same = alloc_array(f->node_count, sizeof *same);
-        bool enough = same && join_nodes(f, touching, same) && divide(f, b, same);
+        bool enough = same && join_nodes(f, touching, same) && divide_border(f, b, same);
         free(same);
         if (!enough)
             return TILING_NO_MEMORY;

@@ -371,7 +371,7 @@ static roberts_status store_convex(assembly *a, uint32_t b, roberts_error *error
 }
 
 /* Numbers the edges of all bodies, and allocates their arrays. */
-static bool number_edges(assembly *a, const body_edges *list)
+static bool number_body_edges(assembly *a, const body_edges *list)
 {
     roberts_scene *scene = a->scene;
     uint64_t sum = 0;
@@ -419,7 +419,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
     body_edges list = {0};
     roberts_status status = ROBERTS_NO_MEMORY;
     scene->surface = alloc_zeroed(1, sizeof *scene->surface);
-    if (!scene->surface || !body_edges_list(&list, &a->surface, a->of, a->body_count) || !number_edges(a, &list))
+    if (!scene->surface || !body_edges_list(&list, &a->surface, a->of, a->body_count) || !number_body_edges(a, &list))
         goto done;
     for (uint32_t f = 0; f < scene->face_count; f++)
         if (scene->face_number[f] < a->surface.piece_count)

@@ -9,7 +9,7 @@
 
 enum { LEAF = 4 };
 
-static double middle(const box3 *box, int axis)
+static double box_middle(const box3 *box, int axis)
 {
     return axis == 0 ? box->lo.x + box->hi.x : axis == 1 ? box->lo.y + box->hi.y : box->lo.z + box->hi.z;
 }
@@ -19,8 +19,8 @@ static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < count; i++)
         for (int k = 0; k < 3; k++) {
-            low[k] = lesser(low[k], middle(&box[item[i]], k));
-            high[k] = greater(high[k], middle(&box[item[i]], k));
+            low[k] = lesser(low[k], box_middle(&box[item[i]], k));
+            high[k] = greater(high[k], box_middle(&box[item[i]], k));
         }
     int axis = high[1] - low[1] > high[0] - low[0];
     return high[2] - low[2] > high[axis] - low[axis] ? 2 : axis;
@@ -34,11 +34,11 @@ void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t ha
     uint32_t from = 0, to = count > 0 ? count - 1 : 0;
     while (from < to) {
         uint32_t pivot = item[from + (to - from) / 2], i = from, j = to;
-        double at = middle(&box[pivot], axis);
+        double at = box_middle(&box[pivot], axis);
         for (;;) {
-            while (middle(&box[item[i]], axis) < at || (middle(&box[item[i]], axis) == at && item[i] < pivot))
+            while (box_middle(&box[item[i]], axis) < at || (box_middle(&box[item[i]], axis) == at && item[i] < pivot))
                 i++;
-            while (middle(&box[item[j]], axis) > at || (middle(&box[item[j]], axis) == at && item[j] > pivot))
+            while (box_middle(&box[item[j]], axis) > at || (box_middle(&box[item[j]], axis) == at && item[j] > pivot))
                 j--;
             if (i >= j)
                 break;
@@ -55,7 +55,7 @@ void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t ha
 
 /* Builds the subtree over the items from `first` on. Numbers in `item` start at 0 until the tree is complete. False: no
  * memory. */
-static bool build(box_tree *tree, const box3 *box, uint32_t first, uint32_t count)
+static bool build_box_node(box_tree *tree, const box3 *box, uint32_t first, uint32_t count)
 {
     if (!array_reserve(&tree->node, &tree->node_room, tree->node_count + 1, sizeof *tree->node))
         return false;
@@ -70,7 +70,8 @@ static bool build(box_tree *tree, const box3 *box, uint32_t first, uint32_t coun
     tree->node[at] = (box_tree_node){.box = all, .first = first, .count = leaf ? count : 0};
     if (!leaf) {
         box_tree_halve(box, item, count, count / 2);
-        if (!build(tree, box, first, count / 2) || !build(tree, box, first + count / 2, count - count / 2))
+        if (!build_box_node(tree, box, first, count / 2) ||
+            !build_box_node(tree, box, first + count / 2, count - count / 2))
             return false;
     }
     tree->node[at].skip = (uint32_t)tree->node_count;
@@ -86,7 +87,7 @@ bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base
         tree->item[first + i] = i;
     tree->item_count += count;
     *root = (uint32_t)tree->node_count;
-    if (!build(tree, box, (uint32_t)first, count))
+    if (!build_box_node(tree, box, (uint32_t)first, count))
         return false;
     for (uint32_t i = 0; i < count; i++)
         tree->item[first + i] += base;

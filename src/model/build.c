@@ -192,7 +192,7 @@ static void free_workers(construction_worker *worker, int threads)
 }
 
 /* Numbers the edges, and frees `list`. If `list` is empty, the patterns are found first. False: no memory. */
-static bool number_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
+static bool number_all_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
     bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
     repeated_free(list);
@@ -222,7 +222,7 @@ static roberts_status build_solids(construction *c, uint32_t threads_wanted, rep
     int threads = threads_for(threads_wanted, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
-    if (!worker || !number_edges(c->scene, list, &worker[0].tools.edges)) {
+    if (!worker || !number_all_edges(c->scene, list, &worker[0].tools.edges)) {
         free_workers(worker, threads);
         return error_no_memory(error);
     }

@@ -26,7 +26,7 @@ typedef uint32_t set_node;
 enum { FEW_CORNERS = 8 }; /* of a face; up to this many, comparing all pairs is faster than marking vertices */
 
 /* Adds v to the set with this root; returns the root of the joined set. */
-static inline uint32_t join(set_node *node, uint32_t root, uint32_t v)
+static inline uint32_t join_vertex(set_node *node, uint32_t root, uint32_t v)
 {
     uint32_t other = node[v];
     if (other == root)
@@ -112,7 +112,7 @@ static void join_corners(roberts_scene *scene, set_node *node, const polygons *f
             node[*corner] = *corner;
         root = sets_root(node, *corner);
         while (++corner < end)
-            root = join(node, root, *corner);
+            root = join_vertex(node, root, *corner);
     }
     scene->face_count = counted;
     scene->corner_count = corner_count;
@@ -236,7 +236,7 @@ static void place(roberts_scene *scene, set_node *node, const polygons *faces, c
 }
 
 /* Measures the box of all vertices, all of which are used by faces. */
-static void measure(roberts_scene *scene, const roberts_vec3 *point)
+static void measure_vertices(roberts_scene *scene, const roberts_vec3 *point)
 {
     roberts_vec3 lo = {INFINITY, INFINITY, INFINITY}, hi = {-INFINITY, -INFINITY, -INFINITY};
     box_add_all(&lo, &hi, point, scene->vertex_count);
@@ -284,7 +284,7 @@ bool components_lay_out(roberts_scene *scene, polygons *faces, const roberts_mes
     kept_numbers kept = {true, true};
     bool in_a_row, done = components_in_a_row(scene, faces, list, &in_a_row);
     if (done && in_a_row)
-        measure(scene, mesh->vertex);
+        measure_vertices(scene, mesh->vertex);
     else
         done = done && find_components(scene, faces, mesh->vertex, &node, &kept);
     if (done && lend)

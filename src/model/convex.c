@@ -66,7 +66,7 @@ static int compare_spots(const void *a, const void *b)
 }
 
 /* > 0 if a, b, c turn left. */
-static double turn(spot a, spot b, spot c)
+static double turn_of_spots(spot a, spot b, spot c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -77,13 +77,13 @@ static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
 {
     uint32_t size = 0, lower;
     for (uint32_t i = 0; i < count; i++) {
-        while (size >= 2 && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+        while (size >= 2 && turn_of_spots(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
             size--;
         hull[size++] = sorted[i];
     }
     lower = size + 1;
     for (uint32_t i = count - 1; i-- > 0;) {
-        while (size >= lower && turn(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+        while (size >= lower && turn_of_spots(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
             size--;
         hull[size++] = sorted[i];
     }
@@ -120,7 +120,7 @@ static double walk(const spot *polygon, uint32_t count, const corner_hull *h, do
             reached = 0.0;
             continue;
         }
-        double length = distance(a, b), depth = turn(a, b, c) / length;
+        double length = distance(a, b), depth = turn_of_spots(a, b, c) / length;
         double along = ((c.x - a.x) * (b.x - a.x) + (c.y - a.y) * (b.y - a.y)) / length;
         if (depth > dent) {
             dent = depth;

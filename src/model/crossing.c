@@ -37,7 +37,7 @@ static dd3 exactly_seen_from(const crossing_rules *rules, uint32_t v, roberts_ve
 }
 
 /* Adds one piece's part of the normal, of the sum of the corners, and of the error. */
-static void add_piece(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
+static void add_piece_spans(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
@@ -71,7 +71,7 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     if (scene->low)
         f.low = scene->low[origin];
     for (uint32_t k = f.first; k < f.end; k++)
-        add_piece(rules, &f, k, &sum);
+        add_piece_spans(rules, &f, k, &sum);
     /* A coordinate of n is off by 6 + count halves of an ulp of the sum of its terms, at most twice f.error. A height
      * adds three such products and their sum. */
     f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;
@@ -676,7 +676,7 @@ static span edge_span(const pair *w, const uint32_t v[2])
     return (span){at[back], at[!back]};
 }
 
-static bool is_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
+static bool is_edge_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
 {
     return height_of(rules, g, body, v[0]).sign == 0 && height_of(rules, g, body, v[1]).sign == 0;
 }
@@ -684,7 +684,7 @@ static bool is_in_plane(const crossing_rules *rules, uint32_t body, const uint32
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                       crossing_list *out)
 {
-    if (!is_in_plane(rules, f->body, v, g))
+    if (!is_edge_in_plane(rules, f->body, v, g))
         return true;
     pair w = pair_of(rules, f, g);
     span edge = edge_span(&w, v);
@@ -704,7 +704,7 @@ bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint3
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                           const uint32_t u[2], crossing_list *out)
 {
-    if (!is_in_plane(rules, f->body, v, g) || !is_in_plane(rules, g->body, u, f))
+    if (!is_edge_in_plane(rules, f->body, v, g) || !is_edge_in_plane(rules, g->body, u, f))
         return true;
     pair w = pair_of(rules, f, g);
     span a = edge_span(&w, v), b = edge_span(&w, u);

@@ -116,7 +116,7 @@ static double whole_part(double x)
 }
 
 /* Returns the position of a point in the coordinate plane. */
-static roberts_vec2 place_of(const face_pieces *f, roberts_vec3 point)
+static roberts_vec2 frame_place(const face_pieces *f, roberts_vec3 point)
 {
     double x = whole_part(point.x / f->unit), y = whole_part(point.y / f->unit), z = whole_part(point.z / f->unit);
     return f->axis == 0   ? (roberts_vec2){f->turned * y, z}
@@ -138,7 +138,7 @@ uint32_t face_pieces_add_crossing(face_pieces *f, uint32_t a, uint32_t b, double
     X.point.x = interpolate((dd){A.point.x, A.low.x}, (dd){B.point.x, B.low.x}, t, &X.low.x);
     X.point.y = interpolate((dd){A.point.y, A.low.y}, (dd){B.point.y, B.low.y}, t, &X.low.y);
     X.point.z = interpolate((dd){A.point.z, A.low.z}, (dd){B.point.z, B.low.z}, t, &X.low.z);
-    X.at = place_of(f, X.point);
+    X.at = frame_place(f, X.point);
     if (f->node_count >= ROBERTS_NONE - 1 ||
         !array_reserve(&f->node, &f->node_room, f->node_count + 1, sizeof *f->node))
         return ROBERTS_NONE;
@@ -174,7 +174,7 @@ static void fit(face_pieces *f, const face_rules *rules)
     f->turned = (f->axis == 0 ? n.x : f->axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
     f->unit = rules->unit;
     for (size_t i = 0; i < f->node_count; i++)
-        f->node[i].at = place_of(f, f->node[i].point);
+        f->node[i].at = frame_place(f, f->node[i].point);
 }
 
 /* Does the ring turn left or go straight at every corner, and go round once? */

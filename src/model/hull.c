@@ -274,7 +274,7 @@ typedef struct new_face {
 } new_face;
 
 /* Appends a face of solid s. False: no memory. */
-static bool add_face(face_list *list, const roberts_scene *scene, uint32_t s, const new_face *face)
+static bool add_hull_face(face_list *list, const roberts_scene *scene, uint32_t s, const new_face *face)
 {
     const size_t count = face->count;
     if (count >= ROBERTS_NONE - list->corner_count || list->count + 1 >= ROBERTS_NONE ||
@@ -297,7 +297,7 @@ static bool keep_faces(face_list *list, const roberts_scene *scene, uint32_t s)
     for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
         const uint32_t start = scene->face_start[f], end = scene->face_start[f + 1];
         const new_face face = {scene->corner + start, end - start, 0, scene_face_number(scene, f)};
-        if (!add_face(list, scene, s, &face))
+        if (!add_hull_face(list, scene, s, &face))
             return false;
     }
     return true;
@@ -308,7 +308,7 @@ static bool add_facets(face_list *list, const roberts_scene *scene, uint32_t s, 
     for (uint32_t f = 0; f < facets->count; f++) {
         const uint32_t start = facets->start[f], end = facets->start[f + 1];
         const new_face face = {facets->corner + start, end - start, scene->solid[s].vertex, ROBERTS_NONE};
-        if (!add_face(list, scene, s, &face))
+        if (!add_hull_face(list, scene, s, &face))
             return false;
     }
     return true;
@@ -467,7 +467,7 @@ static void take_run(hull_job *job, hull_worker *worker, uint32_t run)
 }
 
 /* Appends one list to another. False: no memory. */
-static bool append(face_list *list, const face_list *more)
+static bool append_faces(face_list *list, const face_list *more)
 {
     size_t count = list->count + more->count, corners = list->corner_count + more->corner_count;
     if (count >= ROBERTS_NONE || corners >= ROBERTS_NONE ||
@@ -502,7 +502,7 @@ static roberts_status join_runs(face_list *list, const hull_job *job, const hull
         return error->status;
     }
     for (uint32_t run = 0; run < job->runs; run++)
-        if (!append(list, &job->run[run]))
+        if (!append_faces(list, &job->run[run]))
             return error_no_memory(error);
     return ROBERTS_OK;
 }

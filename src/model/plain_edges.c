@@ -69,7 +69,7 @@ static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
 }
 
 /* Returns the edge from v0 to v1; NULL: there is none. */
-static inline scene_edge *find_edge(const plain_edges *p, scene_edge *edge, uint32_t v0, uint32_t v1)
+static inline scene_edge *find_plain_edge(const plain_edges *p, scene_edge *edge, uint32_t v0, uint32_t v1)
 {
     uint32_t low = v0 > 0 ? p->start[v0 - 1] : 0, end = p->start[v0], high = end;
     while (high - low > SHORT_BUCKET) {
@@ -99,7 +99,7 @@ static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge,
         for (uint32_t from = end[-1]; corner < end; from = *corner++) {
             if (from < *corner)
                 continue;
-            scene_edge *e = find_edge(p, edge, *corner - base, from - base);
+            scene_edge *e = find_plain_edge(p, edge, *corner - base, from - base);
             if (!e) {
                 if (!array_reserve(&p->border, &p->border_room, p->border_count + 1, sizeof *p->border))
                     return PLAIN_NO_MEMORY;
@@ -150,7 +150,7 @@ static void note_sides(scene_edge *edge, uint8_t *is, size_t count, bool any_bor
         }
 }
 
-static bool make_room(plain_edges *p, size_t count)
+static bool make_edge_room(plain_edges *p, size_t count)
 {
     return array_reserve(&p->edge, &p->edge_room, p->count + count, sizeof *p->edge) &&
            array_reserve(&p->is, &p->is_room, p->count + count, 1) && p->count + count < ROBERTS_NONE;
@@ -161,7 +161,7 @@ static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
 {
     uint32_t sets, paired, upward = count_upward(p, s);
     p->border_count = 0;
-    if (!make_room(p, upward))
+    if (!make_edge_room(p, upward))
         return PLAIN_NO_MEMORY;
     *alike = make_edges(p, s, p->edge + p->count);
     plain_answer answer = *alike ? complete_edges(p, s, p->edge + p->count, &sets, &paired) : PLAIN_NO;
@@ -169,7 +169,7 @@ static plain_answer find_alike(plain_edges *p, uint32_t s, bool *alike)
     if (answer != PLAIN_YES || sets > 1)
         return answer == PLAIN_YES ? PLAIN_NO : answer;
     size_t count = upward + p->border_count;
-    if (!make_room(p, count))
+    if (!make_edge_room(p, count))
         return PLAIN_NO_MEMORY;
     *alike = merge_borders(p, p->edge + p->count, upward);
     if (!*alike)
@@ -256,7 +256,7 @@ static plain_answer add_many(plain_edges *p, uint32_t s, const uint64_t *half, u
 }
 
 /* Makes an edge of sides with the same ends. */
-static plain_answer add_edge(plain_edges *p, uint32_t s, uint32_t v, const uint64_t *half, uint32_t count)
+static plain_answer add_plain_edge(plain_edges *p, uint32_t s, uint32_t v, const uint64_t *half, uint32_t count)
 {
     scene_edge *edge = &p->edge[p->count];
     uint8_t is = half[0] & 1 ? EDGE_TURNED_0 : 0;
@@ -277,7 +277,7 @@ static plain_answer find_sorted(plain_edges *p, uint32_t s)
     uint32_t vertices = scene->solid[s + 1].vertex - scene->solid[s].vertex;
     uint32_t faces = scene->solid[s + 1].face - scene->solid[s].face, sets = faces;
     bool odd = false, crowded = false;
-    if (!sort_sides(p, s) || !make_room(p, scene_corners(scene, s)))
+    if (!sort_sides(p, s) || !make_edge_room(p, scene_corners(scene, s)))
         return PLAIN_NO_MEMORY;
     p->paired = true;
     for (uint32_t f = 0; f < faces; f++)
@@ -286,7 +286,7 @@ static plain_answer find_sorted(plain_edges *p, uint32_t s)
         for (; i < p->start[v]; i = to) {
             for (to = i + 1; to < p->start[v] && p->half[to] >> 32 == p->half[i] >> 32; to++)
                 continue;
-            plain_answer answer = add_edge(p, s, v, p->half + i, to - i);
+            plain_answer answer = add_plain_edge(p, s, v, p->half + i, to - i);
             if (answer != PLAIN_YES)
                 return answer;
             p->paired = p->paired && to - i == 2;

@@ -27,7 +27,7 @@ static uint32_t cell_along(const point_grid *grid, double x, int axis)
     return !(x > 0.0) ? 0 : x >= grid->count[axis] ? grid->count[axis] - 1 : (uint32_t)x;
 }
 
-static size_t row_of(const point_grid *grid, uint32_t i, uint32_t j)
+static size_t grid_row(const point_grid *grid, uint32_t i, uint32_t j)
 {
     return ((size_t)i * grid->count[1] + j) * grid->count[2];
 }
@@ -68,7 +68,7 @@ bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_
     for (size_t i = 0; enough && i < count; i++) {
         roberts_vec3 P = in_cells(grid, point[listed[i]]);
         cell[i] =
-            (uint32_t)(row_of(grid, cell_along(grid, P.x, 0), cell_along(grid, P.y, 1)) + cell_along(grid, P.z, 2));
+            (uint32_t)(grid_row(grid, cell_along(grid, P.x, 0), cell_along(grid, P.y, 1)) + cell_along(grid, P.z, 2));
         grid->start[cell[i] + 1]++;
     }
     for (size_t c = 0; enough && c < cells; c++)
@@ -121,7 +121,7 @@ static bool take_cells(const point_grid *grid, const grid_line *l, const uint32_
 {
     for (uint32_t i = first[0]; i <= last[0]; i++)
         for (uint32_t j = first[1]; j <= last[1]; j++) {
-            const uint32_t *start = grid->start + row_of(grid, i, j);
+            const uint32_t *start = grid->start + grid_row(grid, i, j);
             const grid_point *end = grid->item + start[last[2] + 1];
             for (const grid_point *p = grid->item + start[first[2]]; p < end; p++) {
                 if (!is_near(l, p) || !(p->at[l->axis] >= part[0] && p->at[l->axis] < part[1]))

@@ -178,7 +178,7 @@ typedef struct block {
 } block;
 
 /* Adds a face to the block. False: a vertex is outside the block, or is repeated. */
-static bool add_face(block *b, const uint32_t *corner, uint32_t count, uint32_t base, uint32_t number)
+static bool add_block_face(block *b, const uint32_t *corner, uint32_t count, uint32_t base, uint32_t number)
 {
     for (uint32_t i = 0; i < count; i++) {
         uint32_t v = corner[i] - base, root, other;
@@ -214,7 +214,7 @@ static uint32_t find_block(block *b, const polygons *faces, uint32_t first, uint
     b->seen = b->used = b->sets = 0;
     for (uint32_t f = first; f < faces->face_count;) {
         uint32_t count = start[f + 1] - start[f];
-        if (count < 3 || !add_face(b, faces->corner + start[f], count, base, f - first + 1))
+        if (count < 3 || !add_block_face(b, faces->corner + start[f], count, base, f - first + 1))
             return 0;
         f++;
         if (is_complete(b, f - first, start[f] - start[first]) &&

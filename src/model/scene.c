@@ -565,7 +565,7 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
 }
 
 /* Returns the point at t on a line from A to B whose parameters run from `from` to `to`. */
-static roberts_vec3 point_at(const roberts_vec3 line[2], double from, double to, double t)
+static roberts_vec3 point_of_line(const roberts_vec3 line[2], double from, double to, double t)
 {
     if (t <= from || t >= to)
         return line[t > from];
@@ -614,7 +614,7 @@ bool roberts_segment_ends(const roberts_scene *scene, const roberts_drawing *dra
     roberts_known_edge line;
     if (!find_line(scene, drawing, segment, &line))
         return false;
-    end[0] = point_at(line.end, line.t0, line.t1, segment->t0);
-    end[1] = point_at(line.end, line.t0, line.t1, segment->t1);
+    end[0] = point_of_line(line.end, line.t0, line.t1, segment->t0);
+    end[1] = point_of_line(line.end, line.t0, line.t1, segment->t1);
     return true;
 }

@@ -26,7 +26,7 @@ static const double LARGE = 0x1p200, SMALL = 0x1p-200;
  * (about 1e-16), and far less than any plate that somebody would draw. */
 static const double FLAT_PART = 1e-9;
 
-static bool make_room(solid_frame *frame)
+static bool make_frame_room(solid_frame *frame)
 {
     return array_reserve(&frame->point, &frame->point_room, frame->vertex_count, sizeof *frame->point) &&
            array_reserve(&frame->face, &frame->face_room, frame->face_count, sizeof *frame->face) &&
@@ -79,7 +79,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     double largest, scale;
     name_parts(frame, scene, s);
     const uint32_t count = frame->vertex_count;
-    if (!make_room(frame))
+    if (!make_frame_room(frame))
         return ROBERTS_NO_MEMORY;
     box_add_all(&lo, &hi, point + 1, count - 1);
     diagonal = vec3_sub(hi, lo);

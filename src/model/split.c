@@ -344,7 +344,7 @@ static bool walls_split(splitter *s, const solid_frame *frame, uint32_t from, ui
 /* ---- pieces ---------------------------------------------------------------------------------------------------- */
 
 /* Numbers the edges and joins the faces at each. */
-static void number_edges(splitter *s)
+static void number_split_edges(splitter *s)
 {
     uint32_t start = 0, vertices = s->loose->vertex_count;
     for (uint32_t f = 0; f < s->face_count; f++)
@@ -493,7 +493,7 @@ bool split_faces(split_groups *groups, const roberts_scene *loose, const edge_sc
         !groups->of || !groups->closed || frame_enter(&frame, loose, 0, 0.0) == ROBERTS_NO_MEMORY)
         goto done;
     memset(groups->of, 0xff, s.face_count * sizeof *groups->of);
-    number_edges(&s);
+    number_split_edges(&s);
     uint32_t pieces = sort_pieces(&s, end), from = 0;
     enough = true;
     for (uint32_t p = 0; p < pieces && enough; from = end[p++])

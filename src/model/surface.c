@@ -72,7 +72,8 @@ static bool repeats_face(face_set *set, const surface *s, uint32_t g, const uint
 }
 
 /* Enters a face. *repeats: the table already has a face with the same corners. False: no memory. */
-static bool enter(face_set *set, const surface *s, uint32_t f, const uint32_t *corner, uint32_t count, bool *repeats)
+static bool enter_face(face_set *set, const surface *s, uint32_t f, const uint32_t *corner, uint32_t count,
+                       bool *repeats)
 {
     uint32_t least = corner[0];
     for (uint32_t i = 1; i < count; i++)
@@ -109,7 +110,7 @@ static uint32_t add_vertex(surface *s, const piece_node *node)
     return s->vertex_count++;
 }
 
-static bool add_side(surface *s, uint32_t v0, uint32_t v1, uint32_t piece)
+static bool add_surface_side(surface *s, uint32_t v0, uint32_t v1, uint32_t piece)
 {
     if (s->side_count >= ROBERTS_NONE || !array_reserve(&s->side, &s->side_room, s->side_count + 1, sizeof *s->side))
         return false;
@@ -117,7 +118,8 @@ static bool add_side(surface *s, uint32_t v0, uint32_t v1, uint32_t piece)
     return true;
 }
 
-static bool add_piece(surface *s, const face_pieces *p, const face_piece *piece, uint32_t face, uint32_t plane_of)
+static bool add_surface_piece(surface *s, const face_pieces *p, const face_piece *piece, uint32_t face,
+                              uint32_t plane_of)
 {
     size_t n = s->piece_count;
     if (n >= SURFACE_SHADOW || !array_reserve(&s->start, &s->start_room, n + 2, sizeof *s->start) ||
@@ -169,7 +171,7 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
         if (p->node[n].vertex == ROBERTS_NONE && (p->node[n].vertex = add_vertex(s, &p->node[n])) == ROBERTS_NONE)
             return false;
     for (size_t k = 0; k < p->piece_count; k++)
-        if (!add_piece(s, p, &p->piece[k], face, p->planar ? first : s->piece_count))
+        if (!add_surface_piece(s, p, &p->piece[k], face, p->planar ? first : s->piece_count))
             return false;
     if (p->planar && p->piece_count > 1) {
         if (!array_reserve(&s->fit, &s->fit_room, s->fit_count + 1, sizeof *s->fit))
@@ -180,7 +182,7 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
     for (size_t k = 0; k < p->side_count; k++) {
         const piece_side *side = &p->side[k];
         uint32_t cut = side->side == ROBERTS_NONE ? SURFACE_CUT : 0;
-        if (!add_side(s, p->node[side->from].vertex, p->node[side->to].vertex, (first + side->piece) | cut))
+        if (!add_surface_side(s, p->node[side->from].vertex, p->node[side->to].vertex, (first + side->piece) | cut))
             return false;
         if (!cut && !note_part(s, corner[side->side], corner[side->side + 1 < count ? side->side + 1 : 0]))
             return false;
@@ -193,7 +195,7 @@ static bool take_wires(surface *s, const uint32_t *corner, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
         uint32_t a = corner[i], b = corner[i + 1 < count ? i + 1 : 0];
-        if (a != b && !(count == 2 && i == 1) && !add_side(s, a, b, SURFACE_WIRE))
+        if (a != b && !(count == 2 && i == 1) && !add_surface_side(s, a, b, SURFACE_WIRE))
             return false;
     }
     return true;
@@ -221,7 +223,7 @@ static bool take_shadows(surface *s, const uint8_t *listed)
             uint32_t a = mesh->corner[k], b = mesh->corner[k + 1 < end ? k + 1 : first];
             a = s->name ? s->name[a] : a;
             b = s->name ? s->name[b] : b;
-            if (a != b && !add_side(s, a, b, SURFACE_SHADOW))
+            if (a != b && !add_surface_side(s, a, b, SURFACE_SHADOW))
                 return false;
         }
     }
@@ -255,7 +257,7 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rul
         if (!enough)
             break;
         take_corners(s, f, corner);
-        enough = enter(&set, s, f, corner, n, &repeats);
+        enough = enter_face(&set, s, f, corner, n, &repeats);
         s->repeated += repeats;
         enough = enough && (repeats || take_face(s, &pieces, rules, f, corner, n));
         wires = wires || n == 2;

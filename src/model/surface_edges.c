@@ -455,7 +455,7 @@ static int compare_edges(const surface_edge *a, const surface_edge *b)
 }
 
 /* Returns the edge of two pieces with these ends; NULL: none. */
-static surface_edge *find_edge(const surface *s, const uint32_t v[2])
+static surface_edge *find_surface_edge(const surface *s, const uint32_t v[2])
 {
     surface_edge key = {.v = {v[0], v[1]}};
     size_t low = 0, high = s->edge_count;
@@ -481,7 +481,7 @@ static bool take_odd_groups(finder *f)
                          f->half_side[to].v[1] == f->half_side[i].v[1];
              to++)
             continue;
-        surface_edge *there = find_edge(s, f->half_side[i].v);
+        surface_edge *there = find_surface_edge(s, f->half_side[i].v);
         if (!take_odd_group(f, i, to, there))
             return false;
     }

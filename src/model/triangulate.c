@@ -115,7 +115,7 @@ static void list_lines(sweep *s, int k)
         s->line[k][--start[s->end[i][1 - k]]] = i;
 }
 
-static bool prepare(sweep *s)
+static bool prepare_sweep(sweep *s)
 {
     size_t lines = s->b->count, nodes = s->f->node_count;
     bool enough = sweep_order_start(&s->order, lines) && (s->end = alloc_array(lines, sizeof *s->end)) &&
@@ -336,7 +336,7 @@ static bool split(sweep *s, open_region *r, uint32_t node, open_region *high)
 }
 
 /* Merges two regions: the chain of the lower one ends at the node where that of the upper one begins. */
-static void merge(sweep *s, open_region *r, const open_region *high)
+static void merge_open_regions(sweep *s, open_region *r, const open_region *high)
 {
     chain_link *link = s->link;
     uint32_t dropped = high->bottom, own = r->top;
@@ -349,7 +349,7 @@ static void merge(sweep *s, open_region *r, const open_region *high)
     r->last = own;
 }
 
-static bool begin(sweep *s, open_region *r, uint32_t node)
+static bool begin_region(sweep *s, open_region *r, uint32_t node)
 {
     uint32_t own = add_link(s, node);
     *r = (open_region){own, own, own};
@@ -413,7 +413,7 @@ static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, ope
     uint32_t line = sweep_order_above(&s->order, below);
     if (line == ROBERTS_NONE || s->end[line][0] != node) {
         if (is_filled(s, outer))
-            merge(s, &s->region[below], &high);
+            merge_open_regions(s, &s->region[below], &high);
         return true;
     }
     if (!had && is_filled(s, outer) && !split(s, &s->region[below], node, &high))
@@ -425,7 +425,7 @@ static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, ope
         more = next != ROBERTS_NONE && s->end[next][0] == node;
         if (!more)
             s->region[line] = high;
-        else if (is_filled(s, winding) && !begin(s, &s->region[line], node))
+        else if (is_filled(s, winding) && !begin_region(s, &s->region[line], node))
             return false;
         line = more ? next : line;
     }
@@ -493,7 +493,7 @@ static uint32_t find_label(const face_piece *p, uint32_t label)
     return i;
 }
 
-static roberts_vec2 corner_at(const face_pieces *f, const face_piece *p, uint32_t i)
+static roberts_vec2 piece_corner(const face_pieces *f, const face_piece *p, uint32_t i)
 {
     return f->node[p->node[i % p->count]].at;
 }
@@ -503,8 +503,8 @@ static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint3
 {
     face_piece all = {.count = p->count + q->count - 2};
     if (all.count > PIECE_CORNERS ||
-        orient2d(corner_at(f, p, i + p->count - 1), corner_at(f, p, i), corner_at(f, q, j + 2)) < 0.0 ||
-        orient2d(corner_at(f, q, j + q->count - 1), corner_at(f, q, j), corner_at(f, p, i + 2)) < 0.0)
+        orient2d(piece_corner(f, p, i + p->count - 1), piece_corner(f, p, i), piece_corner(f, q, j + 2)) < 0.0 ||
+        orient2d(piece_corner(f, q, j + q->count - 1), piece_corner(f, q, j), piece_corner(f, p, i + 2)) < 0.0)
         return false;
     uint32_t to = 0;
     for (uint32_t k = 1; k < p->count; k++, to++) {
@@ -564,7 +564,7 @@ static bool join_pieces(face_pieces *f, uint32_t count, uint32_t cuts)
 tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool merge)
 {
     sweep s = {.f = f, .b = b, .even_odd = even_odd};
-    bool enough = prepare(&s);
+    bool enough = prepare_sweep(&s);
     f->piece_count = 0;
     b->stop_count = 0;
     for (size_t i = 0; enough && i < s.event_count; i++)

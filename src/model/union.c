@@ -25,7 +25,7 @@ enum { FEW_FACES = 24 };
 
 /* ---- the bodies -------------------------------------------------------------------------------------------------- */
 
-static box3 box_of_face(const roberts_scene *scene, uint32_t face, double margin)
+static box3 union_face_box(const roberts_scene *scene, uint32_t face, double margin)
 {
     box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (uint32_t i = scene->face_start[face]; i < scene->face_start[face + 1]; i++)
@@ -43,7 +43,7 @@ static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
     for (uint32_t i = 0; i < count; i++)
         all->departure[s] = greater(all->departure[s], scene_deviation(scene, first + i) / scene->unit);
     for (uint32_t i = 0; i < count; i++) {
-        box[i] = box_of_face(scene, first + i, all->touch + all->departure[s]);
+        box[i] = union_face_box(scene, first + i, all->touch + all->departure[s]);
         if (i == 0)
             *whole = box[0];
         box_add(&whole->lo, &whole->hi, box[i].lo);
@@ -381,7 +381,7 @@ static bool same_answer(const union_cutter *c, const union_piece *a, const union
     return true;
 }
 
-static bool add_piece(union_cutter *c, double t0, double t1)
+static bool add_union_piece(union_cutter *c, double t0, double t1)
 {
     union_work *work = c->work;
     union_piece piece = {.t0 = t0, .t1 = t1};
@@ -399,7 +399,7 @@ static bool add_piece(union_cutter *c, double t0, double t1)
     return true;
 }
 
-static void set_frame(union_cutter *c)
+static void set_cut_frame(union_cutter *c)
 {
     const roberts_scene *scene = c->all->scene;
     roberts_vec3 a = {fabs(c->line->B.x - c->line->A.x), fabs(c->line->B.y - c->line->A.y),
@@ -418,13 +418,13 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
 {
     union_cutter c = {.all = all, .line = line, .work = work, .touch = all->touch};
     work->piece_count = work->side_count = work->contact_count = work->fill_count = work->event_count = 0;
-    set_frame(&c);
+    set_cut_frame(&c);
     c.departure = line->body != ROBERTS_NONE
                       ? all->departure[line->body]
                       : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
     c.touch += c.departure;
     if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than the touching distance */
-        return add_piece(&c, 0.0, 1.0);
+        return add_union_piece(&c, 0.0, 1.0);
     if (!meet_bodies(&c))
         return false;
     double from = 0.0, near = 2.0 * c.touch / c.length;
@@ -433,9 +433,9 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
         double t = work->event[i];
         if (t <= from + near || t >= 1.0 - near)
             continue;
-        if (!add_piece(&c, from, t))
+        if (!add_union_piece(&c, from, t))
             return false;
         from = t;
     }
-    return add_piece(&c, from, 1.0);
+    return add_union_piece(&c, from, 1.0);
 }

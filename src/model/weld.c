@@ -49,7 +49,7 @@ static uint32_t bucket_of(roberts_vec3 p, uint32_t buckets)
     return (uint32_t)((mix(mix(mix(0, p.x), p.y), p.z) >> 32) * buckets >> 32);
 }
 
-static void sort_bucket(spot *first, uint32_t count)
+static void sort_spots(spot *first, uint32_t count)
 {
     if (count > SHORT_BUCKET) {
         qsort(first, count, sizeof *first, compare_spots);
@@ -86,7 +86,7 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     if (enough) {
         fill_buckets(sorted, end, listed, count, point);
         for (uint32_t b = 0; b < count; b++)
-            sort_bucket(sorted + (b ? end[b - 1] : 0), end[b] - (b ? end[b - 1] : 0));
+            sort_spots(sorted + (b ? end[b - 1] : 0), end[b] - (b ? end[b - 1] : 0));
         for (uint32_t i = 0; i < count; i++) {
             bool same = i > 0 && sorted[i].at.x == sorted[i - 1].at.x && sorted[i].at.y == sorted[i - 1].at.y &&
                         sorted[i].at.z == sorted[i - 1].at.z;

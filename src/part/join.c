@@ -149,7 +149,7 @@ static bool before(const rows_line *a, const rows_line *b)
 }
 
 /* Adds the line to the drawing; returns its number there. False: there are more than the parts say. */
-static bool add_line(joiner *j, const rows_line *line, uint32_t *number)
+static bool add_rows_line(joiner *j, const rows_line *line, uint32_t *number)
 {
     roberts_drawing *d = &j->to->drawing;
     const bool crossing = is_crossing(line);
@@ -172,7 +172,7 @@ static roberts_status move_line(joiner *j, source *s, roberts_error *error)
     roberts_drawing *d = &j->to->drawing;
     const rows_line line = s->next;
     uint32_t number;
-    if (line.segments > j->segments - d->count || !add_line(j, &line, &number))
+    if (line.segments > j->segments - d->count || !add_rows_line(j, &line, &number))
         return broken(s, error);
     for (uint32_t i = 0; i < line.segments; i++) {
         rows_segment r;
@@ -198,7 +198,7 @@ static roberts_status move_line(joiner *j, source *s, roberts_error *error)
     return status == ROBERTS_OK && !s->over && before(&s->next, &line) ? broken(s, error) : status;
 }
 
-static roberts_status merge(joiner *j, roberts_error *error)
+static roberts_status merge_rows(joiner *j, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     for (size_t i = 0; i < j->count && status == ROBERTS_OK; i++)
@@ -235,7 +235,7 @@ static bool alloc_drawing(joiner *j)
 }
 
 /* Takes over the data about the whole from the parts. */
-static void describe(joiner *j)
+static void describe_whole(joiner *j)
 {
     const plan_facts *facts = &j->part[0].head.facts;
     roberts_drawing *d = &j->to->drawing;
@@ -289,9 +289,9 @@ roberts_status roberts_join(const roberts_inputs *part, const roberts_task *task
     if (status == ROBERTS_OK && !alloc_drawing(&j))
         status = error_no_memory(error);
     if (status == ROBERTS_OK)
-        status = merge(&j, error);
+        status = merge_rows(&j, error);
     if (status == ROBERTS_OK)
-        describe(&j);
+        describe_whole(&j);
     else
         roberts_joined_free(joined);
     for (size_t i = 0; i < j.count; i++)

@@ -63,7 +63,7 @@ typedef struct part {
 /* ---- which bodies ----------------------------------------------------------------------------------------------- */
 
 /* Returns the cell of a coordinate along axis k. */
-static int cell_of(const plan_facts *facts, double x, int k)
+static int picture_cell(const plan_facts *facts, double x, int k)
 {
     const double low = k ? facts->whole.low.y : facts->whole.low.x,
                  high = k ? facts->whole.high.y : facts->whole.high.x;
@@ -84,8 +84,8 @@ static double beside(const plan_facts *facts, double x, int k, double cells)
 static void cells_of(const plan_facts *facts, const plan_place *place, int first[2], int last[2])
 {
     for (int k = 0; k < 2; k++) {
-        first[k] = cell_of(facts, beside(facts, (double)place->low[k] - facts->margin, k, -COVERS_BESIDE), k);
-        last[k] = cell_of(facts, beside(facts, (double)place->high[k] + facts->margin, k, COVERS_BESIDE), k);
+        first[k] = picture_cell(facts, beside(facts, (double)place->low[k] - facts->margin, k, -COVERS_BESIDE), k);
+        last[k] = picture_cell(facts, beside(facts, (double)place->high[k] + facts->margin, k, COVERS_BESIDE), k);
     }
 }
 
@@ -133,7 +133,7 @@ static bool is_met(const picture_cells *c, const plan_place *place)
            0;
 }
 
-static bool keep(part *q, uint32_t number, uint64_t at, const plan_place *place, bool own)
+static bool keep_body(part *q, uint32_t number, uint64_t at, const plan_place *place, bool own)
 {
     if (!array_reserve(&q->body, &q->room, q->count + 1, sizeof *q->body))
         return false;
@@ -189,7 +189,7 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
             mark(q->cells, &place);
         if (what == LOOK_MET && is_met(q->cells, &place))
             mark(q->next, &place);
-        if (what == LOOK_KEEP && is_met(q->cells, &place) && !keep(q, i, at, &place, own))
+        if (what == LOOK_KEEP && is_met(q->cells, &place) && !keep_body(q, i, at, &place, own))
             status = error_no_memory(error);
         at += (uint64_t)place.size * PLAN_UNIT;
     }
@@ -368,7 +368,7 @@ static roberts_status check_bodies(const part *q, roberts_error *error)
     return ROBERTS_OK;
 }
 
-static roberts_status build(part *q, roberts_error *error)
+static roberts_status build_part(part *q, roberts_error *error)
 {
     roberts_scene_options options = q->task->scene;
     options.threads = q->task->hide.threads;
@@ -513,7 +513,7 @@ roberts_status roberts_part_save(const roberts_inputs *input, const roberts_task
     if (status == ROBERTS_OK)
         status = gather(&q, error);
     if (status == ROBERTS_OK && q.count > 0)
-        status = build(&q, error);
+        status = build_part(&q, error);
     if (status == ROBERTS_OK)
         status = save_from(&(save_source){write_part, &q}, task->temporary, task->temporary_context, path, error);
     roberts_drawing_free(&q.drawing);

@@ -94,7 +94,7 @@ bool plan_read_from(plan_reader *r, int file, uint64_t at, uint64_t end)
     return r->bytes;
 }
 
-static bool fill(plan_reader *r)
+static bool fill_buffer(plan_reader *r)
 {
     uint64_t left = r->end - r->at;
     ssize_t some = -1;
@@ -121,7 +121,7 @@ bool plan_read(plan_reader *r, void *to, size_t size)
         return true;
     }
     while (size > 0) {
-        if (r->used == r->filled && !fill(r))
+        if (r->used == r->filled && !fill_buffer(r))
             return false;
         size_t some = r->filled - r->used < size ? r->filled - r->used : size;
         if (next) {
@@ -409,7 +409,8 @@ static bool count_cells(planner *pl, double margin)
         box[i] = (hide_box){at->low[0], at->high[0], at->low[1], at->high[1], 0.0f, 0.0f};
     }
     if (box) {
-        const scan_frame frame = cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin, false}, 1);
+        const scan_frame frame =
+            cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin, false}, 1);
         whole->columns = frame.nx;
         whole->rows = frame.ny;
         whole->warped = frame.warps != NULL;

@@ -23,7 +23,7 @@ static int by_number(const void *pa, const void *pb)
 }
 
 /* Puts an edge of `body` down at its faces; only counts them if there is no list yet. */
-static void add_edge(crossed *c, uint32_t body, uint32_t e)
+static void add_crossed_edge(crossed *c, uint32_t body, uint32_t e)
 {
     const roberts_scene *scene = c->scene;
     const scene_edge *edge = scene_edge_stored(scene, body, e);
@@ -54,7 +54,7 @@ static bool list_edges(crossed *c)
     for (int pass = 0; pass < 2; pass++) {
         for (uint32_t body = 0; body < scene->solid_count; body++)
             for (uint32_t e = scene->solid[body].edge; e < scene->solid[body + 1].edge; e++)
-                add_edge(c, body, e);
+                add_crossed_edge(c, body, e);
         for (uint32_t f = 0; pass == 0 && f <= scene->face_count; f++)
             total = c->edge_start[f] += total;
         if (pass == 0 && !(c->edge = alloc_array(total, sizeof *c->edge)))
@@ -100,7 +100,7 @@ static uint32_t first_piece(const crossed *c, uint32_t number)
     return low;
 }
 
-static bool is_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
+static bool is_point_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
 {
     double off = plane_at(scene_plane(c->scene, face), vec3_sub(X, c->scene->centre));
     return fabs(off) <= 2.0 * (c->touching + scene_deviation(c->scene, face));
@@ -155,8 +155,8 @@ bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces 
             bool other = i == 0 || p->body != out->of[0].body ||
                          (p->face != out->of[0].face && seen_face_key(scene, p->body, p->face) !=
                                                             seen_face_key(scene, out->of[0].body, out->of[0].face));
-            found = other && is_in_plane(c, p->face, line->end[0]) && is_in_plane(c, p->face, line->end[1]) &&
-                    face_holds(c, p, middle, c->touching);
+            found = other && is_point_in_plane(c, p->face, line->end[0]) &&
+                    is_point_in_plane(c, p->face, line->end[1]) && face_holds(c, p, middle, c->touching);
             if (found)
                 out->of[i] = *p;
         }

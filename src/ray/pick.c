@@ -18,12 +18,12 @@ typedef struct picker {
 } picker;
 
 /* Returns the depth of a point in s.unit: how far it lies in front of the picture plane, toward the viewer. */
-static double depth_of(const picker *p, roberts_vec3 X)
+static double depth_of_hit(const picker *p, roberts_vec3 X)
 {
     return vec3_dot(vec3_sub(X, p->Q), p->seen.view.dir);
 }
 
-static bool append(picker *p, roberts_pick_hit hit)
+static bool append_hit(picker *p, roberts_pick_hit hit)
 {
     if (!array_reserve(&p->picked->hit, &p->room, p->picked->count + 1, sizeof hit))
         return false;
@@ -40,7 +40,7 @@ static bool pick_solid(picker *p, uint32_t solid)
         if (p->s.facing[face] != SIGHT_FRONT || sight_through(&p->s, face, p->Q, p->toward, 0.0) != SIGHT_SURELY)
             continue;
         roberts_vec3 X = sight_meet(&p->s, face, p->Q, p->toward);
-        double depth = depth_of(p, X);
+        double depth = depth_of_hit(p, X);
         bool again = false;
         for (size_t i = first; i < p->picked->count; i++) {
             roberts_pick_hit *hit = &p->picked->hit[i];
@@ -51,7 +51,8 @@ static bool pick_solid(picker *p, uint32_t solid)
             }
         }
         roberts_vec3 point = vec3_add(vec3_scale(p->s.unit, X), scene->centre);
-        if (!again && !append(p, (roberts_pick_hit){solid, scene_face_number(scene, face), depth * p->s.unit, point}))
+        if (!again &&
+            !append_hit(p, (roberts_pick_hit){solid, scene_face_number(scene, face), depth * p->s.unit, point}))
             return false;
     }
     return true;

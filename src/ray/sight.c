@@ -45,7 +45,7 @@ static void set_margins(sight *s, const view *v)
 
 /* Finds the facing of a face by the width of its picture. The width is measured along the picture of the normal, as a
  * length at the depth of the first corner. */
-static int facing_of(const sight *s, uint32_t face)
+static int sight_facing(const sight *s, uint32_t face)
 {
     const roberts_scene *scene = s->scene;
     plane F = scene_plane(scene, face);
@@ -191,7 +191,7 @@ bool sight_prepare(sight *s, const roberts_scene *scene, const view *v)
     }
     set_margins(s, v);
     for (uint32_t face = 0; face < scene->face_count; face++) {
-        s->facing[face] = (unsigned char)facing_of(s, face);
+        s->facing[face] = (unsigned char)sight_facing(s, face);
         if (s->facing[face] != SIGHT_NOT_FRONT)
             s->dent[face] = (float)(dent_of(s, face) * SCENE_UPWARD);
     }

@@ -83,7 +83,7 @@ stretch_checker *stretch_checker_new(const occluders *o, uint32_t rays, stretch_
     return c;
 }
 
-static roberts_vec3 point_at(const roberts_vec3 ends[2], double t)
+static roberts_vec3 stretch_point(const roberts_vec3 ends[2], double t)
 {
     return vec3_add(ends[0], vec3_scale(t, vec3_sub(ends[1], ends[0])));
 }
@@ -101,8 +101,8 @@ static bool contradicts(const stretch_probe *p, const sight_question *q)
 static bool contradicts_strictly(stretch_checker *c, const stretch_probe *p, const sight_question *q)
 {
     sight_question again[3] = {*q, *q, *q};
-    again[1].X = point_at(p->ends, p->t - p->step);
-    again[2].X = point_at(p->ends, p->t + p->step);
+    again[1].X = stretch_point(p->ends, p->t - p->step);
+    again[2].X = stretch_point(p->ends, p->t + p->step);
     for (int i = 0; i < 3; i++)
         again[i].ends = p->ends;
     occluders_cast(c->o, &c->walk, again, 3);
@@ -181,7 +181,7 @@ static void judge_nearest(stretch_checker *c, const stretch_probe *p, const sigh
 static double hidden_until(const occluders *o, const stretch_probe *p, const sight_question *q)
 {
     const scene_solid *solid = &o->s.scene->solid[o->face_solid[q->hider]];
-    const roberts_vec3 end = point_at(p->ends, p->end);
+    const roberts_vec3 end = stretch_point(p->ends, p->end);
     double touching = p->close / (p->end - p->t);
     sight_part all, part;
     if (!sight_hidden_part(&o->s, q->hider, q->X, end, &all))
@@ -251,7 +251,7 @@ static void cast(stretch_checker *c)
         if (p->kind == PROBE_NEAREST) {
             judge_nearest(c, p, q);
         } else if (judge_point(c, p, q) && p->kind == PROBE_WALK && walk_on(c->o, p, q)) {
-            q->X = point_at(p->ends, p->t);
+            q->X = stretch_point(p->ends, p->t);
             c->question[c->count] = *q;
             c->probe[c->count++] = *p;
         }
@@ -276,7 +276,7 @@ static void ask(stretch_checker *c, const stretch *s, const stretch_probe *p)
         cast(c);
     c->probe[c->count] = *p;
     c->question[c->count++] =
-        (sight_question){.X = point_at(p->ends, p->t), .of = asker_of(s), .nearest = p->kind == PROBE_NEAREST};
+        (sight_question){.X = stretch_point(p->ends, p->t), .of = asker_of(s), .nearest = p->kind == PROBE_NEAREST};
 }
 
 static void probe_point(stretch_checker *c, const stretch *s, stretch_probe *p, double t, double step)
@@ -321,7 +321,7 @@ static void probe_hidden_part(stretch_checker *c, const stretch *s, stretch_prob
     sight_part part;
     uint32_t face;
     double width = s->t1 - s->t0, longest = 2.0 * p->close / width, middle = 0.0;
-    roberts_vec3 A = point_at(p->ends, s->t0), B = point_at(p->ends, s->t1);
+    roberts_vec3 A = stretch_point(p->ends, s->t0), B = stretch_point(p->ends, s->t1);
     occluders_search_start(&search, c->o, A, B, asker_of(s));
     while (occluders_search_next(&search, &face, &part))
         if (part.t1 - part.t0 > longest) {

@@ -97,7 +97,7 @@ typedef struct split {
 } split;
 
 /* Returns twice the centre of a box along an axis; NaN if it is infinite on both sides. */
-static inline float middle(const tree_entry *e, int axis)
+static inline float entry_middle(const tree_entry *e, int axis)
 {
     return e->lo[axis] + e->hi[axis];
 }
@@ -112,14 +112,14 @@ static inline void contents_add(contents *c, const tree_entry *e)
     c->owner = !(c->box.lo_x <= c->box.hi_x) || c->owner == e->owner ? e->owner : ROBERTS_NONE;
     c->box = open_box_union(c->box, open_box_of(e));
     for (int axis = 0; axis < 3; axis++) {
-        c->low[axis] = less(middle(e, axis), c->low[axis]); /* in this order, NaN is ignored */
-        c->high[axis] = more(middle(e, axis), c->high[axis]);
+        c->low[axis] = less(entry_middle(e, axis), c->low[axis]); /* in this order, NaN is ignored */
+        c->high[axis] = more(entry_middle(e, axis), c->high[axis]);
     }
 }
 
 static inline int bin_of(const split *s, const tree_entry *e)
 {
-    float bin = (middle(e, s->axis) - s->low) * s->bins_per_length;
+    float bin = (entry_middle(e, s->axis) - s->low) * s->bins_per_length;
     return bin < (float)s->bins ? (int)bin : s->bins - 1; /* the last one for NaN too */
 }
 
@@ -180,7 +180,7 @@ static split find_split(const builder *b, uint32_t first, uint32_t count, const 
 
 /* Moves the entries below the split to the front, the others behind them, and returns how many are below; without a
  * split, half of them. `side`: the contents of the two parts. */
-static uint32_t divide(const builder *b, uint32_t first, uint32_t count, const split *s, contents *side)
+static uint32_t divide_node(const builder *b, uint32_t first, uint32_t count, const split *s, contents *side)
 {
     tree_entry *entry = b->entry + first;
     uint32_t below = 0, end = count;
@@ -212,7 +212,7 @@ static void divide_part(const builder *b, part *p, part *rest)
     contents side[2];
     if (p->depth < BIN_DEPTH)
         s = find_split(b, p->first, p->count, &p->held);
-    uint32_t below = divide(b, p->first, p->count, &s, side);
+    uint32_t below = divide_node(b, p->first, p->count, &s, side);
     *rest = (part){p->first + below, p->count - below, p->depth + 1, side[1]};
     *p = (part){p->first, below, p->depth + 1, side[0]};
 }

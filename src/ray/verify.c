@@ -109,7 +109,7 @@ typedef struct edge_sides {
 
 /* Adds a face of an edge. `on_right`: the face is on the right of v[0] -> v[1], seen from outside its plane. `first`:
  * the first face of the edge. */
-static void add_side(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
+static void add_side_of_face(const verifier *f, uint32_t face, bool on_right, uint32_t first, edge_sides *to)
 {
     plane F = scene_plane(f->seen.scene, face), G = scene_plane(f->o.s.scene, face);
     bool back = F.a * G.a + F.b * G.b + F.c * G.c < 0.0; /* it was turned toward the viewer */
@@ -135,12 +135,13 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
         const scene_many *many = scene_many_at(f->seen.scene, index);
         const uint32_t *face = surface->many_face;
         for (uint32_t k = many->first; k < many->end; k++)
-            add_side(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[many->first] & ~MANY_TURNED, &found);
+            add_side_of_face(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[many->first] & ~MANY_TURNED,
+                             &found);
         return found;
     }
     for (int k = 0; k < 2; k++)
         if (e->f[k] != ROBERTS_NONE)
-            add_side(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
+            add_side_of_face(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
     if (e->f[1] != ROBERTS_NONE) {
         bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
         found.bent =
@@ -400,7 +401,7 @@ static bool name_edges(verifier *f)
 }
 
 /* Returns the edge of `solid` between input vertices v0 and v1; edge_count: none. */
-static uint32_t find_edge(const roberts_scene *scene, const roberts_segment *row)
+static uint32_t find_scene_edge(const roberts_scene *scene, const roberts_segment *row)
 {
     if (row->solid >= scene->solid_count)
         return scene->edge_count;
@@ -470,7 +471,7 @@ static uint32_t assign_row(verifier *f, uint32_t index, bool put)
     name_range range = {0};
     if (!convex)
         range = names_of(f, row);
-    uint32_t edge = convex ? find_edge(f->scene, row) : next_edge(f, &range, row);
+    uint32_t edge = convex ? find_scene_edge(f->scene, row) : next_edge(f, &range, row);
     for (; edge != none; edge = convex ? none : next_edge(f, &range, row)) {
         if (put)
             f->row[--f->row_start[edge]] = index;
@@ -673,7 +674,7 @@ static bool build_occluders(verifier *f)
     return built;
 }
 
-static bool prepare(verifier *f)
+static bool prepare_verifier(verifier *f)
 {
     size_t edges = f->scene->edge_count, most = edges / RUN_EDGES + f->scene->solid_count; /* number of runs */
     f->run = alloc_array(most + 1, sizeof *f->run);
@@ -718,7 +719,7 @@ roberts_status roberts_verify(const roberts_scene *scene, const roberts_camera *
     roberts_status status = seen_begin(&f.seen, scene, camera, drawing->epsilon, error);
     if (status != ROBERTS_OK)
         return status;
-    status = prepare(&f) ? assign_rows(&f, error) : error_no_memory(error);
+    status = prepare_verifier(&f) ? assign_rows(&f, error) : error_no_memory(error);
     if (status == ROBERTS_OK && !(build_occluders(&f) && order_runs(&f)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK) {

@@ -101,7 +101,7 @@ bool mesh_room(roberts_mesh *mesh, size_t vertices, size_t faces, size_t corners
 }
 
 /* Makes room for `count` colours; those from `filled` on are "none". */
-static bool fill(roberts_color **color, size_t *room, size_t filled, size_t count)
+static bool fill_colors(roberts_color **color, size_t *room, size_t filled, size_t count)
 {
     if (!array_reserve(color, room, count, sizeof **color))
         return false;
@@ -112,7 +112,7 @@ static bool fill(roberts_color **color, size_t *room, size_t filled, size_t coun
 
 bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
 {
-    if (!fill(&mesh->vertex_color, &mesh->vertex_color_room, *filled, index + 1))
+    if (!fill_colors(&mesh->vertex_color, &mesh->vertex_color_room, *filled, index + 1))
         return false;
     mesh->vertex_color[index] = color;
     *filled = index + 1;
@@ -121,7 +121,7 @@ bool mesh_color_vertex(roberts_mesh *mesh, size_t index, roberts_color color, si
 
 bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size_t *filled)
 {
-    if (!fill(&mesh->face_color, &mesh->face_color_room, *filled, index + 1))
+    if (!fill_colors(&mesh->face_color, &mesh->face_color_room, *filled, index + 1))
         return false;
     mesh->face_color[index] = color;
     *filled = index + 1;
@@ -130,9 +130,10 @@ bool mesh_color_face(roberts_mesh *mesh, size_t index, roberts_color color, size
 
 bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_filled)
 {
-    if (mesh->vertex_color && !fill(&mesh->vertex_color, &mesh->vertex_color_room, vertices_filled, mesh->vertex_count))
+    if (mesh->vertex_color &&
+        !fill_colors(&mesh->vertex_color, &mesh->vertex_color_room, vertices_filled, mesh->vertex_count))
         return false;
-    return !mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
+    return !mesh->face_color || fill_colors(&mesh->face_color, &mesh->face_color_room, faces_filled, mesh->face_count);
 }
 
 /* Copies a name. NULL: no memory. */
@@ -216,7 +217,7 @@ static roberts_status bad_vertex(roberts_error *error, size_t vertex)
                      MESH_COORDINATE_MAX);
 }
 
-static roberts_status bad_corner(roberts_error *error, size_t face, uint32_t corner, size_t vertices)
+static roberts_status bad_mesh_corner(roberts_error *error, size_t face, uint32_t corner, size_t vertices)
 {
     return error_set(error, ROBERTS_BAD_INDEX, 0, "face %zu names vertex %lu, but there are %zu", face,
                      (unsigned long)corner, vertices);
@@ -227,8 +228,8 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
     error_set_file(error, "");
     if (!mesh_position(position))
         return bad_vertex(error, mesh->vertex_count);
-    if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill(&mesh->vertex_color, &mesh->vertex_color_room,
-                                                                 mesh->vertex_count, mesh->vertex_count + 1)))
+    if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill_colors(&mesh->vertex_color, &mesh->vertex_color_room,
+                                                                        mesh->vertex_count, mesh->vertex_count + 1)))
         return error_no_memory(error);
     if (index)
         *index = (uint32_t)mesh->vertex_count;
@@ -241,10 +242,11 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
     error_set_file(error, "");
     for (size_t i = 0; i < count; i++) {
         if (corners[i] >= mesh->vertex_count)
-            return bad_corner(error, mesh->face_count, corners[i], mesh->vertex_count);
+            return bad_mesh_corner(error, mesh->face_count, corners[i], mesh->vertex_count);
     }
     if (!mesh_corner_room(mesh, count) || !mesh_face_room(mesh) ||
-        !(!mesh->face_color || fill(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
+        !(!mesh->face_color ||
+          fill_colors(&mesh->face_color, &mesh->face_color_room, mesh->face_count, mesh->face_count + 1)))
         return error_no_memory(error);
     if (count)
         memcpy(mesh->corner + mesh->corner_count, corners, count * sizeof *corners);
@@ -291,7 +293,7 @@ roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error
     for (size_t f = 0; f < mesh->face_count && status == ROBERTS_OK; f++)
         for (size_t i = mesh->face_start[f]; i < mesh->face_start[f + 1]; i++)
             if (mesh->corner[i] >= mesh->vertex_count)
-                return bad_corner(error, f, mesh->corner[i], mesh->vertex_count);
+                return bad_mesh_corner(error, f, mesh->corner[i], mesh->vertex_count);
     return status;
 }
 

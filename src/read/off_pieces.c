@@ -154,7 +154,7 @@ static uint64_t accept(const pieces_job *job, piece *p)
 }
 
 /* Adds the piece to the mesh. False: no memory, or no other piece can follow. */
-static bool join(pieces_job *job, piece *p)
+static bool join_piece(pieces_job *job, piece *p)
 {
     reader *r = job->r;
     roberts_mesh *mesh = r->mesh;
@@ -187,7 +187,7 @@ static void join_ready(pieces_job *job)
     job->joining = true;
     while (!job->over && (s = &job->slot[job->joined % job->slots])->ready) {
         pthread_mutex_unlock(&job->lock);
-        bool good = join(job, &s->piece);
+        bool good = join_piece(job, &s->piece);
         pthread_mutex_lock(&job->lock);
         s->ready = false;
         job->vertices = job->vertices_left > 0;

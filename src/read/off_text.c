@@ -414,7 +414,7 @@ static bool names_first(const reader *r, uint64_t i)
 
 /* Explains why corner i of face f was rejected; `at` is still before it. In a file that counts from 1, the index equals
  * the number of vertices, and no corner has named vertex 0. */
-static roberts_status bad_corner(reader *r, uint64_t f, uint64_t i, uint64_t count)
+static roberts_status bad_off_corner(reader *r, uint64_t f, uint64_t i, uint64_t count)
 {
     uint64_t index;
     bool negative = *r->in.at == '-';
@@ -447,9 +447,9 @@ static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
         for (uint64_t i = 0; i < part; i++) {
             uint64_t index;
             if (!input_skip(&r->in))
-                return bad_corner(r, f, done + i, count);
+                return bad_off_corner(r, f, done + i, count);
             if (!index_number(r, vertices, &index))
-                return bad_corner(r, f, done + i, count);
+                return bad_off_corner(r, f, done + i, count);
             corner[i] = first + (uint32_t)index;
         }
         mesh->corner_count += part;

@@ -339,7 +339,7 @@ static bool take_value(ply_reader *p, value_type type, bool any, double *value)
     return true;
 }
 
-static roberts_status bad_corner(ply_reader *p, const element *e, uint64_t row, double index)
+static roberts_status bad_ply_corner(ply_reader *p, const element *e, uint64_t row, double index)
 {
     return read_fail(p->r, ROBERTS_BAD_INDEX, "%s %llu names vertex %.17g, but there are %llu", e->name,
                      (unsigned long long)row, index, (unsigned long long)p->vertices);
@@ -383,7 +383,7 @@ static roberts_status read_corners(ply_reader *p, const element *e, uint64_t row
         if (!take_value(p, type, false, &index))
             return missing(p, e, row);
         if (!is_vertex(p, index))
-            return bad_corner(p, e, row, index);
+            return bad_ply_corner(p, e, row, index);
         mesh->corner[mesh->corner_count++] = (uint32_t)(p->r->mark.vertices + (uint64_t)index);
     }
     return ROBERTS_OK;
@@ -439,7 +439,7 @@ static roberts_color row_color(const ply_reader *p, const element *e)
     return found == COLOR ? color : (roberts_color){0};
 }
 
-static roberts_status add_vertex(ply_reader *p, uint64_t row)
+static roberts_status add_ply_vertex(ply_reader *p, uint64_t row)
 {
     const roberts_vec3 position = {p->value[X], p->value[Y], p->value[Z]};
     if (!mesh_position(position))
@@ -447,11 +447,11 @@ static roberts_status add_vertex(ply_reader *p, uint64_t row)
     return mesh_add_vertex(p->r->mesh, position) ? ROBERTS_OK : error_no_memory(p->r->error);
 }
 
-static roberts_status add_edge(ply_reader *p, const element *e, uint64_t row)
+static roberts_status add_ply_edge(ply_reader *p, const element *e, uint64_t row)
 {
     for (int i = FIRST_CORNER; i <= SECOND_CORNER; i++) {
         if (!is_vertex(p, p->value[i]))
-            return bad_corner(p, e, row, p->value[i]);
+            return bad_ply_corner(p, e, row, p->value[i]);
         if (!mesh_add_corner(p->r->mesh, (uint32_t)(p->r->mark.vertices + (uint64_t)p->value[i])))
             return error_no_memory(p->r->error);
     }
@@ -478,9 +478,9 @@ static roberts_status read_elements(ply_reader *p, const element *e)
     for (uint64_t row = 0; row < e->count && status == ROBERTS_OK; row++) {
         status = read_row(p, e, row);
         if (status == ROBERTS_OK && e->kind == VERTEX)
-            status = add_vertex(p, row);
+            status = add_ply_vertex(p, row);
         if (status == ROBERTS_OK && e->kind == EDGE)
-            status = add_edge(p, e, row);
+            status = add_ply_edge(p, e, row);
         if (status == ROBERTS_OK && (e->kind == FACE || e->kind == EDGE) && !mesh_end_face(p->r->mesh))
             status = error_no_memory(p->r->error);
         if (status == ROBERTS_OK && colored)

@@ -78,7 +78,7 @@ bool cutter_add_edge(cutter *c, uint32_t v0, uint32_t v1, uint32_t f0, uint32_t 
 }
 
 /* Returns the edge of the solid between two of its vertices. Edges ascend by (v[0], v[1]). */
-static uint32_t find_edge(const cutter *c, uint32_t solid, uint32_t a, uint32_t b)
+static uint32_t find_edge_between(const cutter *c, uint32_t solid, uint32_t a, uint32_t b)
 {
     uint32_t low = c->from->solid[solid].edge, high = c->from->solid[solid + 1].edge;
     uint32_t v0 = a < b ? a : b, v1 = a < b ? b : a;
@@ -173,7 +173,7 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
             return false;
         if (cutter_keeps(c, a) == cutter_keeps(c, b))
             continue;
-        uint32_t edge = find_edge(c, solid, a, b);
+        uint32_t edge = find_edge_between(c, solid, a, b);
         if (cutter_keeps(c, a))
             leave = edge;
         else if (leave != ROBERTS_NONE)
@@ -285,7 +285,7 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
 }
 
 /* Returns the distance of a point from the eye's plane. */
-static double depth_of(const cutter *c, roberts_vec3 P)
+static double distance_of_eye_plane(const cutter *c, roberts_vec3 P)
 {
     double depth = vec3_dot(c->dir, vec3_sub(c->eye, P));
     return fabs(depth - c->near) <= c->touching ? c->near : depth;
@@ -296,7 +296,7 @@ static double measure_depths(cutter *c)
 {
     double least = INFINITY;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
-        c->depth[v] = depth_of(c, c->from->point[v]);
+        c->depth[v] = distance_of_eye_plane(c, c->from->point[v]);
         least = lesser(least, c->depth[v]);
     }
     return least;
@@ -380,7 +380,7 @@ bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const
     if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
         return false;
     for (size_t i = 0; i < count && !cut; i++)
-        cut = depth_of(&c, P[i]) < c.near;
+        cut = distance_of_eye_plane(&c, P[i]) < c.near;
     return cut;
 }
 

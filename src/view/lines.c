@@ -10,7 +10,7 @@ typedef struct edge_faces {
 
 /* The facing of a face of seen.scene or seen.source. A face of seen.source is compared with the eye: the two scenes
  * differ only in perspective, where the near plane cuts. */
-static int facing_of(const seen *s, const roberts_scene *scene, uint32_t face)
+static int facing_of_face(const seen *s, const roberts_scene *scene, uint32_t face)
 {
     const view *v = &s->view;
     if (scene == s->scene)
@@ -21,7 +21,7 @@ static int facing_of(const seen *s, const roberts_scene *scene, uint32_t face)
 }
 
 /* `turned`: the face lies on the right of the edge. */
-static void add_face(int facing, bool turned, edge_faces *to)
+static void add_edge_face(int facing, bool turned, edge_faces *to)
 {
     if (facing == VIEW_EDGE_ON)
         to->edge_on++;
@@ -49,10 +49,10 @@ static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, 
     edge_faces found = {0};
     uint32_t first = scene->solid[w->body].face;
     uint8_t is = scene->surface->edge_is[e];
-    add_face(facing_of(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &found);
+    add_edge_face(facing_of_face(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &found);
     if (edge->f[1] == ROBERTS_NONE)
         return found;
-    add_face(facing_of(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
+    add_edge_face(facing_of_face(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
     found.flat = is_flatter(scene, first, edge, e, crease);
     return found;
 }
@@ -65,7 +65,7 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
     for (uint32_t k = many->first; k < many->end; k++) {
         uint32_t f = face[k] & ~MANY_TURNED;
         plane F = scene_plane(scene, face[many->first] & ~MANY_TURNED), G = scene_plane(scene, f);
-        add_face(facing_of(s, scene, f), face[k] & MANY_TURNED, &found);
+        add_edge_face(facing_of_face(s, scene, f), face[k] & MANY_TURNED, &found);
         found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
     }
     return found;
@@ -143,7 +143,7 @@ static bool taken_of_solid(const seen_walk *w, seen_line *line)
     const roberts_scene *source = w->of->source;
     const scene_edge *edge = scene_edge_stored(source, w->body, line->edge);
     uint32_t first = source->solid[w->body].face;
-    int f = facing_of(w->of, source, first + edge->f[0]), g = facing_of(w->of, source, first + edge->f[1]);
+    int f = facing_of_face(w->of, source, first + edge->f[0]), g = facing_of_face(w->of, source, first + edge->f[1]);
     line->class = seen_class((f == VIEW_FRONT) + (g == VIEW_FRONT), f, g);
     return line->class == ROBERTS_OUTLINE || w->all ||
            !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
@@ -198,7 +198,7 @@ static int facing_of_side(const seen *s, uint32_t face)
 {
     double stretch;
     if (s->scene != s->source || s->facing[face])
-        return facing_of(s, s->source, face);
+        return facing_of_face(s, s->source, face);
     plane F = view_plane(&s->view, s->source, face, &stretch);
     if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
         return VIEW_EDGE_ON;
@@ -211,7 +211,7 @@ static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t
     edge_faces found = {.flat = true};
     for (uint32_t i = 0; i < count; i++) {
         plane F = scene_plane(s->source, side[0].face), G = scene_plane(s->source, side[i].face);
-        add_face(facing_of_side(s, side[i].face), side[i].turned, &found);
+        add_edge_face(facing_of_side(s, side[i].face), side[i].turned, &found);
         found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
     }
     return found;

@@ -70,7 +70,7 @@ static roberts_vec3 unit_across(roberts_vec3 a, roberts_vec3 dir)
 
 /* Sets the picture's right and up: `up` is made perpendicular to the line of sight. If it is zero or parallel to that
  * line, +z replaces it, and then +y. */
-static void set_frame(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
+static void set_view_axes(view *v, roberts_vec3 dir, roberts_vec3 up, double roll_degrees)
 {
     const roberts_vec3 choices[] = {unit_vector(up), {0, 0, 1}, {0, 1, 0}};
     v->dir = unit_vector(dir);
@@ -501,7 +501,7 @@ roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_cam
         if (!finite3(dir) || vec3_largest(dir) == 0.0)
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
     }
-    set_frame(v, dir, camera->up, camera->roll_degrees);
+    set_view_axes(v, dir, camera->up, camera->roll_degrees);
     if (!v->perspective)
         set_sight_line(v, camera);
     else

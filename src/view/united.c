@@ -25,7 +25,7 @@ typedef struct search {
 } search;
 
 /* Stores the pieces of one line, unless the union does not change the line. first: where the line's pieces begin. */
-static bool keep(chunk *to, const union_work *work, uint32_t *first)
+static bool keep_united(chunk *to, const union_work *work, uint32_t *first)
 {
     if (work->piece_count == 1 && work->piece[0].state == UNION_ALONE)
         return true;
@@ -58,7 +58,7 @@ static bool find_chunk(const search *s, uint32_t index, chunk *to)
         uint32_t own[2];
         s->first[i] = ROBERTS_NONE;
         if (s->line_of(s->context, i, &line, own))
-            done = union_cut(s->all, &line, &work) && keep(to, &work, &s->first[i]);
+            done = union_cut(s->all, &line, &work) && keep_united(to, &work, &s->first[i]);
     }
     union_work_free(&work);
     return done;

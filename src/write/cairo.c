@@ -30,7 +30,7 @@ void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, robert
 }
 
 /* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
-static void add_line(cairo_t *cairo, const polylines *lines, const polyline *line, double units)
+static void trace_polyline(cairo_t *cairo, const polylines *lines, const polyline *line, double units)
 {
     const page_point *p = lines->point + line->first;
     cairo_move_to(cairo, p->x / units, p->y / units);
@@ -45,7 +45,7 @@ void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end)
     while (first < end) {
         size_t next = strokes_part_end(s, first, end);
         for (; first < next; first++)
-            add_line(cairo, &s->lines, &s->lines.item[first], s->units_per_mm);
+            trace_polyline(cairo, &s->lines, &s->lines.item[first], s->units_per_mm);
         cairo_stroke(cairo);
     }
 }
@@ -62,7 +62,7 @@ void surface_paint_fills(cairo_t *cairo, const strokes *s)
         const fill_color color = fills_on_paper(s->options, paint->color);
         cairo_set_source_rgb(cairo, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
         for (size_t k = paint->first; k < paint->end; k++) {
-            add_line(cairo, &f->lines, &f->lines.item[k], s->units_per_mm);
+            trace_polyline(cairo, &f->lines, &f->lines.item[k], s->units_per_mm);
             if (paint->seam)
                 cairo_stroke(cairo);
         }

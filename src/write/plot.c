@@ -15,7 +15,7 @@ typedef struct drawn {
 } drawn;
 
 /* Appends a point. It replaces the last one if that lies on the straight line to it. */
-static void add_point(drawn *d, page_point at)
+static void add_plot_point(drawn *d, page_point at)
 {
     if (d->count > 1 && page_is_between(d->point[d->count - 2], d->point[d->count - 1], at))
         d->count--;
@@ -31,9 +31,9 @@ static bool take_line(drawn *d, const polylines *lines, const polyline *line)
         return false;
     d->count = 0;
     for (uint32_t i = 0; i < line->count; i++)
-        add_point(d, p[i]);
+        add_plot_point(d, p[i]);
     if (line->closed) {
-        add_point(d, p[0]);
+        add_plot_point(d, p[0]);
         d->count--;
     }
     return true;

@@ -120,7 +120,7 @@ static void open_level(const svg_groups *w, const stroke_group *g, int depth)
     output_text(w->out, ">\n");
 }
 
-static bool is_same(const stroke_group *g, const stroke_group *h, level at)
+static bool same_group(const stroke_group *g, const stroke_group *h, level at)
 {
     return at == LEVEL_VIEW ? g->view == h->view : at == LEVEL_BODY ? g->body == h->body : g->line == h->line;
 }
@@ -137,7 +137,7 @@ static int shared(const svg_groups *w, const stroke_group *g, const stroke_group
     int depth = 0;
     if (is_plain(g) || is_plain(h))
         return 0;
-    while (depth < w->depth && is_same(g, h, w->order[depth]))
+    while (depth < w->depth && same_group(g, h, w->order[depth]))
         depth++;
     return depth;
 }

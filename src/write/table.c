@@ -239,7 +239,7 @@ typedef struct row {
     roberts_vec3 end[2];
 } row;
 
-static row row_of(const table *t, const roberts_segment *s)
+static row table_row(const table *t, const roberts_segment *s)
 {
     row r = {t, s, {ROBERTS_NONE, ROBERTS_NONE}, false, {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}}};
     roberts_segment_faces(t->scene, t->drawing, s, r.face);
@@ -393,7 +393,7 @@ void table_write_csv(const table_view *view, size_t count, const roberts_draw_op
             write_csv_head(&t, out);
         for (size_t n = 0; n < t.drawing->count; n++)
             if (is_listed(&t.drawing->segment[n], options->hidden != ROBERTS_HIDDEN_NONE)) {
-                const row r = row_of(&t, &t.drawing->segment[n]);
+                const row r = table_row(&t, &t.drawing->segment[n]);
                 write_csv_row(&r, out);
             }
     }
@@ -466,7 +466,7 @@ void table_write_json(const table_view *view, size_t count, const roberts_draw_o
                 continue;
             output_text(out, first ? "\n{" : ",\n{");
             first = false;
-            const row r = row_of(&t, &t.drawing->segment[n]);
+            const row r = table_row(&t, &t.drawing->segment[n]);
             write_json_row(&r, out);
             output_text(out, "}");
         }

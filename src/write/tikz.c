@@ -213,7 +213,7 @@ static int by_number(const void *a, const void *b)
 }
 
 /* Appends one end of a segment if it is a vertex within the page's frame. */
-static void add_vertex(const strokes *s, uint32_t number, roberts_vec2 end, seen_vertex *list, size_t *count)
+static void add_seen_vertex(const strokes *s, uint32_t number, roberts_vec2 end, seen_vertex *list, size_t *count)
 {
     roberts_vec2 mm = page_place(&s->map, end);
     const bool cut_off = s->drawing->framed && !(mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
@@ -240,9 +240,9 @@ static roberts_status write_vertices(const tikz *p, roberts_error *error)
         if (segment->state != ROBERTS_VISIBLE || !strokes_is_drawn(p->s->options, segment, &line))
             continue;
         if (segment->t0 == 0.0)
-            add_vertex(p->s, segment->v0, segment->p0, list, &count);
+            add_seen_vertex(p->s, segment->v0, segment->p0, list, &count);
         if (segment->t1 == 1.0)
-            add_vertex(p->s, segment->v1, segment->p1, list, &count);
+            add_seen_vertex(p->s, segment->v1, segment->p1, list, &count);
     }
     qsort(list, count, sizeof *list, by_number);
     for (size_t i = 0; i < count; i++) {
