@@ -174,6 +174,15 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
         snprintf(error->message + used, room, "; to convert it: %s", converter(name));
 }
 
+void hint_label(const char *name, roberts_error *error)
+{
+    const size_t used = strlen(error->message), kind = strcspn(name, ",");
+    struct stat found;
+    for (const char *const *word = values_labels; *word; word++)
+        if (strlen(*word) == kind && strncmp(name, *word, kind) == 0 && stat(name, &found) != 0)
+            snprintf(error->message + used, sizeof error->message - used, "; for numbers: --label %s", name);
+}
+
 /* Fewer points have no convex hull. */
 enum { HULL_POINTS = 4 };
 

@@ -18,6 +18,9 @@ int hint_unknown(const char *what, const char *word, const char *const *words, c
 
 /* ---- files and models ---- */
 
+/* Adds to a message that the file of --labels cannot be read, if its name is a word for --label. */
+void hint_label(const char *name, roberts_error *error);
+
 /* The input called `name` could not be read. If it is a folder or a drawing, the message says so, or suggests another
  * name. */
 void hint_unread(const cli_options *options, const char *name, roberts_error *error);

@@ -614,6 +614,7 @@ int picture_make(const cli_options *given, picture_result *result)
     int status;
     *result = (picture_result){0};
     if (own.names && names_read(&labels, own.names, &error) != ROBERTS_OK) {
+        hint_label(own.names, &error);
         names_free(&labels);
         return fail(options, &error, result);
     }

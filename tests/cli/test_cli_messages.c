@@ -292,6 +292,7 @@ static const struct {
     {"--regions copy.off models/table.off -o a.svg",
      "--regions: copy.off is a model; the regions would take its place"},
     {"--regions a.json models/table.off -f json -o a.json", "--regions: a.json is the file of the drawing, too"},
+    {"--labels faces,edges copy.off -o a.svg", "faces,edges: No such file or directory; for numbers: --label faces,edges"},
     {"--labels names.csv --regions names.csv copy.off -o a.svg", "--regions: names.csv is the file of --labels; the "},
     {"--labels names.csv copy.off -f csv -o names.csv", "--output: names.csv is the file of --labels; the drawing "},
     {"models/table.off -f svg -o paint.mtl", "--output: paint.mtl is a model; the drawing would take its place"},
