@@ -84,6 +84,7 @@ typedef struct file_report {
 /* Where the warnings of a file go. */
 typedef struct warning_counter {
     FILE *log;
+    const char *file; /* that is drawn */
     size_t count;
 } warning_counter;
 
@@ -91,7 +92,7 @@ static void count_warning(void *context, const char *file, size_t line, const ch
 {
     warning_counter *counter = context;
     counter->count++;
-    message_warning(counter->log, file, line, text);
+    message_warning(counter->log, *file ? file : counter->file, line, text);
 }
 
 static void begin(void *context)
@@ -118,7 +119,7 @@ static file_report make_one(const batch *b, const batch_file *file, FILE *log)
 {
     cli_options own = *b->options;
     char *input = file->input;
-    warning_counter counter = {.log = log};
+    warning_counter counter = {.log = log, .file = file->input};
     picture_result made;
     const roberts_time start = report_now();
     own.input = &input;

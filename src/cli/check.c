@@ -44,7 +44,8 @@ static int check_turntable(const cli_options *options)
     static const char how[] = "--turntable needs a name with a place for the number: -o turn-%03d.svg";
     char name[NAME_SIZE];
     const char *place = strchr(options->output, '%');
-    if (options->turntable == 0 || parse_numbered(options->output, 0, name, sizeof name))
+    if (options->turntable == 0 || options->draw.format == ROBERTS_NULL ||
+        parse_numbered(options->output, 0, name, sizeof name))
         return EXIT_DONE;
     if (!place)
         return message_misuse("%s", how);
@@ -270,11 +271,17 @@ static void warn_pen(const cli_options *options, const options_given *given, siz
     char what[64];
     const char *why = missing(options, given, pen);
     const bool off = values_pen(&options->draw, pen)->off, set = values_pen_is_set(&options->draw, pen);
+    const char *asked = pen == PEN_HIDDEN  ? "--hidden"
+                        : pen == PEN_FRAME ? "--frame"
+                        : pen == PEN_HATCH ? "--hatch"
+                                           : NULL;
     snprintf(what, sizeof what, "%s--style %s", why ? "" : "the pen of ", values_pens[pen]);
     if (why && (set || (off && pen != PEN_FRAME)))
         warn(what, why);
     else if (!why && set && off)
         warn(what, "these lines are off");
+    else if (!why && off && asked)
+        warn(asked, "--style turns these lines off");
 }
 
 /* Is any line of the page drawn with dashes? */
@@ -443,7 +450,8 @@ static void warn_twice(const cli_options *options)
             twice = options->input[list[i].index];
     if (twice)
         message_warning(stderr, twice, 0,
-                        options->batch ? "this file is named twice" : "this file is named twice, and is drawn twice");
+                        options->batch || options->join ? "this file is named twice"
+                                                        : "this file is named twice, and is drawn twice");
     free(list);
 }
 
@@ -451,7 +459,7 @@ void check_warn(const cli_options *options, const options_given *given)
 {
     if (options->quiet)
         return;
-    if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output") && !options->turntable)
+    if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output"))
         warn("--output", "the format null writes nothing");
     if (options_is_given(given, "format"))
         warn_ending(options);

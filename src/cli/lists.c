@@ -270,6 +270,15 @@ roberts_status names_read(name_list *n, const char *path, roberts_error *error)
     return status;
 }
 
+roberts_status names_check_part(const name_list *n, const char *path, roberts_error *error)
+{
+    for (size_t i = 0; i < n->count; i++)
+        if (n->item[i].of == ROBERTS_LABEL_FACES || n->item[i].of == ROBERTS_LABEL_BODIES)
+            return lists_fail(error, ROBERTS_BAD_ARGUMENT, path, 0,
+                              "names of faces and bodies need the whole scene: draw it in one run");
+    return ROBERTS_OK;
+}
+
 void names_free(name_list *n)
 {
     free(n->item);

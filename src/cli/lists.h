@@ -48,6 +48,9 @@ typedef struct name_list {
 /* Reads lines like "vertex,4,A", "edge,4-17,a", "face,3,base" and "body,0,leg". Empty lines and those that begin with #
  * are skipped. On failure `error` has file, line and reason. */
 roberts_status names_read(name_list *n, const char *path, roberts_error *error);
+/* Refuses names that a drawing in parts cannot have. Returns ROBERTS_OK or _BAD_ARGUMENT. */
+roberts_status names_check_part(const name_list *n, const char *path, roberts_error *error);
+
 void names_free(name_list *n);
 
 /* Finds the name that belongs to the same thing as `thing`, among names in that order. NULL: there is none. */

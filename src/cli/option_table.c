@@ -117,10 +117,12 @@ static const option rows[] = {
      .help = "first or third angle projection: front, top, side and isometric view on one page, at one scale, with the "
              "symbol",
      .manual =
-         "Draws the front, top, side and isometric view on one page, at one scale and 15 mm apart, with the symbol of "
-         "their arrangement (ISO 5456-2). ANGLE is first or third. In first angle projection the top view is below and "
+         "Draws the front, top, side and isometric view on one page, at one scale and 15 mm apart (farther where "
+         "dimensions lie between them), with the symbol of their arrangement (ISO 5456-2). ANGLE is first or third. In "
+         "first angle projection the top view is below and "
          "the view from the left is at the right. In third angle projection the top view is above and the view from "
-         "the right is at the right. The isometric view has no hidden lines. --scale, --fit and --align hold for all "
+         "the right is at the right. The isometric view shows the sides of the other views, and has no hidden lines. "
+         "--scale, --fit and --align hold for all "
          "views together, and --stats adds them up. As csv and json there is one table, whose first column names the "
          "view; if FILE has a place for that name, as in table-%s.csv, there is a table of each view.\n"
          "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
@@ -157,7 +159,7 @@ static const option rows[] = {
      .excludes = "all-edges",
      .brief = "leave out flatter edges",
      .help = "leave out edges between two front faces, or two back ones, flatter than this (default: auto, which is "
-             "0.1, and 30 for curved bodies of many faces)",
+             "0.1, and 30 for curved bodies of many faces that are not convex)",
      .manual = "Leaves out edges at which two front faces bend by less than this angle; of hidden lines, also those "
                "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
                "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
@@ -305,7 +307,8 @@ static const option rows[] = {
      .brief = "a row for each file",
      .help = "add a row to FILE for each file that is drawn or fails, as a line of JSON",
      .manual = "Adds a line to FILE for each file that is drawn or fails, as they end. It is a JSON object: file and "
-               "output (null for -f null); command, which draws it; error, the message, or null; seconds on the clock; "
+               "output (null for -f null); command, the command line that draws it, without -o and -f; error, the "
+               "message, or null; seconds on the clock; "
                "lines, the segments of the drawing; and warnings, how many there were (0 with --quiet). Bytes of names "
                "that are no UTF-8 become U+FFFD. Of several rows of a file the last one counts. A row is written in "
                "one piece, so several runs on one machine may share a manifest. If a run is killed in the middle of a "
@@ -375,7 +378,8 @@ static const option rows[] = {
      .set = values_set_page,
      .brief = "size of the page",
      .help = "a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm (default: a4)",
-     .manual = "The paper: a0 to a6, b0 to b6, letter, legal, tabloid, or WxH in mm, upright. Default: a4."},
+     .manual = "The paper: a0 to a6, b0 to b6, letter, legal, tabloid, all upright, or WxH: width and height in mm. "
+               "Default: a4."},
     {.group = GROUP_PAGE,
      .name = "landscape",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -643,7 +647,8 @@ static const option rows[] = {
          "class, body, view or edge. data-body and data-name are the body's number and its name in the file, if it has "
          "one. data-edge is like 4-17, the edge's vertices, and data-faces like 2,5, the faces there; all as in "
          "tables. A hidden piece has data-by, the body seen there. Pens are attributes of groups, so that rules of "
-         "style sheets override them. On sheets the views are the layers."},
+         "style sheets override them. On sheets the views are the layers. With --fill, the group seam lies below the "
+         "areas: lines along their borders, without which viewers show gaps; each path has the data-body of its area."},
     {.group = GROUP_LINES,
      .name = "id-prefix",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -708,7 +713,7 @@ static const option rows[] = {
      .brief = "a field of the title block",
      .help = "with --sheet: a field of the title block: owner, author, approved, number, revision, date or sheet",
      .manual = "Fills a field of the title block of a sheet: owner, author, approved, number, revision, date or sheet. "
-               "May be given several times."},
+               "May be given several times. The title block and the standard scale are those of --title."},
     {.group = GROUP_TEXT,
      .name = "dimensions",
      .flags = OPTION_DRAWS | OPTION_PAPER,

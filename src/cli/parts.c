@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "cli/lists.h"
 #include "cli/message.h"
 #include "cli/signals.h"
 
@@ -16,14 +17,27 @@ static roberts_task task_of(const cli_options *options)
                           .temporary_context = options->draw.temporary_context};
 }
 
+/* A part has no names. It fails early if the drawing of all parts cannot have them. */
+static roberts_status check_names(const char *path, roberts_error *error)
+{
+    name_list names = {0};
+    roberts_status status = names_read(&names, path, error);
+    if (status == ROBERTS_OK)
+        status = names_check_part(&names, path, error);
+    names_free(&names);
+    return status;
+}
+
 int part_make(const cli_options *options)
 {
     const roberts_task task = task_of(options);
     const roberts_inputs input = {options->input_count, options->input};
     roberts_error error = {0};
+    roberts_status status = options->names ? check_names(options->names, &error) : ROBERTS_OK;
     progress_stage(options->plan ? "laying out" : "drawing a part");
-    roberts_status status = options->plan ? roberts_plan_save(&input, &task, options->output, &error)
-                                          : roberts_part_save(&input, &task, options->part, options->output, &error);
+    if (status == ROBERTS_OK)
+        status = options->plan ? roberts_plan_save(&input, &task, options->output, &error)
+                               : roberts_part_save(&input, &task, options->part, options->output, &error);
     if (status != ROBERTS_OK && !error.file[0])
         snprintf(error.file, sizeof error.file, "%s", options->input[0]);
     return status == ROBERTS_OK ? EXIT_DONE : message_error(options->log, &error);

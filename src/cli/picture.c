@@ -613,11 +613,14 @@ int picture_make(const cli_options *given, picture_result *result)
     run_stats run = {.files = options->input_count, .begin = report_now()};
     int status;
     *result = (picture_result){0};
-    if (own.names && names_read(&labels, own.names, &error) != ROBERTS_OK) {
+    if (own.names && (names_read(&labels, own.names, &error) != ROBERTS_OK ||
+                      (own.join && names_check_part(&labels, own.names, &error) != ROBERTS_OK))) {
         hint_label(own.names, &error);
         names_free(&labels);
         return fail(options, &error, result);
     }
+    if (own.names && labels.count == 0)
+        warn_of_file(options, own.names, "there are no names in it");
     own.draw.lettering.name = labels.item;
     own.draw.lettering.name_count = labels.count;
     if (options->join)

@@ -674,6 +674,15 @@ static bool read_distance(char *word, roberts_distance *distance)
            parse_integer(second + (*second == 'v'), &distance->v1);
 }
 
+/* Is this distance, in either direction, one of those before it? */
+static bool has_distance(const cli_options *options, const roberts_distance *d)
+{
+    for (const roberts_distance *e = options->distance; e < d; e++)
+        if ((e->v0 == d->v0 && e->v1 == d->v1) || (e->v0 == d->v1 && e->v1 == d->v0))
+            return true;
+    return false;
+}
+
 int values_set_dimensions(const option *o, const char *value, cli_options *options)
 {
     char word[64], asked[64];
@@ -695,7 +704,7 @@ int values_set_dimensions(const option *o, const char *value, cli_options *optio
                                 "or two vertices, as v4-v17; with commas between several");
         if (distance->v0 == distance->v1)
             return message_misuse("--dimensions: \"%s\" is a distance from a vertex to itself", asked);
-        options->distance_count++;
+        options->distance_count += !has_distance(options, distance);
     }
     return EXIT_DONE;
 }

@@ -89,7 +89,7 @@ fill_color fills_on_paper(const roberts_draw_options *options, fill_color color)
 /* A side of an area of one colour, or one direction of a seam. */
 typedef struct fill_side {
     page_point a, b;
-    uint32_t key; /* its colour */
+    uint64_t key; /* its colour, and above it the body, where lines are grouped */
     uint32_t done;
 } fill_side;
 
@@ -105,18 +105,18 @@ typedef struct fill_work {
     size_t rim_count, rim_room;
 } fill_work;
 
-static uint32_t key_of_color(fill_color c)
+static uint64_t key_of(fill_color c, uint32_t body)
 {
-    return (uint32_t)c.red << 24 | (uint32_t)c.green << 16 | (uint32_t)c.blue << 8 | c.alpha;
+    return (uint64_t)body << 32 | (uint32_t)c.red << 24 | (uint32_t)c.green << 16 | (uint32_t)c.blue << 8 | c.alpha;
 }
 
-static fill_color color_of(uint32_t key)
+static fill_color color_of(uint64_t key)
 {
     return (fill_color){(unsigned char)(key >> 24), (unsigned char)(key >> 16), (unsigned char)(key >> 8),
                         (unsigned char)key};
 }
 
-static bool is_opaque(uint32_t key)
+static bool is_opaque(uint64_t key)
 {
     return (key & 255) == 255;
 }
@@ -126,7 +126,7 @@ static int compare_points(page_point p, page_point q)
     return p.x != q.x ? (p.x < q.x ? -1 : 1) : (p.y > q.y) - (p.y < q.y);
 }
 
-static bool add_fill_side(side_list *to, page_point a, page_point b, uint32_t key)
+static bool add_fill_side(side_list *to, page_point a, page_point b, uint64_t key)
 {
     if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
         return false;
@@ -138,6 +138,7 @@ static bool take_region(void *context, const page_region *region)
 {
     fill_work *w = context;
     const fill_color color = fills_color(w->s->options, region->region);
+    const uint64_t key = key_of(color, strokes_are_grouped(w->s->options) ? region->region->solid : ROBERTS_NONE);
     bool enough = true;
     for (size_t r = 0; color.alpha > 0 && enough && r < region->ring_count; r++) {
         size_t first = region->ring_start[r], end = region->ring_start[r + 1];
@@ -146,14 +147,14 @@ static bool take_region(void *context, const page_region *region)
         for (size_t k = first; enough && k < end; k++) {
             page_point b = {page_round(region->point[k].x), page_round(region->point[k].y)};
             if (compare_points(a, b) != 0)
-                enough = add_fill_side(&w->side, a, b, key_of_color(color));
+                enough = add_fill_side(&w->side, a, b, key);
             a = b;
         }
     }
     return enough;
 }
 
-/* Sides between the same two points follow one another, by colour. */
+/* Sides between the same two points follow one another, by key. */
 static int compare_places(const void *pa, const void *pb)
 {
     const fill_side *s = pa, *t = pb;
@@ -392,8 +393,8 @@ static bool paint(fill_work *w, bool seam, fills *out)
         if (i == 0 || sides->item[i].key != sides->item[i - 1].key) {
             enough = array_reserve(&out->paint, &out->room, out->count + 1, sizeof *out->paint);
             if (enough)
-                out->paint[out->count++] =
-                    (fill_paint){color_of(sides->item[i].key), seam, out->lines.count, out->lines.count};
+                out->paint[out->count++] = (fill_paint){color_of(sides->item[i].key), seam, out->lines.count,
+                                                        out->lines.count, (uint32_t)(sides->item[i].key >> 32)};
         }
         if (enough && !sides->item[i].done)
             enough = seam ? draw_seam(w, i, out) : draw_ring(sides, i, &out->lines);

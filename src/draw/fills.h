@@ -19,11 +19,12 @@ typedef struct fill_paint {
     fill_color color;
     bool seam;         /* lines to be stroked, fills.seam_mm wide; otherwise rings to be filled */
     size_t first, end; /* of fills.lines */
+    uint32_t body;     /* ROBERTS_NONE unless lines are grouped */
 } fill_paint;
 
 typedef struct fills {
     polylines lines;   /* rings are closed and are filled by the nonzero rule */
-    fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by colour */
+    fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by body and colour */
     size_t count, room;
     double seam_mm;
 } fills;

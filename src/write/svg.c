@@ -242,7 +242,13 @@ static void write_color(output *out, const fill_color *color)
 static void write_path(const strokes *s, const fill_paint *paint, output *out)
 {
     const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5);
-    output_text(out, paint->seam ? "<path stroke=\"" : "<path fill=\"");
+    output_text(out, "<path");
+    if (paint->body != ROBERTS_NONE) {
+        output_text(out, " data-body=\"");
+        output_integer(out, paint->body);
+        output_text(out, "\"");
+    }
+    output_text(out, paint->seam ? " stroke=\"" : " fill=\"");
     write_color(out, &paint->color);
     output_text(out, " d=\"");
     for (size_t i = paint->first; i < paint->end; i++) {
@@ -326,9 +332,9 @@ static bool write_regions(const strokes *s, output *out)
 
 /* ---- the layer ---- */
 
-/* Writes a layer with a path for each colour, and below them, in a group, one for the seams of each colour. Where lines
- * are grouped, it has a path for each region instead of one for each colour, in groups of bodies, on sheets within
- * those of views. Nothing if nothing is filled. False: no memory. */
+/* Writes a layer with a path for each colour, and below them, in a group, one for the seams of each colour (where lines
+ * are grouped, of each body). Where lines are grouped, it has a path for each region instead of one for each colour, in
+ * groups of bodies, on sheets within those of views. Nothing if nothing is filled. False: no memory. */
 static bool write_fills(const strokes *s, output *out)
 {
     const fills *f = &s->fills;

@@ -292,7 +292,9 @@ static const struct {
     {"--regions copy.off models/table.off -o a.svg",
      "--regions: copy.off is a model; the regions would take its place"},
     {"--regions a.json models/table.off -f json -o a.json", "--regions: a.json is the file of the drawing, too"},
-    {"--labels faces,edges copy.off -o a.svg", "faces,edges: No such file or directory; for numbers: --label faces,edges"},
+    {"--labels faces.csv --part 1/2 copy.off -o a", "faces.csv: names of faces and bodies need the whole scene"},
+    {"--labels faces.csv --plan copy.off -o a", "faces.csv: names of faces and bodies need the whole scene"},
+    {"--labels faces.csv --join copy.off -o a.svg", "faces.csv: names of faces and bodies need the whole scene"},
     {"--labels names.csv --regions names.csv copy.off -o a.svg", "--regions: names.csv is the file of --labels; the "},
     {"--labels names.csv copy.off -f csv -o names.csv", "--output: names.csv is the file of --labels; the drawing "},
     {"models/table.off -f svg -o paint.mtl", "--output: paint.mtl is a model; the drawing would take its place"},
@@ -333,6 +335,7 @@ static void misuse_tells_what_was_meant(void **state)
     put_cube("copy-top.off", 0, 0, 6);
     put("paint.mtl", "newmtl red\n");
     put("names.csv", "vertex,0,A\n");
+    put("faces.csv", "vertex,0,A\nface,2,lid\n");
     int before = entries(".", false) + 2; /* and what the runs say */
     for (size_t i = 0; i < sizeof misuse_cases / sizeof misuse_cases[0]; i++) {
         print_message("roberts %s\n", misuse_cases[i].arguments);
@@ -366,6 +369,8 @@ static void what_is_no_model(void **state)
 {
     (void)state;
     put("a.svg", "<svg/>\n");
+    assert_int_equal(run("--labels faces,edges models/table.off -o b.svg"), 1);
+    assert_said("faces,edges: No such file or directory; for numbers: --label faces,edges\n");
     assert_int_equal(run("models/table.off a.svg"), 1);
     assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF, STL, OBJ and PLY can be read; to "
                 "draw into it, name it with -o\n");
@@ -477,6 +482,9 @@ static const struct {
     {"--style crease:color=red --style crease:off", "the pen of --style crease has no effect: these lines are off\n"},
     {"--style crease:off,width=1,on", ""},
     {"--style hidden:off,width=1 --hidden dashed", "the pen of --style hidden has no effect: these lines are off\n"},
+    {"--style hidden:off --hidden dashed", "--hidden has no effect: --style turns these lines off\n"},
+    {"--frame --style frame:off", "--frame has no effect: --style turns these lines off\n"},
+    {"--hatch on --style hatch:off", "--hatch has no effect: --style turns these lines off\n"},
     {"--frame --style frame:off,width=2", "the pen of --style frame has no effect: these lines are off\n"},
     {"--style symbol:dash=2,off --sheet first", "the pen of --style symbol has no effect: these lines are off\n"},
     {"--style text:width=1", "--style text has no effect: there is no text without --label, --labels, --title, "

@@ -150,6 +150,8 @@ static void reads_files_beside(void **state)
          "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";"},
         {"mtllib m.mtl\nusemtl my \x1b[31mpaint\nf 1 2 3\nusemtl b\nf 1 2 3\n", " | 0-1-2 0-1-2",
          "5: no colour for 2 uses of materials that the .mtl files lack, the first of \"my ? [31mpaint\";"},
+        {"mtllib bad.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)",
+         "3: colour ignored: Kd takes three numbers from 0 to 1;"},
         {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL},
         {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
         {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
@@ -161,6 +163,7 @@ static void reads_files_beside(void **state)
     char path[600];
     (void)state;
     put("m.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    put("bad.mtl", "newmtl red\nKd 0 1 0\nKd 1 0 x\nKd 2 0 0\nKd spectral a.rfl 1\n");
     put("my colours.mtl", "newmtl red\nKd 0 1 0\n");
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         char text[512];
