@@ -571,9 +571,9 @@ static void lists_by_threads(void **state)
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
     assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
     assert_true(fronts.front_count > 40000);
-    scan_frame frame = cells_for_lists(
-        &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space), false}, 150,
-        &depth);
+    scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high,
+                                                      hide_margin(&fronts.space), false},
+                                       150, &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
     assert_int_equal(objet_build(&alone, &fronts, frame, 1), ROBERTS_OK);
@@ -1005,7 +1005,8 @@ static void cells_by_threads(void **state)
     scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN, false}, 1);
     assert_true(one.nx > 100);
     for (int threads = 2; threads < 5; threads++) {
-        scan_frame f = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN, false}, threads);
+        scan_frame f =
+            cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN, false}, threads);
         assert_memory_equal(&f, &one, sizeof f);
     }
     free(box);
