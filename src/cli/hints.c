@@ -402,12 +402,24 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
+/* More faces than those of any solid that is drawn for its edges. */
+enum { ROUND_FACES = 500 };
+
 size_t hint_curved(const roberts_scene *scene)
 {
     size_t curved = 0;
     for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
         curved += roberts_scene_body_curved(scene, s);
     return curved;
+}
+
+bool hint_round(const roberts_scene *scene)
+{
+    const size_t bodies = roberts_scene_solid_count(scene);
+    for (uint32_t s = 0; s < bodies; s++)
+        if (roberts_scene_body_kind(scene, s) != ROBERTS_CONVEX)
+            return false;
+    return roberts_scene_face_count(scene) > ROUND_FACES * bodies;
 }
 
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)

@@ -57,6 +57,9 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
 /* How many bodies are curved? */
 size_t hint_curved(const roberts_scene *scene);
 
+/* Are all bodies convex, with so many faces that they probably stand for round ones? */
+bool hint_round(const roberts_scene *scene);
+
 /* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 

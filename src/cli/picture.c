@@ -114,20 +114,26 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
-/* Prints that flat edges of curved bodies are left out, unless --crease, --all-edges or --quiet is given. */
+/* Prints that flat edges of curved bodies are left out, or that those of convex bodies of many faces are not, unless
+ * --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
     if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
         return;
     const size_t curved = hint_curved(scene);
-    if (curved == 0)
+    const bool is_round = curved == 0 && hint_round(scene);
+    if (curved == 0 && !is_round)
         return;
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
-    fprintf(options->log,
-            "note: edges flatter than 30 degrees are left out of %zu curved bod%s; --crease 0.1 draws them\n", curved,
-            curved == 1 ? "y" : "ies");
+    if (is_round)
+        fputs("note: convex bodies keep their flat edges; --crease 30 leaves out those flatter than 30 degrees\n",
+              options->log);
+    else
+        fprintf(options->log,
+                "note: edges flatter than 30 degrees are left out of %zu curved bod%s; --crease 0.1 draws them\n",
+                curved, curved == 1 ? "y" : "ies");
     message_close(options->log);
 }
 

@@ -30,7 +30,7 @@ typedef struct page_line {
 
 struct free_space {
     double cell_mm;
-    space_box page;
+    space_box within; /* what text must not leave */
     uint32_t columns, rows;
     uint32_t *first_line, *first_box; /* [columns * rows] entries; NOTHING: none */
     entry *entry;
@@ -57,13 +57,13 @@ static cells cells_of(const free_space *r, const space_box *box)
         cell_along_page(box->max.x, r->cell_mm, r->columns), cell_along_page(box->max.y, r->cell_mm, r->rows)};
 }
 
-free_space *space_new(double width_mm, double height_mm, double cell_mm)
+free_space *space_new(double width_mm, double height_mm, double cell_mm, const space_box *within)
 {
     free_space *r = calloc(1, sizeof *r);
     if (!r)
         return NULL;
     r->cell_mm = fmax(cell_mm, fmax(width_mm, height_mm) / CELLS_MOST);
-    r->page = (space_box){{0.0, 0.0}, {width_mm, height_mm}};
+    r->within = *within;
     r->columns = (uint32_t)ceil(width_mm / r->cell_mm);
     r->rows = (uint32_t)ceil(height_mm / r->cell_mm);
     const size_t count = (size_t)r->columns * r->rows;
@@ -235,8 +235,8 @@ space_load space_load_of(const free_space *r, const space_box *box, uint32_t own
 {
     const cells in = cells_of(r, box);
     space_load load = {0.0, 0};
-    if (box->min.x < r->page.min.x || box->min.y < r->page.min.y || box->max.x > r->page.max.x ||
-        box->max.y > r->page.max.y)
+    if (box->min.x < r->within.min.x || box->min.y < r->within.min.y || box->max.x > r->within.max.x ||
+        box->max.y > r->within.max.y)
         return (space_load){INFINITY, 0};
     add_boxes(r, box, own, most_boxes, &load);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)

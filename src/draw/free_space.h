@@ -13,8 +13,8 @@ typedef struct space_box {
 
 typedef struct free_space free_space;
 
-/* An empty page of this size. NULL: no memory. */
-free_space *space_new(double width_mm, double height_mm, double cell_mm);
+/* An empty page of this size. within: what text must not leave. NULL: no memory. */
+free_space *space_new(double width_mm, double height_mm, double cell_mm, const space_box *within);
 void space_free(free_space *r);
 
 /* Each returns false where there is no memory. A box may be moved later, under the number that it got. */
@@ -27,7 +27,7 @@ void space_drop_box(free_space *r, uint32_t number);
 /* What lies in a box. */
 typedef struct space_load {
     double mm; /* lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free. Infinite: the
-                  box leaves the page */
+                  box leaves what is allowed */
     uint32_t boxes; /* other boxes that it overlaps by more than a line */
 } space_load;
 

@@ -508,7 +508,10 @@ static bool fill_room(const strokes *s, free_space *r)
 free_space *labels_room(const strokes *s)
 {
     const roberts_page *page = &s->options->page;
-    free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options));
+    space_box within = {s->frame_mm[0], s->frame_mm[1]};
+    if (s->options->placement.scale > 0.0) /* a drawing at a given scale may lie on the margins */
+        within = (space_box){{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &within);
     if (r && !fill_room(s, r)) {
         space_free(r);
         return NULL;
@@ -518,8 +521,9 @@ free_space *labels_room(const strokes *s)
 
 double labels_reach(const roberts_draw_options *options)
 {
-    const bool beside = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
-    return beside ? 2.0 * strokes_text_height(options) : 0.0;
+    const unsigned kinds = labelled_kinds(&options->lettering);
+    const double heights = kinds & ROBERTS_LABEL_EDGES ? 3.5 : kinds & ROBERTS_LABEL_VERTICES ? 2.0 : 0.0;
+    return heights * strokes_text_height(options);
 }
 
 bool labels_wanted(const strokes *s)

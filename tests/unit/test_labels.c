@@ -77,8 +77,7 @@ static size_t count_crossed(const strokes *s)
 
 static void check_apart(const strokes *s, const char *what)
 {
-    const roberts_page *page = &s->options->page;
-    const space_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    const space_box whole = {s->frame_mm[0], s->frame_mm[1]};
     for (size_t i = 0; i < s->notes.count; i++) {
         const space_box box = letters_box(notes_line(&s->notes, i));
         assert_true(box.min.x >= whole.min.x && box.min.y >= whole.min.y && box.max.x <= whole.max.x &&
@@ -340,7 +339,7 @@ static void what_lies_in_a_box(void **state)
 {
     const space_box asked = {{10, 10}, {40, 20}}, other = {{35, 5}, {60, 18}}, beside = {{40, 10}, {50, 20}},
                     over[] = {{{12, 12}, {30, 14}}, {{12, 13}, {30, 15}}};
-    free_space *r = space_new(100, 100, 7);
+    free_space *r = space_new(100, 100, 7, &(space_box){{0, 0}, {100, 100}});
     uint32_t own, number[4];
     space_load load;
     (void)state;
