@@ -11,9 +11,8 @@
 #include "base/threads.h"
 
 /* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
- * longer. The more lines there are for each box, the more smaller cells gain. */
-#define BOXES_PER_CELL 2.5
-#define BOXES_PER_CELL_OF_NET 1.3
+ * longer. */
+#define BOXES_PER_CELL 2.0
 /* The same where the axes are warped. */
 #define BOXES_PER_WARPED_CELL 1.0
 /* The axes are warped after a sample of at most WARP_MOST boxes. A sample of fewer than WARP_LEAST says too little. */
@@ -207,7 +206,7 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
         nx = ny = n;
         enlarge_cells(&s, count, 1.0, ASKED_PER_BOX * count + ASKED_FREE, &nx, &ny);
     } else if (count) {
-        double boxes = warped ? BOXES_PER_WARPED_CELL : b->net ? BOXES_PER_CELL_OF_NET : BOXES_PER_CELL;
+        double boxes = warped ? BOXES_PER_WARPED_CELL : BOXES_PER_CELL;
         divide_window(&s, count, boxes, CELLS_PER_BOX * count + 1.0, &nx, &ny);
         enlarge_cells(&s, count, 0.0, ENTRIES_PER_BOX * count + ENTRIES_FREE, &nx, &ny);
     }

@@ -12,13 +12,12 @@ typedef struct cells_boxes {
     uint32_t count;
     roberts_vec2 low, high; /* the window */
     double margin;          /* hide_margin() */
-    bool net;               /* the boxes are those of faces, and every edge of theirs is a line */
 } cells_boxes;
 
-/* Returns the cells for lists. They are two or three mean boxes wide (of a net, little more than one), but larger if
- * the lists would otherwise grow faster than the number of boxes. n: number of cells per side, fewer if their lists
- * would take several times the scene's memory; 0: choose. *depth: mean number of boxes over a point of the window.
- * Where the boxes crowd, the frame has warps; the caller frees them (objet_build() takes them). */
+/* Returns the cells for lists. They are about two mean boxes wide, but larger if the lists would otherwise grow faster
+ * than the number of boxes. n: number of cells per side, fewer if their lists would take several times the scene's
+ * memory; 0: choose. *depth: mean number of boxes over a point of the window. Where the boxes crowd, the frame has
+ * warps; the caller frees them (objet_build() takes them). */
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
 
 /* Returns the cells for covers, which are much smaller than a mean box. If few boxes lie over one another, covers do

@@ -562,8 +562,8 @@ static scan_frame cover_frame(const hide_fronts *fronts, int threads)
     const double margin = hide_margin(&fronts->space);
     if (whole)
         return cells_of_whole(whole, margin);
-    return cells_for_covers(
-        &(cells_boxes){fronts->box, fronts->scene->solid_count, fronts->low, fronts->high, margin, false}, threads);
+    return cells_for_covers(&(cells_boxes){fronts->box, fronts->scene->solid_count, fronts->low, fronts->high, margin},
+                            threads);
 }
 
 static bool begin_covers(hide_fronts *fronts, scan_frame frame, int threads)

@@ -82,12 +82,8 @@ static roberts_status list_fronts(hide_job *job)
 {
     hide_fronts *fronts = &job->fronts;
     double depth;
-    const cells_boxes boxes = {.box = fronts->front_box,
-                               .count = fronts->front_count,
-                               .low = fronts->low,
-                               .high = fronts->high,
-                               .margin = hide_margin(&fronts->space),
-                               .net = fronts->scene->surface && job->options->all_edges};
+    cells_boxes boxes = {fronts->front_box, fronts->front_count, fronts->low, fronts->high,
+                         hide_margin(&fronts->space)};
     scan_frame frame = cells_for_lists(&boxes, job->options->grid, &depth);
     if (!picture_order_init(&job->order, fronts, depth)) {
         free(frame.warps);

@@ -409,8 +409,7 @@ static bool count_cells(planner *pl, double margin)
         box[i] = (hide_box){at->low[0], at->high[0], at->low[1], at->high[1], 0.0f, 0.0f};
     }
     if (box) {
-        const scan_frame frame =
-            cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin, false}, 1);
+        const scan_frame frame = cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin}, 1);
         whole->columns = frame.nx;
         whole->rows = frame.ny;
         whole->warped = frame.warps != NULL;

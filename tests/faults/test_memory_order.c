@@ -59,8 +59,7 @@ static bool is_worth(const roberts_scene *scene)
     double depth;
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
     assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.threads = 1}));
-    cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0.0, false}, 0,
-                    &depth);
+    cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0.0}, 0, &depth);
     assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;
     for (uint32_t i = 0; worth && i < COUNT; i++)

@@ -24,7 +24,7 @@ static hide_chunk segments_of(const roberts_scene *scene, const roberts_camera *
         job.seen.further = (seen_further){line, first};
     assert_true(hide_fronts_build(&job.fronts, &job.seen, &options));
     scan_frame frame = cells_for_lists(&(cells_boxes){job.fronts.front_box, job.fronts.front_count, job.fronts.low,
-                                                      job.fronts.high, hide_margin(&job.fronts.space), false},
+                                                      job.fronts.high, hide_margin(&job.fronts.space)},
                                        0, &depth);
     assert_int_equal(objet_build(&job.grid, &job.fronts, frame, 1), ROBERTS_OK);
     assert_true(hide_worker_init(&w, &job.fronts, &job.grid, all, all));

@@ -541,7 +541,7 @@ static void lists_are_complete_and_in_order(void **state)
                 hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
             assert_int_equal(fronts.culled_count, 0);
             scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low,
-                                                              fronts.high, hide_margin(&fronts.space), false},
+                                                              fronts.high, hide_margin(&fronts.space)},
                                                sides[i], &depth);
             assert_int_equal(objet_build(&grid, &fronts, frame, 1), ROBERTS_OK);
             expect_lists(&grid, &fronts);
@@ -571,9 +571,9 @@ static void lists_by_threads(void **state)
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
     assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
     assert_true(fronts.front_count > 40000);
-    scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high,
-                                                      hide_margin(&fronts.space), false},
-                                       150, &depth);
+    scan_frame frame = cells_for_lists(
+        &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space)}, 150,
+        &depth);
     size_t cells = scan_cells(&frame);
     assert_true(cells > 8192);
     assert_int_equal(objet_build(&alone, &fronts, frame, 1), ROBERTS_OK);
@@ -905,8 +905,8 @@ static void cells_by_table(void **state)
     assert_non_null(box);
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
-        scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN, false}, 0, &depth);
-        scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN, false}, 1);
+        scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 0, &depth);
+        scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         free(f.warps);
         free(c.warps);
@@ -947,7 +947,7 @@ static void cells_where_boxes_crowd(void **state)
     (void)state;
     assert_non_null(box);
     make_boxes(box, 0, 1e-4, 1e-4, &r);
-    cells_boxes boxes = {box, BOXES, window_low, window_high, MARGIN, false};
+    cells_boxes boxes = {box, BOXES, window_low, window_high, MARGIN};
     scan_frame f = cells_for_lists(&boxes, 0, &depth);
     assert_null(f.warps);
     crowd_boxes(box);
@@ -978,18 +978,18 @@ static void cells_given_or_few(void **state)
     roberts_vec2 upright = {window_low.x, window_high.y};
     double depth;
     (void)state;
-    scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN, false}, 17, &depth);
+    scan_frame f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 17, &depth);
     assert_true(f.nx == 17 && f.ny == 17);
-    f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN, false}, ROBERTS_GRID_MOST, &depth);
+    f = cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, ROBERTS_GRID_MOST, &depth);
     assert_true(scan_cells(&f) > 20000 && scan_cells(&f) < 70000); /* not 4096 * 4096, for two boxes */
-    f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN, false}, 0, &depth);
+    f = cells_for_lists(&(cells_boxes){box, 0, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(f.nx == 1 && f.ny == 1);
-    f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN, false}, 0, &depth); /* no width */
+    f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 0, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN, false}, 1);
+    f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 1);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
-    cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN, false}, 0, &depth);
+    cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 0, &depth);
     assert_true(fabs(depth - (8.0 * 4.0 + 1.0 * 1.0) / area) < 1e-12);
 }
 
@@ -1002,11 +1002,10 @@ static void cells_by_threads(void **state)
     assert_non_null(box);
     for (int i = 0; i < 4; i++)
         make_boxes(box + i * BOXES, 20, 0.03, 0.05, &r);
-    scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN, false}, 1);
+    scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, 1);
     assert_true(one.nx > 100);
     for (int threads = 2; threads < 5; threads++) {
-        scan_frame f =
-            cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN, false}, threads);
+        scan_frame f = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, threads);
         assert_memory_equal(&f, &one, sizeof f);
     }
     free(box);
