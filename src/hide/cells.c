@@ -13,8 +13,8 @@
 /* Width of a list's cell in mean boxes. With smaller cells an edge crosses more of them; with larger ones lists are
  * longer. */
 #define BOXES_PER_CELL 2.0
-/* The same where the axes are warped. */
-#define BOXES_PER_WARPED_CELL 1.0
+/* The same where the axes are warped. 2 is a little better, but slower by half for hidden lines seen along a street. */
+#define BOXES_PER_WARPED_CELL 1.4
 /* The axes are warped after a sample of at most WARP_MOST boxes. A sample of fewer than WARP_LEAST says too little. */
 #define WARP_MOST 512
 #define WARP_LEAST 256
