@@ -404,6 +404,121 @@ static bool paint(fill_work *w, bool seam, fills *out)
     return enough;
 }
 
+/* ---- plates ---------------------------------------------------------------------------------------------------- */
+
+/* Letters can be read if their brightness and that of what lies below them differ by this, from black 0 to white 1. */
+static const double least_contrast = 0.35;
+/* How far a plate reaches beyond its letters, in their heights. */
+static const double plate_rim = 0.25;
+
+typedef struct plate {
+    roberts_vec2 corner[4]; /* counter-clockwise on the paper from where the text begins; units of the page */
+    bool is_back, is_wanted;
+} plate;
+
+typedef struct plate_work {
+    const strokes *s;
+    plate *item; /* [count] of the page's notes */
+    size_t count;
+} plate_work;
+
+static plate plate_of(const strokes *s, size_t i)
+{
+    const text_line line = notes_line(&s->notes, i);
+    const roberts_vec2 along = line.along, up = text_upward(along);
+    const double width = letters_width(line.text, line.height_mm), rim = plate_rim * line.height_mm;
+    const double x[2] = {-line.align * width - rim, (1.0 - line.align) * width + rim};
+    const double y[2] = {-rim, line.height_mm + rim};
+    plate p = {.is_back = s->notes.item[i].is_back};
+    for (int k = 0; k < 4; k++) {
+        const double right = x[k == 1 || k == 2], high = y[k >= 2];
+        p.corner[k] = (roberts_vec2){s->units_per_mm * (line.at.x + right * along.x + high * up.x),
+                                     s->units_per_mm * (line.at.y + right * along.y + high * up.y)};
+    }
+    return p;
+}
+
+static double brightness_of(unsigned char red, unsigned char green, unsigned char blue)
+{
+    return (0.299 * red + 0.587 * green + 0.114 * blue) / 255.0;
+}
+
+/* Would letters of this pen be hard to read on a fill, and easier on the paper? */
+static bool is_hard_to_read(const roberts_draw_options *options, const roberts_pen *pen, fill_color fill)
+{
+    const fill_color on = fills_on_paper(options, fill), paper = fills_on_paper(options, (fill_color){0, 0, 0, 0});
+    const double text = brightness_of(pen->red, pen->green, pen->blue);
+    const double contrast = fabs(text - brightness_of(on.red, on.green, on.blue));
+    return contrast < least_contrast && fabs(text - brightness_of(paper.red, paper.green, paper.blue)) > contrast;
+}
+
+/* Is a point of the page within a region? By the parity of crossings. */
+static bool region_holds(const page_region *region, roberts_vec2 at)
+{
+    bool inside = false;
+    for (size_t r = 0; r < region->ring_count; r++) {
+        roberts_vec2 p = region->point[region->ring_start[r + 1] - 1];
+        for (size_t k = region->ring_start[r]; k < region->ring_start[r + 1]; k++) {
+            const roberts_vec2 q = region->point[k];
+            if ((p.y <= at.y) != (q.y <= at.y) && at.x < p.x + (at.y - p.y) / (q.y - p.y) * (q.x - p.x))
+                inside = !inside;
+            p = q;
+        }
+    }
+    return inside;
+}
+
+/* Finds letters that are hard to read on a region. */
+static bool ask_region(void *context, const page_region *region)
+{
+    const plate_work *w = context;
+    const roberts_draw_options *options = w->s->options;
+    const fill_color color = fills_color(options, region->region);
+    roberts_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (size_t k = 0, end = region->ring_count ? region->ring_start[region->ring_count] : 0; k < end; k++) {
+        low = (roberts_vec2){fmin(low.x, region->point[k].x), fmin(low.y, region->point[k].y)};
+        high = (roberts_vec2){fmax(high.x, region->point[k].x), fmax(high.y, region->point[k].y)};
+    }
+    for (plate *p = w->item; color.alpha > 0 && p < w->item + w->count; p++) {
+        const roberts_vec2 at = {0.5 * (p->corner[0].x + p->corner[2].x), 0.5 * (p->corner[0].y + p->corner[2].y)};
+        if (!p->is_wanted && at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y)
+            p->is_wanted =
+                is_hard_to_read(options, strokes_pen(options, p->is_back ? LINE_HIDDEN_TEXT : LINE_TEXT), color) &&
+                region_holds(region, at);
+    }
+    return true;
+}
+
+static bool draw_plate(const plate *p, polylines *out)
+{
+    bool enough = polylines_start(out);
+    for (int i = 0; enough && i < 4; i++)
+        enough = add_point(out, (page_point){page_round(p->corner[i].x), page_round(p->corner[i].y)});
+    if (enough)
+        close_ring(out);
+    return enough;
+}
+
+/* Appends plates below letters that are hard to read. False: no memory. */
+static bool add_plates(const strokes *s, fills *out)
+{
+    plate_work w = {.s = s, .item = alloc_array(s->notes.count, sizeof *w.item), .count = s->notes.count};
+    const size_t first = out->lines.count;
+    for (size_t i = 0; w.item && i < w.count; i++)
+        w.item[i] = plate_of(s, i);
+    bool enough = w.item && page_regions_walk(s, ask_region, &w);
+    for (size_t i = 0; enough && i < w.count; i++)
+        enough = !w.item[i].is_wanted || draw_plate(&w.item[i], &out->lines);
+    free(w.item);
+    if (!enough || out->lines.count == first)
+        return enough;
+    if (!array_reserve(&out->paint, &out->room, out->count + 1, sizeof *out->paint))
+        return false;
+    out->paint[out->count++] = (fill_paint){fills_on_paper(s->options, (fill_color){0, 0, 0, 0}), false, first,
+                                            out->lines.count, ROBERTS_NONE};
+    return true;
+}
+
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
 static double seam_width(const roberts_draw_options *options)
@@ -419,6 +534,8 @@ bool fills_make(const strokes *s, fills *out)
         return true;
     bool enough =
         page_regions_walk(s, take_region, &w) && join_regions(&w) && paint(&w, true, out) && paint(&w, false, out);
+    out->plates = out->count;
+    enough = enough && (s->notes.count == 0 || out->count == 0 || add_plates(s, out));
     free(w.side.item);
     free(w.seam.item);
     free(w.rim);

@@ -2,7 +2,9 @@
  *
  * A viewer that smooths the borders of two areas side by side lets the paper shine through between them: a hairline.
  * So seams lie below all areas: lines along their common borders, in the colour of one of the two. Where each region is
- * painted by itself, they lie below the borders of all. */
+ * painted by itself, they lie below the borders of all.
+ *
+ * Plates in the colour of the paper lie above the areas, below letters that could not be read there. */
 #ifndef ROBERTS_DRAW_FILLS_H
 #define ROBERTS_DRAW_FILLS_H
 
@@ -24,8 +26,9 @@ typedef struct fill_paint {
 
 typedef struct fills {
     polylines lines;   /* rings are closed and are filled by the nonzero rule */
-    fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by body and colour */
+    fill_paint *paint; /* [count] in the order of painting: seams, then areas, each by body and colour; then plates */
     size_t count, room;
+    size_t plates; /* where the plates begin */
     double seam_mm;
 } fills;
 

@@ -354,7 +354,7 @@ static bool write_fills(const strokes *s, output *out)
         output_mm(out, f->seam_mm);
         output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n");
     }
-    for (size_t i = 0; i < f->count; i++) {
+    for (size_t i = 0; i < f->plates; i++) {
         if (i > 0 && f->paint[i - 1].seam && !f->paint[i].seam)
             output_text(out, "</g>\n");
         if (f->paint[i].seam || !grouped)
@@ -362,6 +362,8 @@ static bool write_fills(const strokes *s, output *out)
     }
     if (grouped)
         done = write_regions(s, out);
+    for (size_t i = f->plates; i < f->count; i++)
+        write_path(s, &f->paint[i], out);
     output_text(out, "</g>\n");
     return done;
 }

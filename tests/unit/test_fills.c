@@ -213,6 +213,35 @@ static void test_elements(void **state)
     }
 }
 
+/* Where letters could not be read on a fill, plates lie below them. */
+static void test_plates(void **state)
+{
+    static const struct {
+        unsigned char fill, text;
+        bool plates;
+    } cases[] = {{20, 0, true}, {85, 0, true}, {95, 0, false}, {250, 0, false}, {20, 255, false}, {250, 240, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
+        row r;
+        options.fill = ROBERTS_FILL_COLOR;
+        options.lettering.labels = ROBERTS_LABEL_FACES;
+        options.text.red = options.text.green = options.text.blue = cases[i].text;
+        options.fill_color[0] = options.fill_color[1] = options.fill_color[2] = cases[i].fill;
+        draw_row("1.0", &options, &r);
+        const fills *f = &r.s.fills;
+        const fill_paint *last = &f->paint[f->count - 1];
+        assert_true(r.s.notes.count >= 3);
+        assert_int_equal(f->count - f->plates, cases[i].plates);
+        if (cases[i].plates) {
+            assert_int_equal(last->end - last->first, r.s.notes.count);
+            assert_true(last->color.red == 255 && last->color.alpha == 255 && !last->seam);
+            assert_int_equal(f->lines.item[last->first].count, 4);
+        }
+        free_row(&r);
+    }
+}
+
 /* Joined squares are one ring of four corners. */
 static void test_ring(void **state)
 {
@@ -369,9 +398,9 @@ static void test_models(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_row),           cmocka_unit_test(test_elements),
-                                       cmocka_unit_test(test_ring),          cmocka_unit_test(test_colors),
-                                       cmocka_unit_test(test_corner_colors), cmocka_unit_test(test_normals),
-                                       cmocka_unit_test(test_models)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_row),     cmocka_unit_test(test_elements),
+                                       cmocka_unit_test(test_plates),  cmocka_unit_test(test_ring),
+                                       cmocka_unit_test(test_colors),  cmocka_unit_test(test_corner_colors),
+                                       cmocka_unit_test(test_normals), cmocka_unit_test(test_models)};
     return cmocka_run_group_tests_name("fills", tests, NULL, NULL);
 }
