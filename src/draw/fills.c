@@ -443,13 +443,16 @@ static double brightness_of(unsigned char red, unsigned char green, unsigned cha
     return (0.299 * red + 0.587 * green + 0.114 * blue) / 255.0;
 }
 
-/* Would letters of this pen be hard to read on a fill, and easier on the paper? */
-static bool is_hard_to_read(const roberts_draw_options *options, const roberts_pen *pen, fill_color fill)
+static bool can_read(const roberts_pen *pen, fill_color on)
 {
-    const fill_color on = fills_on_paper(options, fill), paper = fills_on_paper(options, (fill_color){0, 0, 0, 0});
     const double text = brightness_of(pen->red, pen->green, pen->blue);
-    const double contrast = fabs(text - brightness_of(on.red, on.green, on.blue));
-    return contrast < least_contrast && fabs(text - brightness_of(paper.red, paper.green, paper.blue)) > contrast;
+    return fabs(text - brightness_of(on.red, on.green, on.blue)) >= least_contrast;
+}
+
+/* Are letters of this pen hard to read on a fill, but not on the paper? */
+static bool need_plate(const roberts_draw_options *options, const roberts_pen *pen, fill_color fill)
+{
+    return !can_read(pen, fills_on_paper(options, fill)) && can_read(pen, fills_on_paper(options, clear));
 }
 
 /* Is a point of the page within a region? By the parity of crossings. */
@@ -468,7 +471,7 @@ static bool region_holds(const page_region *region, roberts_vec2 at)
     return inside;
 }
 
-/* Finds letters that are hard to read on a region. */
+/* Finds letters that need a plate on a region. */
 static bool ask_region(void *context, const page_region *region)
 {
     const plate_work *w = context;
@@ -483,7 +486,7 @@ static bool ask_region(void *context, const page_region *region)
         const roberts_vec2 at = {0.5 * (p->corner[0].x + p->corner[2].x), 0.5 * (p->corner[0].y + p->corner[2].y)};
         if (!p->is_wanted && at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y)
             p->is_wanted =
-                is_hard_to_read(options, strokes_pen(options, p->is_back ? LINE_HIDDEN_TEXT : LINE_TEXT), color) &&
+                need_plate(options, strokes_pen(options, p->is_back ? LINE_HIDDEN_TEXT : LINE_TEXT), color) &&
                 region_holds(region, at);
     }
     return true;
@@ -499,7 +502,7 @@ static bool draw_plate(const plate *p, polylines *out)
     return enough;
 }
 
-/* Appends plates below letters that are hard to read. False: no memory. */
+/* Appends the plates. False: no memory. */
 static bool add_plates(const strokes *s, fills *out)
 {
     plate_work w = {.s = s, .item = alloc_array(s->notes.count, sizeof *w.item), .count = s->notes.count};
@@ -514,8 +517,8 @@ static bool add_plates(const strokes *s, fills *out)
         return enough;
     if (!array_reserve(&out->paint, &out->room, out->count + 1, sizeof *out->paint))
         return false;
-    out->paint[out->count++] = (fill_paint){fills_on_paper(s->options, (fill_color){0, 0, 0, 0}), false, first,
-                                            out->lines.count, ROBERTS_NONE};
+    out->paint[out->count++] =
+        (fill_paint){fills_on_paper(s->options, clear), false, first, out->lines.count, ROBERTS_NONE};
     return true;
 }
 
