@@ -452,7 +452,7 @@ static bool can_read(const roberts_pen *pen, fill_color on)
 /* Are letters of this pen hard to read on a fill, but not on the paper? */
 static bool need_plate(const roberts_draw_options *options, const roberts_pen *pen, fill_color fill)
 {
-    return !can_read(pen, fills_on_paper(options, fill)) && can_read(pen, fills_on_paper(options, clear));
+    return !pen->off && !can_read(pen, fills_on_paper(options, fill)) && can_read(pen, fills_on_paper(options, clear));
 }
 
 /* Is a point of the page within a region? By the parity of crossings. */
@@ -477,17 +477,20 @@ static bool ask_region(void *context, const page_region *region)
     const plate_work *w = context;
     const roberts_draw_options *options = w->s->options;
     const fill_color color = fills_color(options, region->region);
+    const bool needed[2] = {need_plate(options, &options->text, color),
+                            need_plate(options, &options->hidden_text, color)};
+    const size_t end = region->ring_count ? region->ring_start[region->ring_count] : 0;
+    if (color.alpha == 0 || !(needed[0] || needed[1]))
+        return true;
     roberts_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
-    for (size_t k = 0, end = region->ring_count ? region->ring_start[region->ring_count] : 0; k < end; k++) {
-        low = (roberts_vec2){fmin(low.x, region->point[k].x), fmin(low.y, region->point[k].y)};
-        high = (roberts_vec2){fmax(high.x, region->point[k].x), fmax(high.y, region->point[k].y)};
+    for (const roberts_vec2 *p = region->point; p < region->point + end; p++) {
+        low = (roberts_vec2){fmin(low.x, p->x), fmin(low.y, p->y)};
+        high = (roberts_vec2){fmax(high.x, p->x), fmax(high.y, p->y)};
     }
-    for (plate *p = w->item; color.alpha > 0 && p < w->item + w->count; p++) {
+    for (plate *p = w->item; p < w->item + w->count; p++) {
         const roberts_vec2 at = {0.5 * (p->corner[0].x + p->corner[2].x), 0.5 * (p->corner[0].y + p->corner[2].y)};
-        if (!p->is_wanted && at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y)
-            p->is_wanted =
-                need_plate(options, strokes_pen(options, p->is_back ? LINE_HIDDEN_TEXT : LINE_TEXT), color) &&
-                region_holds(region, at);
+        if (at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y && needed[p->is_back])
+            p->is_wanted = p->is_wanted || region_holds(region, at);
     }
     return true;
 }
