@@ -591,8 +591,11 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, run
     for (uint32_t i = 0; i < options->turntable && status == EXIT_DONE; i++) {
         cli_options one = *options;
         one.camera = turned(options, *scene, i);
-        parse_numbered(options->output, i, name, sizeof name);
-        one.output = one.label = name;
+        one.label = name;
+        if (parse_numbered(options->output, i, name, sizeof name))
+            one.output = name;
+        else /* the format null writes no file */
+            snprintf(name, sizeof name, "picture %u", (unsigned)i);
         run.begin = report_now();
         status = draw(&one, scene, i + 1 == options->turntable, &window, run, result);
         progress_count(i + 1, options->turntable);

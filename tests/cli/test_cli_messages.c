@@ -369,6 +369,9 @@ static void what_is_no_model(void **state)
 {
     (void)state;
     put("a.svg", "<svg/>\n");
+    assert_int_equal(run("--turntable 2 -f null --stats models/table.off"), 0);
+    assert_said("roberts: picture 0: statistics\n");
+    assert_said("roberts: picture 1: statistics\n");
     assert_int_equal(run("--labels faces,edges models/table.off -o b.svg"), 1);
     assert_said("faces,edges: No such file or directory; for numbers: --label faces,edges\n");
     assert_int_equal(run("models/table.off a.svg"), 1);
