@@ -402,7 +402,7 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
-/* More faces than those of any solid that is drawn for its edges. */
+/* A curved body has more faces than this (see roberts_scene_body_curved()). */
 enum { ROUND_FACES = 500 };
 
 size_t hint_curved(const roberts_scene *scene)

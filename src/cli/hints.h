@@ -18,7 +18,7 @@ int hint_unknown(const char *what, const char *word, const char *const *words, c
 
 /* ---- files and models ---- */
 
-/* Adds to a message that the file of --labels cannot be read, if its name is a word for --label. */
+/* The file of --labels could not be read. If its name is a word for --label, the message suggests that option. */
 void hint_label(const char *name, roberts_error *error);
 
 /* The input called `name` could not be read. If it is a folder or a drawing, the message says so, or suggests another
@@ -57,7 +57,7 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
 /* How many bodies are curved? */
 size_t hint_curved(const roberts_scene *scene);
 
-/* Are all bodies convex, with so many faces that they probably stand for round ones? */
+/* Are all bodies convex, and have they so many faces, on average, that they probably stand for round ones? */
 bool hint_round(const roberts_scene *scene);
 
 /* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */

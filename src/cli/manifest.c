@@ -152,7 +152,7 @@ roberts_status manifest_add(const manifest *m, const manifest_row *row, roberts_
 
 /* How many bytes of a row identify its file. In the strings before it each quote has a backslash, so `command` is found
  * only at its place. */
-static size_t manifest_key(const char *row)
+static size_t key_length(const char *row)
 {
     const char *end = strstr(row, command);
     return end ? (size_t)(end - row) : 0;
@@ -162,7 +162,7 @@ bool manifest_ask(manifest_query *query, const manifest_row *row)
 {
     query->drawn = false;
     query->begins = write_row(row, false);
-    query->key = query->begins ? manifest_key(query->begins) : 0;
+    query->key = query->begins ? key_length(query->begins) : 0;
     return query->begins != NULL;
 }
 
@@ -181,7 +181,7 @@ static int by_key(const void *a, const void *b)
 /* Later rows override earlier ones. */
 static void take_row(const char *row, manifest_query *query, size_t count)
 {
-    const size_t key = manifest_key(row);
+    const size_t key = key_length(row);
     size_t low = 0, high = count;
     while (low < high) { /* the first query that is not less */
         const size_t middle = low + (high - low) / 2;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
+#include "cli/hints.h"
 #include "cli/lists.h"
 #include "cli/message.h"
 #include "cli/signals.h"
@@ -24,6 +25,8 @@ static roberts_status check_names(const char *path, roberts_error *error)
     roberts_status status = names_read(&names, path, error);
     if (status == ROBERTS_OK)
         status = names_check_part(&names, path, error);
+    else
+        hint_label(path, error);
     names_free(&names);
     return status;
 }

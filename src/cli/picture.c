@@ -114,8 +114,8 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
-/* Prints that flat edges of curved bodies are left out, or that those of convex bodies of many faces are not, unless
- * --crease, --all-edges or --quiet is given. */
+/* Prints that edges flatter than 30 degrees are left out of curved bodies, or that those of convex bodies of many faces
+ * are drawn, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
     char name[NAME_SIZE];
@@ -128,8 +128,9 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
     message_open(options->log);
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
     if (is_round)
-        fputs("note: convex bodies keep their flat edges; --crease 30 leaves out those flatter than 30 degrees\n",
-              options->log);
+        fputs(
+            "note: edges flatter than 30 degrees are drawn, since the bodies are convex; --crease 30 leaves them out\n",
+            options->log);
     else
         fprintf(options->log,
                 "note: edges flatter than 30 degrees are left out of %zu curved bod%s; --crease 0.1 draws them\n",
@@ -628,7 +629,7 @@ int picture_make(const cli_options *given, picture_result *result)
         names_free(&labels);
         return fail(options, &error, result);
     }
-    if (own.names && labels.count == 0)
+    if (own.names && labels.count == 0 && !own.batch) /* a batch would say so for each file */
         warn_of_file(options, own.names, "there are no names in it");
     own.draw.lettering.name = labels.item;
     own.draw.lettering.name_count = labels.count;

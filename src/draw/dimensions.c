@@ -356,7 +356,7 @@ static bool add_to_page(strokes *s, free_space *r, const dimension *d)
 
 /* ---- all of them ---- */
 
-static void tell_distance(const strokes *s, const roberts_distance *of, const char *why)
+static void warn_left_out(const strokes *s, const roberts_distance *of, const char *why)
 {
     const roberts_warnings *to = &s->options->lettering.warnings;
     char text[200];
@@ -384,13 +384,13 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
     if (status != ROBERTS_OK)
         return status;
     if (!seen.view) {
-        tell_distance(s, of, "no view shows it in true length");
+        warn_left_out(s, of, "no view shows it in true length");
         return ROBERTS_OK;
     }
     dimension_text(length, s->options->lettering.unit, text, sizeof text);
     dimension best = {.text = text};
     if (!find_place(s, r, &seen, &best)) {
-        tell_distance(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
+        warn_left_out(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
         return ROBERTS_OK;
     }
     return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);

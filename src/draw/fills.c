@@ -86,7 +86,7 @@ fill_color fills_on_paper(const roberts_draw_options *options, fill_color color)
 
 /* ---- sides ----------------------------------------------------------------------------------------------------- */
 
-/* A side of an area of one colour, or one direction of a seam. */
+/* A side of an area of one key, or one direction of a seam. */
 typedef struct fill_side {
     page_point a, b;
     uint64_t key; /* its colour, and above it the body, where lines are grouped */
@@ -251,7 +251,7 @@ static int compare_starts(const void *pa, const void *pb)
     return order != 0 ? order : compare_points(s->b, t->b);
 }
 
-/* The first side of a colour that begins at a point or behind it. */
+/* The first side of a key that begins at a point or behind it. */
 static size_t first_from(const side_list *sides, const fill_side *key)
 {
     size_t low = 0, high = sides->count;
@@ -382,7 +382,7 @@ static bool draw_seam(fill_work *w, size_t first, fills *out)
     return true;
 }
 
-/* Appends all lines of the sides, colour by colour. False: no memory. */
+/* Appends all lines of the sides, key by key. False: no memory. */
 static bool paint(fill_work *w, bool seam, fills *out)
 {
     side_list *sides = seam ? &w->seam : &w->side;

@@ -21,7 +21,7 @@ typedef struct fill_paint {
     fill_color color;
     bool seam;         /* lines to be stroked, fills.seam_mm wide; otherwise rings to be filled */
     size_t first, end; /* of fills.lines */
-    uint32_t body;     /* ROBERTS_NONE unless lines are grouped */
+    uint32_t body;     /* of the area; ROBERTS_NONE unless lines are grouped */
 } fill_paint;
 
 typedef struct fills {

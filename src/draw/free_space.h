@@ -27,7 +27,7 @@ void space_drop_box(free_space *r, uint32_t number);
 /* What lies in a box. */
 typedef struct space_load {
     double mm; /* lengths of lines, and the shorter sides of overlaps with other boxes. 0: it is free. Infinite: the
-                  box leaves what is allowed */
+                  box leaves `within` */
     uint32_t boxes; /* other boxes that it overlaps by more than a line */
 } space_load;
 

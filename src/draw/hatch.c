@@ -125,7 +125,7 @@ static bool is_drawn(double line, double part)
 
 /* Adds the crossings of a side. The result is the same for both directions of the side. False: no memory, or too many.
  */
-static bool cross_hatch_side(hatch_work *w, const hatch_lines *lines, hatch_corner a, hatch_corner b)
+static bool add_side_crossings(hatch_work *w, const hatch_lines *lines, hatch_corner a, hatch_corner b)
 {
     if (a.across > b.across || (a.across == b.across && a.along > b.along)) {
         const hatch_corner swap = a;
@@ -195,7 +195,7 @@ static bool draw_lines(hatch_work *w, const page_region *on, const hatch_lines *
         hatch_corner before = hatch_corner_at(lines, on->point[end - 1]);
         for (size_t k = first; k < end; k++) {
             const hatch_corner own = hatch_corner_at(lines, on->point[k]);
-            if (!cross_hatch_side(w, lines, before, own))
+            if (!add_side_crossings(w, lines, before, own))
                 return false;
             before = own;
         }

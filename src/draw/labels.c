@@ -326,7 +326,8 @@ static space_box box_of(const label *l, roberts_vec2 middle)
     return (space_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
 }
 
-/* The cost of what lies in a box. Infinite: the box leaves the page, or lies on too many labels. A cost of at least
+/* The cost of what lies in a box. Infinite: the box leaves what labels must stay within, or lies on too many
+ * labels. A cost of at least
  * `enough` may be too low. */
 static double cost_of_what_lies_there(const free_space *r, const space_box *box, uint32_t own, double enough)
 {
@@ -472,7 +473,7 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
     return count;
 }
 
-static bool block_strokes(const strokes *s, free_space *r, size_t first, size_t end)
+static bool add_strokes_to_room(const strokes *s, free_space *r, size_t first, size_t end)
 {
     for (size_t i = first; i < end; i++)
         if (!space_add_polyline(r, &s->lines, i, s->units_per_mm))
@@ -484,9 +485,9 @@ static bool block_strokes(const strokes *s, free_space *r, size_t first, size_t 
 static bool add_all_strokes(const strokes *s, free_space *r)
 {
     if (!strokes_are_grouped(s->options))
-        return block_strokes(s, r, s->start[1], s->lines.count);
+        return add_strokes_to_room(s, r, s->start[1], s->lines.count);
     for (size_t g = 0; g < s->group_count; g++)
-        if (s->group[g].line != LINE_HATCH && !block_strokes(s, r, s->group[g].first, s->group[g].end))
+        if (s->group[g].line != LINE_HATCH && !add_strokes_to_room(s, r, s->group[g].first, s->group[g].end))
             return false;
     return true;
 }

@@ -108,20 +108,25 @@ static double fit_symbol(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
-/* This page turned, or the smallest of A4 to A0, upright or on its side as this page is, that is as large as this. */
+/* What would do in place of `page`: the page turned, or the smallest of A4 to A0, lying as `page` does, that has this
+ * width and height. */
 static const char *page_that_would_do(const roberts_page *page, double width_mm, double height_mm)
 {
     static const struct {
-        const char *name;
+        const char *name[2]; /* upright; on its side */
         double narrow, wide;
-    } sizes[] = {{"a4", 210, 297}, {"a3", 297, 420}, {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+    } sizes[] = {{{"a4", "a4 --landscape"}, 210, 297},
+                 {{"a3", "a3 --landscape"}, 297, 420},
+                 {{"a2", "a2 --landscape"}, 420, 594},
+                 {{"a1", "a1 --landscape"}, 594, 841},
+                 {{"a0", "a0 --landscape"}, 841, 1189}};
     const bool is_wide = page->width_mm > page->height_mm;
     if (page->height_mm >= width_mm && page->width_mm >= height_mm)
-        return is_wide ? "the page upright" : "--landscape";
+        return is_wide ? "the same page upright" : "--landscape";
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         if ((is_wide ? sizes[i].wide : sizes[i].narrow) >= width_mm &&
             (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm)
-            return sizes[i].name;
+            return sizes[i].name[is_wide];
     return "a larger page";
 }
 

@@ -91,7 +91,7 @@ static double depth_over(roberts_vec2 low, roberts_vec2 high, const hide_face *f
     return least;
 }
 
-static inline void enter_cover(float *cell, uint32_t *cell_by, float bound, uint32_t by)
+static inline void raise_cell(float *cell, uint32_t *cell_by, float bound, uint32_t by)
 {
     if (bound > *cell) {
         *cell = bound;
@@ -102,7 +102,7 @@ static inline void enter_cover(float *cell, uint32_t *cell_by, float bound, uint
 static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, float bound, uint32_t by)
 {
     for (uint32_t k = 0; k < count; k++)
-        enter_cover(&cell[k], &cell_by[k], bound, by);
+        raise_cell(&cell[k], &cell_by[k], bound, by);
 }
 
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front)
@@ -130,7 +130,7 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
         for (uint32_t j = first; front->face_count && j <= last; j++) {
             high.y = scan_lower(f, j + 1.0);
             double own = greater(front->depth, depth_over(low, high, front->face, front->face_count));
-            enter_cover(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
+            raise_cell(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
             low.y = high.y;
         }
     }

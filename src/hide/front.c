@@ -339,7 +339,7 @@ static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *fron
 }
 
 /* Rounds as hide_box_around() does. */
-BITS_INLINE hide_box box_of_front_face(const hide_fronts *fronts, uint32_t face)
+BITS_INLINE hide_box box_of_face_inline(const hide_fronts *fronts, uint32_t face)
 {
     const uint32_t *start = fronts->scene->face_start + face, *corner = fronts->scene->corner + start[0];
     const roberts_vec3 *p = &fronts->P[corner[0]];
@@ -361,12 +361,12 @@ BITS_INLINE hide_box box_of_front_face(const hide_fronts *fronts, uint32_t face)
 
 hide_box front_box_of_face(const hide_fronts *fronts, uint32_t face)
 {
-    return box_of_front_face(fronts, face);
+    return box_of_face_inline(fronts, face);
 }
 
 BITS_INLINE void set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face)
 {
-    fronts->front_box[to] = box_of_front_face(fronts, face);
+    fronts->front_box[to] = box_of_face_inline(fronts, face);
     fronts->front[to] = (hide_front){.solid = body, .piece = face, .listed = true, .kind = HIDE_SURFACE_FACE};
 }
 

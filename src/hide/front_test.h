@@ -10,9 +10,9 @@
  *
  * These tests use planes far from their faces. Each front has a reach up to which its planes can be trusted: a thousand
  * widths of a face, but nothing for models given to few digits (see set_trust() in front.c). An edge beyond the reach
- * that is not deeper than the whole front takes test 1 with each face, then tests 2 to 4 with those that it is behind;
- * the front's part is the hull of what these hide. A one-face front is handled likewise; for a bundle, only the faces
- * that its tree leaves. */
+ * that is not deeper than the whole front is visible if it lies in front of one face or on it. Otherwise it takes tests
+ * 2 to 4 with each face, and the front's part is the hull of what they hide. A one-face front is handled likewise; for
+ * a bundle, only the faces that its tree leaves. */
 #ifndef ROBERTS_HIDE_FRONT_TEST_H
 #define ROBERTS_HIDE_FRONT_TEST_H
 
@@ -68,7 +68,7 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, uint32_t front, co
 }
 
 /* Tests the faces one by one, or by the tree of a bundle. Finds the hull of what they hide; false if they hide nothing,
- * or if e lies in front of one face of a solid. */
+ * or if e lies in front of one face of a solid or on it. */
 bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e, hide_sides *sides,
                    hide_interval *part);
 

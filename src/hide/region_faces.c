@@ -66,7 +66,7 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
 /* ---- neighbours in one plane ------------------------------------------------------------------------------------- */
 
 /* Whether the corners of one face lie in the plane of another, as far as both are planar. */
-static bool are_coplanar(const hide_job *job, uint32_t face, uint32_t other)
+static bool lies_in_plane_of(const hide_job *job, uint32_t face, uint32_t other)
 {
     const roberts_scene *scene = job->fronts.scene;
     const double far = scene_deviation(scene, face) + scene_deviation(scene, other) +
@@ -87,7 +87,7 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g)
 {
     const roberts_scene *scene = job->fronts.scene;
     if ((!job->merge_bodies && scene_body_of_face(scene, f) != scene_body_of_face(scene, g)) ||
-        !are_coplanar(job, f, g) || !are_coplanar(job, g, f))
+        !lies_in_plane_of(job, f, g) || !lies_in_plane_of(job, g, f))
         return false;
     const roberts_color a = region_color(job, f);
     const roberts_color b = region_color(job, g);

@@ -34,7 +34,7 @@ typedef struct line_row {
     double t0, t1; /* which part of the named edge the line is */
 } line_row;
 
-BITS_INLINE line_row row_of_segment(const line_writer *w, const seen_line *line)
+BITS_INLINE line_row row_of_line(const line_writer *w, const seen_line *line)
 {
     const seen_name none = {{ROBERTS_NONE, ROBERTS_NONE}, 0.0, 1.0};
     seen_name name = line->end ? none : seen_line_name(w->seen, w->body, line);
@@ -82,7 +82,7 @@ BITS_INLINE void put_part(const line_writer *w, const line_row *row, const hide_
 /* Writes a part of an edge that the near plane has removed. at: where the plane cuts the edge. The chunk has room. */
 static void put_taken_part(const line_writer *w, const seen_line *taken, roberts_vec3 at)
 {
-    line_row row = row_of_segment(w, taken);
+    line_row row = row_of_line(w, taken);
     roberts_vec2 cut = {at.x * w->unit, at.y * w->unit};
     if (row.t0 < row.t1)
         w->out->segment[w->out->count++] = (roberts_segment){.solid = w->body,
@@ -122,7 +122,7 @@ BITS_INLINE bool add_line_segments(const line_writer *w, const hide_line *line)
         put_taken(w, line, line->is.taken & SEEN_TAKEN ? SEEN_TAKEN : SEEN_TAKEN_BEFORE);
     if (line->is.taken & SEEN_TAKEN)
         return true;
-    line_row row = row_of_segment(w, &line->is);
+    line_row row = row_of_line(w, &line->is);
     for (size_t i = 0; i < parts; i++) {
         const hide_solid_interval *hidden = &line->intervals.item[i];
         shown.t1 = hidden->part.t0;
@@ -193,7 +193,7 @@ static bool add_piece_segments(const line_writer *w, const hide_line *line, cons
     if (!gone && t0 < t1) {
         part.t0 = whole->t0;
         part.t1 = whole->t1;
-        line_row row = row_of_segment(w, &part);
+        line_row row = row_of_line(w, &part);
         hide_interval shown = {.t0 = view_from_space(v, e->A.z, e->B.z, (t0 - whole->t0) / width), .t1 = 1.0};
         if (t1 < whole->t1)
             shown.t1 = view_from_space(v, e->A.z, e->B.z, (t1 - whole->t0) / width);
@@ -207,7 +207,7 @@ static bool add_piece_segments(const line_writer *w, const hide_line *line, cons
 }
 
 /* Adds the segments of a line that has pieces. False: no memory. */
-static BITS_RARE bool add_pieces_segments(const line_writer *w, const hide_line *line)
+static BITS_RARE bool add_segments_of_pieces(const line_writer *w, const hide_line *line)
 {
     const union_piece *piece = line->is.piece;
     for (bool last = false; !last; piece++) {
@@ -221,7 +221,7 @@ static BITS_RARE bool add_pieces_segments(const line_writer *w, const hide_line 
 
 BITS_INLINE bool add_either(const line_writer *w, const hide_line *line)
 {
-    return line->is.piece ? add_pieces_segments(w, line) : add_line_segments(w, line);
+    return line->is.piece ? add_segments_of_pieces(w, line) : add_line_segments(w, line);
 }
 
 /* Sets the level of a line's hidden segments, taken at their middle in space. The line's segments start at `first`. */

@@ -37,7 +37,7 @@ static dd3 exactly_seen_from(const crossing_rules *rules, uint32_t v, roberts_ve
 }
 
 /* Adds one piece's part of the normal, of the sum of the corners, and of the error. */
-static void add_piece_spans(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
+static void add_piece_normal(const crossing_rules *rules, crossing_face *f, uint32_t piece, roberts_vec3 *sum)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t first = scene->face_start[piece], end = scene->face_start[piece + 1];
@@ -71,7 +71,7 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     if (scene->low)
         f.low = scene->low[origin];
     for (uint32_t k = f.first; k < f.end; k++)
-        add_piece_spans(rules, &f, k, &sum);
+        add_piece_normal(rules, &f, k, &sum);
     /* A coordinate of n is off by 6 + count halves of an ulp of the sum of its terms, at most twice f.error. A height
      * adds three such products and their sum. */
     f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;

@@ -112,18 +112,24 @@ static bool add_material(obj_materials *m, const char *name)
     return true;
 }
 
-/* Reads "Kd r g b" for the last material, and skips other forms ("Kd spectral", "Kd xyz"). */
+/* Reads "Kd r g b" for the last material; "Kd r" is a grey. Skips other forms ("Kd spectral", "Kd xyz"). */
 static void read_diffuse(obj_materials *m, input *in)
 {
     double value[COLOR];
     const size_t line = in->line;
     if (next_word(in) && (input_at_word(in, "spectral") || input_at_word(in, "xyz")))
         return;
-    for (int i = 0; i < COLOR; i++)
-        if (!next_word(in) || !number(in, &value[i]) || !(value[i] >= 0.0 && value[i] <= 1.0)) {
-            m->bad_line = m->bad_line ? m->bad_line : line;
+    for (int i = 0; i < COLOR; i++) {
+        const bool more = next_word(in);
+        if (i == 1 && !more) {
+            value[1] = value[2] = value[0];
+            break;
+        }
+        if (!more || !number(in, &value[i]) || !(value[i] >= 0.0 && value[i] <= 1.0)) {
+            m->first_odd = m->odd++ ? m->first_odd : line;
             return;
         }
+    }
     if (m->count)
         m->item[m->count - 1].color =
             (roberts_color){.count = COLOR, .value = {(float)value[0], (float)value[1], (float)value[2]}};
@@ -180,7 +186,7 @@ bool obj_materials_read(obj_materials *m, const input_source *source)
     char name[MESH_GROUP_NAME];
     bool good = input_open(&in, source);
     in.plain = true;
-    m->bad_line = 0;
+    m->odd = m->first_odd = 0;
     while (good && input_skip(&in)) {
         size_t length = word_length(&in);
         if (length <= INPUT_TOKEN_MAX && is_word(&in, length, "newmtl")) {
@@ -261,9 +267,9 @@ static bool read_library(obj_reader *o, const char *name, bool *found)
     if (fstat(f.descriptor, &about) == 0 && S_ISREG(about.st_mode)) {
         const input_source source = input_from_file(&f);
         good = obj_materials_read(&o->materials, &source);
-        if (o->materials.bad_line)
-            warning_send(o->r->warnings, path, o->materials.bad_line,
-                         "colour ignored: Kd takes three numbers from 0 to 1");
+        if (o->materials.odd)
+            warning_send(o->r->warnings, path, o->materials.first_odd, "%zu colour%s that make%s no sense ignored",
+                         o->materials.odd, o->materials.odd == 1 ? "" : "s", o->materials.odd == 1 ? "s" : "");
         o->sorted = false;
         o->has_library = *found = true;
     }

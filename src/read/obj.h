@@ -13,7 +13,8 @@ typedef struct obj_material {
 typedef struct obj_materials {
     obj_material *item; /* [count] sorted by name after obj_materials_sort() */
     size_t count, room;
-    size_t bad_line; /* of the last .mtl: the first line whose Kd is not three numbers from 0 to 1; 0: there is none */
+    size_t odd,
+        first_odd; /* of the last .mtl: how many colours are not numbers from 0 to 1, and the line of the first */
 } obj_materials;
 
 /* Adds the materials of one .mtl. Skips anything it does not understand, since colours are no reason to refuse a model.

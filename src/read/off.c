@@ -101,7 +101,7 @@ static size_t count_empty(const reader *r)
 }
 
 /* Warns of anything left out. */
-static void warn_of_off(reader *r)
+static void warn_of_left_out(reader *r)
 {
     const size_t empty = count_empty(r);
     if (empty > 0)
@@ -119,7 +119,7 @@ static roberts_status read_all(reader *r)
     status = r->off->header.binary ? off_read_binary(r) : off_read_text(r);
     if (status != ROBERTS_OK)
         return status;
-    warn_of_off(r);
+    warn_of_left_out(r);
     if (r->thin_faces || r->off->odd_colors || r->mesh->face_count - r->mark.faces < r->off->header.faces)
         off_explain_warning(r);
     r->thin_faces = 0; /* so that no other code warns of them */

@@ -284,8 +284,9 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Returns the distance of a point from the eye's plane. */
-static double distance_of_eye_plane(const cutter *c, roberts_vec3 P)
+/* Returns the distance of a point from the eye's plane. A point within the touching distance of the near plane counts
+ * as on it. */
+static double distance_from_eye_plane(const cutter *c, roberts_vec3 P)
 {
     double depth = vec3_dot(c->dir, vec3_sub(c->eye, P));
     return fabs(depth - c->near) <= c->touching ? c->near : depth;
@@ -296,7 +297,7 @@ static double measure_depths(cutter *c)
 {
     double least = INFINITY;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
-        c->depth[v] = distance_of_eye_plane(c, c->from->point[v]);
+        c->depth[v] = distance_from_eye_plane(c, c->from->point[v]);
         least = lesser(least, c->depth[v]);
     }
     return least;
@@ -380,7 +381,7 @@ bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const
     if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
         return false;
     for (size_t i = 0; i < count && !cut; i++)
-        cut = distance_of_eye_plane(&c, P[i]) < c.near;
+        cut = distance_from_eye_plane(&c, P[i]) < c.near;
     return cut;
 }
 

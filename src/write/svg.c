@@ -333,8 +333,8 @@ static bool write_regions(const strokes *s, output *out)
 /* ---- the layer ---- */
 
 /* Writes a layer with a path for each colour, and below them, in a group, one for the seams of each colour (where lines
- * are grouped, of each body). Where lines are grouped, it has a path for each region instead of one for each colour, in
- * groups of bodies, on sheets within those of views. Nothing if nothing is filled. False: no memory. */
+ * are grouped, of each body and colour). Where lines are grouped, it has a path for each region instead of one for each
+ * colour, in groups of bodies, on sheets within those of views. Nothing if nothing is filled. False: no memory. */
 static bool write_fills(const strokes *s, output *out)
 {
     const fills *f = &s->fills;

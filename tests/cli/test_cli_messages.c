@@ -374,6 +374,8 @@ static void what_is_no_model(void **state)
     assert_said("roberts: picture 1: statistics\n");
     assert_int_equal(run("--labels faces,edges models/table.off -o b.svg"), 1);
     assert_said("faces,edges: No such file or directory; for numbers: --label faces,edges\n");
+    assert_int_equal(run("--part 1/2 --labels faces models/table.off -o part"), 1);
+    assert_said("faces: No such file or directory; for numbers: --label faces\n");
     assert_int_equal(run("models/table.off a.svg"), 1);
     assert_said("a.svg:1: this is XML (as AMF, X3D and COLLADA are), but only OFF, STL, OBJ and PLY can be read; to "
                 "draw into it, name it with -o\n");
@@ -409,6 +411,64 @@ static void files_named_twice_are_warned_of(void **state)
     assert_int_equal(run("-q models/table.off models/table.off -f null"), 0);
     assert_string_equal(last.err, "");
     assert_int_equal(run("models/table.off models/platonic/cube.off -f null"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--part 1/1 models/table.off -o part"), 0);
+    assert_int_equal(run("--join part part -o a.svg"), 2);
+    assert_said("roberts: part: warning: this file is named twice\n");
+}
+
+/* A file of names without names; distances that are one. */
+static void what_is_there_once(void **state)
+{
+    (void)state;
+    put("no-name.csv", "# vertex,0,A\n");
+    assert_int_equal(run("--labels no-name.csv models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: no-name.csv: warning: there are no names in it\n");
+    assert_int_equal(run("--sheet first --dimensions v0-v1,v2-v3 models/platonic/cube.off"), 0);
+    const size_t before = strlen(last.out) - strlen("v0-v1,v2-v3"); /* the drawing holds its command */
+    assert_int_equal(run("--sheet first --dimensions v0-v1,v2-v3,v1-v0,3-2 models/platonic/cube.off"), 0);
+    assert_int_equal(strlen(last.out) - strlen("v0-v1,v2-v3,v1-v0,3-2"), before);
+}
+
+/* The paths of seams name their body where lines are grouped. */
+static void seams_name_their_body(void **state)
+{
+    static const char seam[] = "<g class=\"seam\" fill=\"none\"";
+    (void)state;
+    assert_int_equal(run("--fill body --group body models/table.off"), 0);
+    const char *at = strstr(last.out, seam), *first = at ? strstr(at, "<path") : NULL;
+    assert_non_null(first);
+    assert_int_equal(strncmp(first, "<path data-body=\"0\" stroke=\"", 28), 0);
+    assert_int_equal(run("--fill body models/table.off"), 0);
+    assert_null(strstr(last.out, "data-body"));
+}
+
+/* A prism of many sides stands for a cylinder. */
+static void round_bodies_are_told(void **state)
+{
+    enum { SIDES = 600 };
+    (void)state;
+    FILE *file = fopen("round.off", "w");
+    assert_non_null(file);
+    fprintf(file, "OFF %d %d 0\n", 2 * SIDES, SIDES + 2);
+    for (int i = 0; i < 2 * SIDES; i++)
+        fprintf(file, "%.17g %.17g %d\n", cos(i % SIDES * 6.283185307179586 / SIDES),
+                sin(i % SIDES * 6.283185307179586 / SIDES), i / SIDES);
+    for (int lid = 0; lid < 2; lid++) {
+        fprintf(file, "%d", SIDES);
+        for (int i = 0; i < SIDES; i++)
+            fprintf(file, " %d", lid ? SIDES + i : SIDES - 1 - i);
+        fputc('\n', file);
+    }
+    for (int i = 0; i < SIDES; i++)
+        fprintf(file, "4 %d %d %d %d\n", i, (i + 1) % SIDES, SIDES + (i + 1) % SIDES, SIDES + i);
+    assert_int_equal(fclose(file), 0);
+    assert_int_equal(run("round.off -f null"), 0);
+    assert_string_equal(last.err, "roberts: round.off: note: edges flatter than 30 degrees are drawn, since the bodies "
+                                  "are convex; --crease 30 leaves them out\n");
+    assert_int_equal(run("round.off -f null --crease 30"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("models/platonic/cube.off -f null"), 0);
     assert_string_equal(last.err, "");
 }
 
@@ -946,6 +1006,9 @@ int main(void)
         IN_FOLDER(idle_options_are_warned_of),
         IN_FOLDER(converters_are_named),
         IN_FOLDER(files_named_twice_are_warned_of),
+        IN_FOLDER(what_is_there_once),
+        IN_FOLDER(seams_name_their_body),
+        IN_FOLDER(round_bodies_are_told),
         IN_FOLDER(what_a_drawing_lacks_is_warned_of),
         IN_FOLDER(terminals_are_told_of),
         IN_FOLDER(names_are_printed_plainly),

@@ -206,8 +206,10 @@ static void test_elements(void **state)
         options.grouping = cases[i].grouping;
         draw_row(cases[i].alpha, &options, &r);
         assert_int_equal(check_fills("elements", &r.s), 3);
-        for (const fill_paint *paint = r.s.fills.paint; paint < r.s.fills.paint + r.s.fills.count; paint++)
+        for (const fill_paint *paint = r.s.fills.paint; paint < r.s.fills.paint + r.s.fills.count; paint++) {
             seams += paint->seam ? paint->end - paint->first : 0;
+            assert_int_equal(paint->body == ROBERTS_NONE, cases[i].grouping == ROBERTS_GROUP_CLASS);
+        }
         assert_int_equal(seams, cases[i].seams);
         free_row(&r);
     }

@@ -120,6 +120,28 @@ static void all_of_a_dodecahedron(void **state)
     roberts_drawing_free(&drawing);
 }
 
+/* A drawing at a given scale may fill the page within the margins; then labels may lie on the margins. */
+static void margins_at_a_scale(void **state)
+{
+    (void)state;
+    roberts_drawing drawing = model_drawing("platonic/dodecahedron", "iso");
+    told warnings = {0};
+    roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, 0, &warnings);
+    const double width = drawing.window_max.x - drawing.window_min.x;
+    options.page.margin_mm = 20.0;
+    options.placement.scale = (options.page.width_mm - 2.0 * options.page.margin_mm) / width;
+    strokes s;
+    size_t beyond = 0;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < s.notes.count; i++) {
+        const space_box box = letters_box(notes_line(&s.notes, i));
+        beyond += box.min.x < s.frame_mm[0].x || box.max.x > s.frame_mm[1].x;
+    }
+    assert_true(beyond > 0);
+    strokes_free(&s);
+    roberts_drawing_free(&drawing);
+}
+
 /* If there is little room, labels are left out and counted; the others lie apart. */
 static void models_from_a4_to_a0(void **state)
 {
@@ -369,13 +391,10 @@ static void what_lies_in_a_box(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron),
-                                       cmocka_unit_test(models_from_a4_to_a0),
-                                       cmocka_unit_test(letters_fit_the_room),
-                                       cmocka_unit_test(hidden_and_named),
-                                       cmocka_unit_test(same_again),
-                                       cmocka_unit_test(kinds_are_told_apart),
-                                       cmocka_unit_test(none_beyond_the_frame),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(margins_at_a_scale),
+                                       cmocka_unit_test(models_from_a4_to_a0),  cmocka_unit_test(letters_fit_the_room),
+                                       cmocka_unit_test(hidden_and_named),      cmocka_unit_test(same_again),
+                                       cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame),
                                        cmocka_unit_test(what_lies_in_a_box)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }

@@ -108,6 +108,7 @@ static const struct library {
     {"newmtl two words\r\nKd 0 1 0\r\n", "two words", {3, {0, 1, 0}}},
     {"newmtl a\nKd 1 0 0\nnewmtl a\nKd 0 1 0\n", "a", {3, {0, 1, 0}}},       /* the last one counts */
     {"newmtl a\nKd spectral file.rfl 1\nKd 2 0 0\nKd 0 1\n", "a", {0, {0}}}, /* and none of these */
+    {"newmtl a\nKd 0.5\nKd 0.25 1\n", "a", {3, {0.5f, 0.5f, 0.5f}}},         /* a grey */
     {"Kd 1 0 0\nnewmtl a\n", "a", {0, {0}}},
     {"\x01\x02 nonsense\nnewmtl a\nKd 1 1 1\n", "a", {3, {1, 1, 1}}},
     {"", "", {0, {0}}},
@@ -150,8 +151,7 @@ static void reads_files_beside(void **state)
          "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";"},
         {"mtllib m.mtl\nusemtl my \x1b[31mpaint\nf 1 2 3\nusemtl b\nf 1 2 3\n", " | 0-1-2 0-1-2",
          "5: no colour for 2 uses of materials that the .mtl files lack, the first of \"my ? [31mpaint\";"},
-        {"mtllib bad.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)",
-         "3: colour ignored: Kd takes three numbers from 0 to 1;"},
+        {"mtllib bad.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", "3: 2 colours that make no sense ignored;"},
         {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL},
         {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
         {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
