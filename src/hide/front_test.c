@@ -53,7 +53,7 @@ BITS_INLINE bool by_face_in_front(const hide_fronts *fronts, const hide_face *F,
 }
 
 /* Makes test 1, and counts it if it decides. */
-BITS_INLINE bool is_before(const hide_face *F, const hide_edge *e, hide_sides *sides)
+BITS_INLINE bool test1_decides(const hide_face *F, const hide_edge *e, hide_sides *sides)
 {
     if (!hide_test1(F, e))
         return false;
@@ -102,7 +102,7 @@ static void test_faces(bundle_search *c, uint32_t item)
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
         const hide_face *F = &c->face[c->b->order[item]];
-        if (!is_before(F, c->e, c->sides) && by_face_in_front(c->fronts, F, c->span, c->e, c->sides, &part))
+        if (!test1_decides(F, c->e, c->sides) && by_face_in_front(c->fronts, F, c->span, c->e, c->sides, &part))
             join_hidden(c->hull, &c->found, &part);
     }
 }
@@ -160,7 +160,7 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_
                                           .hull = hull});
     /* What a solid hides lies behind the planes of all its faces. A front that is no solid has one face. */
     for (uint32_t k = 0; k < m->face_count; k++)
-        if (is_before(&m->face[k], e, sides))
+        if (test1_decides(&m->face[k], e, sides))
             return false;
     for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
