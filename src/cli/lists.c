@@ -205,7 +205,7 @@ static int by_thing(const void *a, const void *b)
 
 const roberts_name *names_find(const roberts_name *name, size_t count, const roberts_name *thing)
 {
-    return bsearch(thing, name, count, sizeof *name, by_thing);
+    return count ? bsearch(thing, name, count, sizeof *name, by_thing) : NULL;
 }
 
 void names_thing(const roberts_name *name, char *text, size_t size)
