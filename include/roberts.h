@@ -255,8 +255,11 @@ typedef enum roberts_body_kind {
 /** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
-/** Whether a body counts as curved: it is not convex, has more than 500 faces, and at least half of its edges that are
- * not flat bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
+/** A body of no more faces is not curved. */
+#define ROBERTS_FACETED_MOST 500
+
+/** Whether a body counts as curved: it is not convex, has more than ROBERTS_FACETED_MOST faces, and at least half of
+ * its edges that are not flat bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid

@@ -77,6 +77,13 @@ static inline double vec3_part_along(roberts_vec3 p, roberts_vec3 d)
     return x >= y && x >= z ? p.x / d.x : y >= z ? p.y / d.y : p.z / d.z;
 }
 
+/* Does the ray from p toward greater x cross the side a..b? For the parity of crossings: each height belongs to one
+ * side of two that meet. */
+static inline bool vec2_ray_crosses(roberts_vec2 p, roberts_vec2 a, roberts_vec2 b)
+{
+    return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x);
+}
+
 /* F(P) = a x + b y + c z + d with (a, b, c) of length 1: the signed distance of P from the plane, in model units. A
  * face's (a, b, c) points into its solid: F(P) < 0 outside, F(P) > 0 inside. */
 typedef roberts_plane plane;

@@ -402,9 +402,6 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
-/* A curved body has more faces than this (see roberts_scene_body_curved()). */
-enum { ROUND_FACES = 500 };
-
 size_t hint_curved(const roberts_scene *scene)
 {
     size_t curved = 0;
@@ -419,7 +416,7 @@ bool hint_round(const roberts_scene *scene)
     for (uint32_t s = 0; s < bodies; s++)
         if (roberts_scene_body_kind(scene, s) != ROBERTS_CONVEX)
             return false;
-    return roberts_scene_face_count(scene) > ROUND_FACES * bodies;
+    return roberts_scene_face_count(scene) > ROBERTS_FACETED_MOST * bodies;
 }
 
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)

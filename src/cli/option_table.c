@@ -119,12 +119,11 @@ static const option rows[] = {
      .manual =
          "Draws the front, top, side and isometric view on one page, at one scale and 15 mm apart (farther where "
          "dimensions lie between them), with the symbol of their arrangement (ISO 5456-2). ANGLE is first or third. In "
-         "first angle projection the top view is below and "
-         "the view from the left is at the right. In third angle projection the top view is above and the view from "
-         "the right is at the right. The isometric view shows the sides of the other views, and has no hidden lines. "
-         "--scale, --fit and --align hold for all "
-         "views together, and --stats adds them up. As csv and json there is one table, whose first column names the "
-         "view; if FILE has a place for that name, as in table-%s.csv, there is a table of each view.\n"
+         "first angle projection the top view is below and the view from the left is at the right. In third angle "
+         "projection the top view is above and the view from the right is at the right. The isometric view shows the "
+         "sides of the other views, and has no hidden lines. --scale, --fit and --align hold for all views together, "
+         "and --stats adds them up. As csv and json there is one table, whose first column names the view; if FILE has "
+         "a place for that name, as in table-%s.csv, there is a table of each view.\n"
          "The symbol is smaller where the margins leave less than 61 x 52 mm, and is left out where they leave less "
          "than some 38 x 36 mm."},
     {.group = GROUP_OUTPUT,
@@ -308,11 +307,10 @@ static const option rows[] = {
      .help = "add a row to FILE for each file that is drawn or fails, as a line of JSON",
      .manual = "Adds a line to FILE for each file that is drawn or fails, as they end. It is a JSON object: file and "
                "output (null for -f null); command, the command line that draws it, without -o and -f; error, the "
-               "message, or null; seconds on the clock; "
-               "lines, the segments of the drawing; and warnings, how many there were (0 with --quiet). Bytes of names "
-               "that are no UTF-8 become U+FFFD. Of several rows of a file the last one counts. A row is written in "
-               "one piece, so several runs on one machine may share a manifest. If a run is killed in the middle of a "
-               "row, the next one cuts the row off."},
+               "message, or null; seconds on the clock; lines, the segments of the drawing; and warnings, how many "
+               "there were (0 with --quiet). Bytes of names that are no UTF-8 become U+FFFD. Of several rows of a file "
+               "the last one counts. A row is written in one piece, so several runs on one machine may share a "
+               "manifest. If a run is killed in the middle of a row, the next one cuts the row off."},
     {.group = GROUP_BATCH,
      .name = "limit-seconds",
      .value = "S",

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/vec.h"
 #include "draw/page_regions.h"
 #include "draw/shade.h"
 
@@ -463,8 +464,7 @@ static bool region_holds(const page_region *region, roberts_vec2 at)
         roberts_vec2 p = region->point[region->ring_start[r + 1] - 1];
         for (size_t k = region->ring_start[r]; k < region->ring_start[r + 1]; k++) {
             const roberts_vec2 q = region->point[k];
-            if ((p.y <= at.y) != (q.y <= at.y) && at.x < p.x + (at.y - p.y) / (q.y - p.y) * (q.x - p.x))
-                inside = !inside;
+            inside ^= vec2_ray_crosses(at, p, q);
             p = q;
         }
     }

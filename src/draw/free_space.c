@@ -269,8 +269,7 @@ static double depth_of(const roberts_region_list *list, const roberts_region *re
         for (size_t i = start; i < end; i++) {
             const roberts_vec2 a = list->corner[i], b = list->corner[i + 1 < end ? i + 1 : start];
             least = fmin(least, segment_distance(p, a, b));
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x))
-                inside = !inside;
+            inside ^= vec2_ray_crosses(p, a, b);
         }
     }
     return inside ? least : -least;

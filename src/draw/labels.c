@@ -327,8 +327,7 @@ static space_box box_of(const label *l, roberts_vec2 middle)
 }
 
 /* The cost of what lies in a box. Infinite: the box leaves what labels must stay within, or lies on too many
- * labels. A cost of at least
- * `enough` may be too low. */
+ * labels. A cost of at least `enough` may be too low. */
 static double cost_of_what_lies_there(const free_space *r, const space_box *box, uint32_t own, double enough)
 {
     const space_load load = space_load_of(r, box, own, MOST_UNDER, greater(enough - touching, ANYTHING));

@@ -109,24 +109,23 @@ static double fit_symbol(const layout *l, double width_mm, double height_mm)
 }
 
 /* What would do in place of `page`: the page turned, or the smallest of A4 to A0, lying as `page` does, that has this
- * width and height. */
-static const char *page_that_would_do(const roberts_page *page, double width_mm, double height_mm)
+ * width and height. *lying: the option for it to lie so. */
+static const char *page_that_would_do(const roberts_page *page, double width_mm, double height_mm, const char **lying)
 {
     static const struct {
-        const char *name[2]; /* upright; on its side */
+        const char *name;
         double narrow, wide;
-    } sizes[] = {{{"a4", "a4 --landscape"}, 210, 297},
-                 {{"a3", "a3 --landscape"}, 297, 420},
-                 {{"a2", "a2 --landscape"}, 420, 594},
-                 {{"a1", "a1 --landscape"}, 594, 841},
-                 {{"a0", "a0 --landscape"}, 841, 1189}};
+    } sizes[] = {{"a4", 210, 297}, {"a3", 297, 420}, {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
     const bool is_wide = page->width_mm > page->height_mm;
+    *lying = "";
     if (page->height_mm >= width_mm && page->width_mm >= height_mm)
         return is_wide ? "the same page upright" : "--landscape";
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         if ((is_wide ? sizes[i].wide : sizes[i].narrow) >= width_mm &&
-            (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm)
-            return sizes[i].name[is_wide];
+            (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm) {
+            *lying = is_wide ? " --landscape" : "";
+            return sizes[i].name;
+        }
     return "a larger page";
 }
 
@@ -145,10 +144,11 @@ static bool fit_block(layout *l, const roberts_draw_options *options, roberts_pa
     const double height = page->height_mm - room->height_mm + l->rows.gap_mm + 2.0 * views_least;
     if (page->width_mm >= width && page->height_mm >= height)
         return true;
+    const char *lying, *other = page_that_would_do(page, width, height, &lying);
     error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-              "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s "
+              "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s%s "
               "would do",
-              ceil(width), ceil(height), page->width_mm, page->height_mm, page_that_would_do(page, width, height));
+              ceil(width), ceil(height), page->width_mm, page->height_mm, other, lying);
     return false;
 }
 

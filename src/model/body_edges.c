@@ -7,10 +7,9 @@
 #include "base/array.h"
 #include "base/sort.h"
 
-/* A body of more than SMOOTH_FACES faces is a curved surface if at least half of its bent edges are bent only slightly.
- * Bends are squared distances of unit normals: above FLAT_BEND (0.1 degrees) an edge is bent, below LITTLE_BEND (20
- * degrees) only slightly. */
-#define SMOOTH_FACES 500
+/* A body of more than ROBERTS_FACETED_MOST faces is a curved surface if at least half of its bent edges are bent only
+ * slightly. Bends are squared distances of unit normals: above FLAT_BEND (0.1 degrees) an edge is bent, below
+ * LITTLE_BEND (20 degrees) only slightly. */
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
 
@@ -203,7 +202,7 @@ void body_count_bend(bend_count *count, double bend)
 
 bool body_is_smooth(const bend_count *count, uint32_t faces)
 {
-    return faces > SMOOTH_FACES && count->little > 0 && count->little >= count->much;
+    return faces > ROBERTS_FACETED_MOST && count->little > 0 && count->little >= count->much;
 }
 
 /* Counts edges until the rest cannot change the result. */
@@ -213,7 +212,7 @@ bool body_smooth(const roberts_scene *scene, uint32_t b)
     const scene_edge *edge = scene->edge + own->stored;
     uint32_t faces = own[1].face - own->face;
     bend_count count = {0};
-    for (uint32_t e = own->edge; e < own[1].edge && faces > SMOOTH_FACES; e++, edge++) {
+    for (uint32_t e = own->edge; e < own[1].edge && faces > ROBERTS_FACETED_MOST; e++, edge++) {
         uint32_t left = own[1].edge - e;
         uint8_t is = scene->surface->edge_is[e];
         if (count.little >= count.much + (uint64_t)left || count.much > count.little + (uint64_t)left)

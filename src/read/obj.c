@@ -267,9 +267,7 @@ static bool read_library(obj_reader *o, const char *name, bool *found)
     if (fstat(f.descriptor, &about) == 0 && S_ISREG(about.st_mode)) {
         const input_source source = input_from_file(&f);
         good = obj_materials_read(&o->materials, &source);
-        if (o->materials.odd)
-            warning_send(o->r->warnings, path, o->materials.first_odd, "%zu colour%s that make%s no sense ignored",
-                         o->materials.odd, o->materials.odd == 1 ? "" : "s", o->materials.odd == 1 ? "s" : "");
+        read_warn_colors(o->r->warnings, path, o->materials.first_odd, o->materials.odd);
         o->sorted = false;
         o->has_library = *found = true;
     }

@@ -106,9 +106,7 @@ static void warn_of_left_out(reader *r)
     const size_t empty = count_empty(r);
     if (empty > 0)
         warning_send(r->warnings, r->name, 0, "%zu face%s without corners", empty, empty == 1 ? "" : "s");
-    if (r->off->odd_colors)
-        warning_send(r->warnings, r->name, r->off->first_odd_color, "%zu colour%s that make%s no sense ignored",
-                     r->off->odd_colors, r->off->odd_colors == 1 ? "" : "s", r->off->odd_colors == 1 ? "s" : "");
+    read_warn_colors(r->warnings, r->name, r->off->first_odd_color, r->off->odd_colors);
 }
 
 static roberts_status read_all(reader *r)

@@ -50,6 +50,13 @@ roberts_status read_bad_position(reader *r, uint64_t v)
 
 /* Warns of faces with fewer than 3 corners, if there are any. OFF has its own warning: there they may be points and
  * lines. */
+void read_warn_colors(const roberts_warnings *warnings, const char *name, size_t line, size_t count)
+{
+    if (count)
+        warning_send(warnings, name, line, "%zu colour%s that make%s no sense ignored", count, count == 1 ? "" : "s",
+                     count == 1 ? "s" : "");
+}
+
 static void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
 {
     if (count)

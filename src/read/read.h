@@ -50,6 +50,9 @@ roberts_status read_expected(reader *r, roberts_status status, const char *forma
  * format, and a command that converts it. ROBERTS_OK: no such format is known. */
 roberts_status read_refuse_foreign(reader *r, const char *word, size_t length);
 
+/* Warns that `count` colours, the first of them in line `line`, are ignored; not if there are none. */
+void read_warn_colors(const roberts_warnings *warnings, const char *name, size_t line, size_t count);
+
 /* ---- text, word by word ---------------------------------------------------------------------------------------- */
 
 /* Reads the rest of the line as one name: its words separated by one blank, truncated to `room` - 1 characters. */

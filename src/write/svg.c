@@ -65,6 +65,15 @@ void svg_text(output *out, const char *text)
     write_escaped(out, text, false);
 }
 
+void svg_attribute_integer(output *out, const char *name, uint32_t value)
+{
+    output_text(out, " ");
+    output_text(out, name);
+    output_text(out, "=\"");
+    output_integer(out, value);
+    output_text(out, "\"");
+}
+
 void svg_attribute(output *out, const char *name, const char *text)
 {
     output_text(out, " ");
@@ -243,11 +252,8 @@ static void write_path(const strokes *s, const fill_paint *paint, output *out)
 {
     const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5);
     output_text(out, "<path");
-    if (paint->body != ROBERTS_NONE) {
-        output_text(out, " data-body=\"");
-        output_integer(out, paint->body);
-        output_text(out, "\"");
-    }
+    if (paint->body != ROBERTS_NONE)
+        svg_attribute_integer(out, "data-body", paint->body);
     output_text(out, paint->seam ? " stroke=\"" : " fill=\"");
     write_color(out, &paint->color);
     output_text(out, " d=\"");
@@ -305,9 +311,7 @@ static bool write_region(void *context, const page_region *on)
     change_groups(w, on);
     output_text(w->out, "<path class=\"region\"");
     if (on->region->face != ROBERTS_NONE) {
-        output_text(w->out, " data-face=\"");
-        output_integer(w->out, on->region->face);
-        output_text(w->out, "\"");
+        svg_attribute_integer(w->out, "data-face", on->region->face);
     }
     output_text(w->out, " fill=\"");
     write_color(w->out, &color);

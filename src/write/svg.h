@@ -13,6 +13,7 @@ void svg_text(output *out, const char *text);
 
 /* Writes ` name="text"`, with quotes, line feeds and tabs as entities, too. */
 void svg_attribute(output *out, const char *name, const char *text);
+void svg_attribute_integer(output *out, const char *name, uint32_t value);
 
 /* Writes ` id="..."` with the prefix of all ids. */
 void svg_id(output *out, const roberts_draw_options *options, const char *name);

@@ -38,11 +38,6 @@ static void attribute_pair(output *out, const char *name, uint32_t a, uint32_t b
     output_text(out, "\"");
 }
 
-static void attribute_integer(output *out, const char *name, uint32_t a)
-{
-    attribute_pair(out, name, a, ROBERTS_NONE, "");
-}
-
 static const char *view_name(const strokes *s, uint32_t view)
 {
     return roberts_sheet_view_name(s->sheet->angle, s->view[view].place);
@@ -57,7 +52,7 @@ void svg_body(output *out, const roberts_draw_options *options, uint32_t body)
 {
     const char *name = body_name(options, body);
     output_text(out, " class=\"body\"");
-    attribute_integer(out, " data-body=\"", body);
+    svg_attribute_integer(out, "data-body", body);
     if (*name)
         svg_attribute(out, "data-name", name);
 }
@@ -196,7 +191,7 @@ static void write_names(const svg_groups *w, const stroke_group *g, uint32_t num
     uint32_t face[2];
     output_text(w->out, segment ? " class=\"edge\"" : " class=\"hatch\"");
     if (source.region && source.region->face != ROBERTS_NONE)
-        attribute_integer(w->out, " data-face=\"", source.region->face);
+        svg_attribute_integer(w->out, "data-face", source.region->face);
     if (!segment)
         return;
     if (segment->v0 != ROBERTS_NONE)
@@ -205,7 +200,7 @@ static void write_names(const svg_groups *w, const stroke_group *g, uint32_t num
     if (face[0] != ROBERTS_NONE)
         attribute_pair(w->out, " data-faces=\"", face[0], face[1], ",");
     if (segment->state == ROBERTS_HIDDEN && segment->by != ROBERTS_NONE)
-        attribute_integer(w->out, " data-by=\"", segment->by);
+        svg_attribute_integer(w->out, "data-by", segment->by);
 }
 
 /* Writes strokes as one path. */
