@@ -140,6 +140,16 @@ BITS_INLINE void shrink(hide_worker *w, size_t n, const hide_interval *hidden)
         l->z0[n] = hide_float_below(P.z - w->margin);
 }
 
+/* Does the line plainly lie beside a face with which it shares a corner? If it ran through the face, the neighbours of
+ * that corner would be on its right and on its left. */
+BITS_INLINE bool is_beside_corner(const hide_fronts *fronts, const hide_edge *e, uint32_t right, uint32_t left)
+{
+    const roberts_vec3 *R = &fronts->P[right], *L = &fronts->P[left];
+    two dx = two_of(e->B.x - e->A.x, e->A.x - e->B.x), dy = two_of(e->B.y - e->A.y, e->A.y - e->B.y);
+    two x = two_sub(two_of(R->x, L->x), two_all(e->A.x)), y = two_sub(two_of(R->y, L->y), two_all(e->A.y));
+    return two_at_most(two_all(fronts->space.plain), two_sub(two_mul(dx, y), two_mul(dy, x))) != 0;
+}
+
 /* Do line and face plainly lie beside one another in the picture? They do if both ends of the line lie outside one side
  * of the face, or all corners on one side of the line. They may share a corner: they touch only there. Most faces of a
  * surface that a line meets are of this kind, and their planes need not be computed. */
@@ -148,33 +158,35 @@ BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32
     const roberts_scene *scene = fronts->scene;
     const roberts_vec3 *P = fronts->P;
     const uint32_t *corner = scene->corner + scene->face_start[face],
-                   *end = scene->corner + scene->face_start[face + 1];
-    const double plain = fronts->space.plain;
-    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, low = INFINITY, high = -INFINITY;
-    bool shared = false;
-    for (const uint32_t *c = corner; c < end; c++) {
+                   *end = scene->corner + scene->face_start[face + 1], *shared = NULL;
+    const bool back = fronts->seen->facing[face] == VIEW_BACK; /* the corners run clockwise */
+    for (const uint32_t *c = corner; c < end; c++)
         if (*c == e->a || *c == e->b) {
             if (shared)
                 return false; /* the line joins two corners */
-            shared = true;
-            continue;
+            shared = c;
         }
+    if (shared) {
+        uint32_t before = shared > corner ? shared[-1] : end[-1], after = shared + 1 < end ? shared[1] : corner[0];
+        return (*shared == e->a) == back ? is_beside_corner(fronts, e, before, after)
+                                         : is_beside_corner(fronts, e, after, before);
+    }
+    const double plain = fronts->space.plain;
+    double dx = e->B.x - e->A.x, dy = e->B.y - e->A.y, low = INFINITY, high = -INFINITY;
+    for (const uint32_t *c = corner; c < end; c++) {
         double left = dx * (P[*c].y - e->A.y) - dy * (P[*c].x - e->A.x);
         low = lesser(low, left);
         high = greater(high, left);
     }
     if (low > plain || high < -plain)
         return true;
-    const double turn = fronts->seen->facing[face] == VIEW_BACK ? -1.0 : 1.0;
-    const two X = two_of(e->A.x, e->B.x), Y = two_of(e->A.y, e->B.y), least = two_all(-plain);
-    uint32_t last = end[-1];
-    two px = two_sub(two_all(P[last].x), X), py = two_sub(two_all(P[last].y), Y);
-    for (const uint32_t *c = corner; c < end; last = *c++) {
+    const two X = two_of(e->A.x, e->B.x), Y = two_of(e->A.y, e->B.y), least = two_all(-plain),
+              turn = two_all(back ? -1.0 : 1.0);
+    two px = two_sub(two_all(P[end[-1]].x), X), py = two_sub(two_all(P[end[-1]].y), Y);
+    for (const uint32_t *c = corner; c < end; c++) {
         two qx = two_sub(two_all(P[*c].x), X), qy = two_sub(two_all(P[*c].y), Y);
-        two left = two_mul(two_sub(two_mul(px, qy), two_mul(py, qx)), two_all(turn));
-        unsigned out = two_at_most(left, least);
-        uint32_t other = out == 1 ? e->b : e->a; /* ROBERTS_NONE is no corner */
-        if (out == 3 || (out != 0 && (*c == other || last == other)))
+        two left = two_mul(two_sub(two_mul(px, qy), two_mul(py, qx)), turn);
+        if (two_at_most(left, least) == 3)
             return true;
         px = qx;
         py = qy;

@@ -40,26 +40,27 @@ BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t
     return hide_by_sides(&fronts->space, &F, e, sides, part);
 }
 
-/* Makes tests 2 to 4 with one face. False: the face hides nothing of e. */
-BITS_INLINE bool by_face_in_front(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
-                                  hide_sides *sides, hide_interval *part)
+/* Makes tests 2 to 4 with one face, and finds what it hides. depth: what test 1 found. False: it hides nothing. */
+BITS_INLINE bool by_face_in_front(const hide_fronts *fronts, const hide_face *F, double span, hide_verdict depth,
+                                  const hide_edge *e, hide_sides *sides, hide_interval *part)
 {
     const runs *r = runs_of(&fronts->face_runs, F->corner, F->count);
     hide_polygon outline = {F->corner, F->count, span};
     sides->tally.pairs++;
     bool inside = r ? hide_by_runs(&fronts->space, r, F, e, sides, part)
                     : hide_by_outline(fronts, &outline, e, NULL, sides, part);
-    return inside && hide_pierce_all(fronts, F, 1, e, sides, part);
+    return inside && (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, F, 1, e, sides, part));
 }
 
-/* Makes test 1, and counts it if it decides. */
-BITS_INLINE bool test1_decides(const hide_face *F, const hide_edge *e, hide_sides *sides)
+/* Makes test 1, and counts it if the edge is visible. */
+BITS_INLINE hide_verdict test1(const hide_face *F, const hide_edge *e, hide_sides *sides)
 {
-    if (!hide_test1(F, e))
-        return false;
-    sides->tally.pairs++;
-    sides->tally.test1_visible++;
-    return true;
+    hide_verdict depth = hide_test1(F, e);
+    if (depth == HIDE_VISIBLE) {
+        sides->tally.pairs++;
+        sides->tally.test1_visible++;
+    }
+    return depth;
 }
 
 /* Adds a part to the hull of the hidden parts. If nothing has been `*found`, the part becomes the hull. */
@@ -102,7 +103,8 @@ static void test_faces(bundle_search *c, uint32_t item)
     for (uint32_t end = list_tree_end(&c->b->tree, 0, item); item < end; item++) {
         hide_interval part;
         const hide_face *F = &c->face[c->b->order[item]];
-        if (!test1_decides(F, c->e, c->sides) && by_face_in_front(c->fronts, F, c->span, c->e, c->sides, &part))
+        hide_verdict depth = test1(F, c->e, c->sides);
+        if (depth != HIDE_VISIBLE && by_face_in_front(c->fronts, F, c->span, depth, c->e, c->sides, &part))
             join_hidden(c->hull, &c->found, &part);
     }
 }
@@ -159,12 +161,15 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_
                                           .sides = sides,
                                           .hull = hull});
     /* What a solid hides lies behind the planes of all its faces. A front that is no solid has one face. */
-    for (uint32_t k = 0; k < m->face_count; k++)
-        if (test1_decides(&m->face[k], e, sides))
+    hide_verdict depth[FACES_OF_ONE_FRONT];
+    for (uint32_t k = 0; k < m->face_count; k++) {
+        depth[k] = test1(&m->face[k], e, sides);
+        if (depth[k] == HIDE_VISIBLE)
             return false;
+    }
     for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
-        if (by_face_in_front(fronts, &m->face[k], m->outline.span, e, sides, &part))
+        if (by_face_in_front(fronts, &m->face[k], m->outline.span, depth[k], e, sides, &part))
             join_hidden(hull, &found, &part);
     }
     return found;

@@ -24,11 +24,16 @@ static double line_error(const hide_space *space, double reach, double length)
     return 2.0 * space->rounding * (1.0 + reach / length);
 }
 
-/* TEST 1. Both ends are in front of the face's plane or on it. `limit` is smaller than epsilon for a face so small that
- * its plane is uncertain at A and B. Such a face is left to the later tests, which use its plane only near the face. */
-bool hide_test1(const hide_face *F, const hide_edge *e)
+/* TEST 1. Visible: both ends are in front of the face's plane or on it. `limit` is smaller than epsilon for a face so
+ * small that its plane is uncertain at A and B. Such a face is left to the later tests, which use its plane only near
+ * the face. Invisible: both ends clear the plane by twice the touching distance and that uncertainty. */
+hide_verdict hide_test1(const hide_face *F, const hide_edge *e)
 {
-    return plane_at(F->F, e->A) <= (double)F->limit && plane_at(F->F, e->B) <= (double)F->limit;
+    double a = plane_at(F->F, e->A), b = plane_at(F->F, e->B), limit = (double)F->limit;
+    double clear = 2.0 * F->touch + (F->touch - limit);
+    if (a <= limit && b <= limit)
+        return HIDE_VISIBLE;
+    return a > clear && b > clear ? HIDE_INVISIBLE : HIDE_UNDECIDED;
 }
 
 /* Q(X) = 0 is the sight plane through AB. Q(X) is the distance from it, here times the length of AB. A corner whose

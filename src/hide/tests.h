@@ -65,7 +65,8 @@ typedef struct hide_cut {
  * memory. */
 bool hide_sides_reserve(hide_sides *sides, size_t count);
 
-bool hide_test1(const hide_face *F, const hide_edge *e);
+/* HIDE_INVISIBLE (by depth): AB is behind F's plane and does not pierce it. */
+hide_verdict hide_test1(const hide_face *F, const hide_edge *e);
 bool hide_test2(const hide_space *space, const hide_face *F, const hide_edge *e);
 
 /* Fills `sides` unless it returns HIDE_VISIBLE. */

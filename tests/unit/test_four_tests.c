@@ -49,24 +49,25 @@ static void test1_by_table(void **state)
     static const struct {
         const char *name;
         roberts_vec3 A, B;
-        bool visible;
+        hide_verdict depth;
     } cases[] = {
-        {"both in front", {0.2, 0.5, 1}, {0.8, 0.5, 2}, true},
-        {"in the plane", {0.2, 0.5, 0}, {0.8, 0.5, 0}, true},
-        {"one on, one in front", {0.2, 0.5, 0}, {0.8, 0.5, 1}, true},
-        {"on within epsilon, both sides", {0.2, 0.5, -0.9 * EPSILON}, {0.8, 0.5, 0.9 * EPSILON}, true},
-        {"one behind by more than epsilon", {0.2, 0.5, -1.1 * EPSILON}, {0.8, 0.5, 1}, false},
-        {"one behind, one in front", {0.2, 0.5, -1}, {0.8, 0.5, 1}, false},
-        {"one behind, one on", {0.2, 0.5, -1}, {0.8, 0.5, 0}, false},
-        {"both behind", {0.2, 0.5, -1}, {0.8, 0.5, -2}, false},
-        {"behind, but far beside the face", {7, 7, -1}, {8, 7, -1}, false},
+        {"both in front", {0.2, 0.5, 1}, {0.8, 0.5, 2}, HIDE_VISIBLE},
+        {"in the plane", {0.2, 0.5, 0}, {0.8, 0.5, 0}, HIDE_VISIBLE},
+        {"one on, one in front", {0.2, 0.5, 0}, {0.8, 0.5, 1}, HIDE_VISIBLE},
+        {"on within epsilon, both sides", {0.2, 0.5, -0.9 * EPSILON}, {0.8, 0.5, 0.9 * EPSILON}, HIDE_VISIBLE},
+        {"one behind by more than epsilon", {0.2, 0.5, -1.1 * EPSILON}, {0.8, 0.5, 1}, HIDE_UNDECIDED},
+        {"one behind, one in front", {0.2, 0.5, -1}, {0.8, 0.5, 1}, HIDE_UNDECIDED},
+        {"one behind, one on", {0.2, 0.5, -1}, {0.8, 0.5, 0}, HIDE_UNDECIDED},
+        {"both behind", {0.2, 0.5, -1}, {0.8, 0.5, -2}, HIDE_INVISIBLE},
+        {"both behind, one within two epsilons", {0.2, 0.5, -1}, {0.8, 0.5, -1.9 * EPSILON}, HIDE_UNDECIDED},
+        {"behind, but far beside the face", {7, 7, -1}, {8, 7, -1}, HIDE_INVISIBLE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         fixture f, g;
         set_up(&f, square, 4, cases[i].A, cases[i].B);
         set_up(&g, square, 4, cases[i].B, cases[i].A);
-        if (hide_test1(&f.face, &f.edge) != cases[i].visible || hide_test1(&g.face, &g.edge) != cases[i].visible)
+        if (hide_test1(&f.face, &f.edge) != cases[i].depth || hide_test1(&g.face, &g.edge) != cases[i].depth)
             fail_msg("%s", cases[i].name);
         free(f.sides.H);
         free(g.sides.H);
@@ -80,9 +81,13 @@ static void test1_of_an_uncertain_plane(void **state)
     (void)state;
     set_up(&f, square, 4, (roberts_vec3){7, 7, 0}, (roberts_vec3){8, 7, 0});
     f.face.limit = EPSILON - 1e-6;
-    assert_false(hide_test1(&f.face, &f.edge));
+    assert_int_not_equal(hide_test1(&f.face, &f.edge), HIDE_VISIBLE);
     f.edge.A.z = f.edge.B.z = 2e-6;
-    assert_true(hide_test1(&f.face, &f.edge));
+    assert_int_equal(hide_test1(&f.face, &f.edge), HIDE_VISIBLE);
+    f.edge.A.z = f.edge.B.z = -2.0 * EPSILON - 0.5e-6;
+    assert_int_equal(hide_test1(&f.face, &f.edge), HIDE_UNDECIDED);
+    f.edge.A.z = f.edge.B.z = -2.0 * EPSILON - 2e-6;
+    assert_int_equal(hide_test1(&f.face, &f.edge), HIDE_INVISIBLE);
     free(f.sides.H);
 }
 
@@ -201,7 +206,7 @@ static bool one_by_one(const hide_space *space, const hide_face *F, const hide_e
                        hide_interval *part)
 {
     sides->tally.pairs++;
-    if (hide_test1(F, e)) {
+    if (hide_test1(F, e) == HIDE_VISIBLE) {
         sides->tally.test1_visible++;
         return false;
     }
