@@ -219,33 +219,43 @@ void names_thing(const roberts_name *name, char *text, size_t size)
         snprintf(text + length, size - (size_t)length, "-%u", (unsigned)name->other);
 }
 
-static roberts_status refuse_twice(roberts_error *error, const char *path, const roberts_name *name)
-{
-    char thing[40], why[80];
-    names_thing(name, thing, sizeof thing);
-    snprintf(why, sizeof why, "%s has two names", thing);
-    return lists_fail(error, ROBERTS_BAD_SYNTAX, path, 0, why);
-}
+/* A name, and the line of the list that gives it. */
+typedef struct listed_name {
+    roberts_name name;
+    size_t line;
+} listed_name;
 
-static bool add_name(name_list *n, const roberts_name *name)
+typedef struct listed_names {
+    listed_name *item;
+    size_t count, room;
+} listed_names;
+
+static bool add_name(listed_names *l, const roberts_name *name, size_t line)
 {
-    if (n->count == n->room) {
-        const size_t room = 2 * n->room + 64;
-        roberts_name *grown = realloc(n->item, room * sizeof *grown);
+    if (l->count == l->room) {
+        const size_t room = 2 * l->room + 64;
+        listed_name *grown = realloc(l->item, room * sizeof *grown);
         if (!grown)
             return false;
-        n->item = grown;
-        n->room = room;
+        l->item = grown;
+        l->room = room;
     }
-    n->item[n->count++] = *name;
+    l->item[l->count++] = (listed_name){*name, line};
     return true;
 }
 
-roberts_status names_read(name_list *n, const char *path, roberts_error *error)
+static int by_thing_and_line(const void *a, const void *b)
+{
+    const listed_name *p = a, *q = b;
+    const int order = by_thing(&p->name, &q->name);
+    return order ? order : (p->line > q->line) - (p->line < q->line);
+}
+
+/* Reads all lines of the text. */
+static roberts_status read_lines(listed_names *l, char *text, const char *path, roberts_error *error)
 {
     size_t line = 0;
-    roberts_status status = read_names(n, path, error);
-    for (char *at = n->text, *next; status == ROBERTS_OK && at && *at; at = next) {
+    for (char *at = text, *next; at && *at; at = next) {
         roberts_name name;
         next = strchr(at, '\n');
         if (next)
@@ -259,14 +269,43 @@ roberts_status names_read(name_list *n, const char *path, roberts_error *error)
         const char *why = read_line(at, &name);
         if (why)
             return lists_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
-        if (!add_name(n, &name))
+        if (!add_name(l, &name, line))
             return lists_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
     }
-    if (status == ROBERTS_OK && n->count > 1)
-        qsort(n->item, n->count, sizeof *n->item, by_thing);
-    for (size_t i = 1; status == ROBERTS_OK && i < n->count; i++)
-        if (by_thing(&n->item[i - 1], &n->item[i]) == 0)
-            return refuse_twice(error, path, &n->item[i]);
+    return ROBERTS_OK;
+}
+
+/* Sorts the names, and copies them. Refuses a second name of the same thing. */
+static roberts_status take_names(name_list *n, listed_names *l, const char *path, roberts_error *error)
+{
+    if (l->count == 0)
+        return ROBERTS_OK;
+    qsort(l->item, l->count, sizeof *l->item, by_thing_and_line);
+    n->item = malloc(l->count * sizeof *n->item);
+    if (!n->item)
+        return lists_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
+    for (size_t i = 0; i < l->count; i++) {
+        n->item[i] = l->item[i].name;
+        if (i > 0 && by_thing(&n->item[i - 1], &n->item[i]) == 0) {
+            char thing[40], why[120];
+            names_thing(&n->item[i], thing, sizeof thing);
+            snprintf(why, sizeof why, "%s has a name already, in line %zu", thing, l->item[i - 1].line);
+            return lists_fail(error, ROBERTS_BAD_SYNTAX, path, l->item[i].line, why);
+        }
+    }
+    n->count = l->count;
+    return ROBERTS_OK;
+}
+
+roberts_status names_read(name_list *n, const char *path, roberts_error *error)
+{
+    listed_names listed = {0};
+    roberts_status status = read_names(n, path, error);
+    if (status == ROBERTS_OK)
+        status = read_lines(&listed, n->text, path, error);
+    if (status == ROBERTS_OK)
+        status = take_names(n, &listed, path, error);
+    free(listed.item);
     return status;
 }
 

@@ -40,8 +40,8 @@ int file_identity_order(const void *a, const void *b);
 
 /* Names in the order that roberts_lettering requires; released by names_free(). */
 typedef struct name_list {
-    roberts_name *item;
-    size_t count, room;
+    roberts_name *item; /* [count] */
+    size_t count;
     char *text; /* of all of them */
 } name_list;
 

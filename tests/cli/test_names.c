@@ -69,8 +69,8 @@ static void faults(void **state)
         {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
         {"vertex,1,\"A\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
         {"vertex,1,\"A\"B\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
-        {"vertex,1,A\nvertex,1,B\n", 0, "vertex 1 has two names"},
-        {"edge,4-7,A\nedge,7-4,B\n", 0, "edge 4-7 has two names"},
+        {"vertex,1,A\n\nvertex,1,B\n", 3, "vertex 1 has a name already, in line 1"},
+        {"edge,4-7,A\nedge,7-4,B\n", 2, "edge 4-7 has a name already, in line 1"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         name_list n;
