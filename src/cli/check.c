@@ -5,6 +5,7 @@
  * options defines which options exclude or need each other; checks that depend on values and files are here. */
 #include "cli/check.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -400,6 +401,23 @@ static void warn_place(const cli_options *options)
                         "the file gets this very name: only tables of --sheet have the name of a view there");
 }
 
+/* Warns of an --up along the line of sight, which something else replaces. An eye without --look-at looks at the
+ * centre of the scene, which is not known yet. */
+static void warn_up(const cli_options *options)
+{
+    const roberts_camera *camera = &options->camera;
+    const roberts_vec3 up = camera->up, eye = camera->eye, at = camera->look_at;
+    roberts_vec3 dir = camera->dir;
+    if (camera->projection == ROBERTS_PERSPECTIVE) {
+        if (!camera->has_look_at)
+            return;
+        dir = (roberts_vec3){eye.x - at.x, eye.y - at.y, eye.z - at.z};
+    }
+    const double x = dir.y * up.z - dir.z * up.y, y = dir.z * up.x - dir.x * up.z, z = dir.x * up.y - dir.y * up.x;
+    if (hypot(hypot(x, y), z) <= 1e-9 * hypot(hypot(dir.x, dir.y), dir.z) * hypot(hypot(up.x, up.y), up.z))
+        warn("--up", "it is parallel to the view");
+}
+
 /* A pen wider than this fraction of the page's shorter side is probably a mistake. */
 static const double widest_part = 0.1;
 
@@ -466,6 +484,8 @@ void check_warn(const cli_options *options, const options_given *given)
     warn_regions(options);
     warn_place(options);
     warn_twice(options);
+    if (options_is_given(given, "up"))
+        warn_up(options);
     if (has_page(options->draw.format)) {
         warn_pages(options, given);
         warn_wide(options);

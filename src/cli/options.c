@@ -338,8 +338,8 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         (status = check_needs(given)) != EXIT_DONE || (status = check_options(options, given)) != EXIT_DONE)
         return status;
     choose_scale(given, options);
+    set_camera(given, options);
     if (!options->plan && !options->part.of)
         check_warn(options, given); /* of a drawing in parts, when they are joined */
-    set_camera(given, options);
     return EXIT_DONE;
 }
