@@ -157,7 +157,7 @@ roberts_vec3 slope_upright(const roberts_camera *camera)
 void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region)
 {
     const view *v = &s->view;
-    const plane F = scene_plane(s->scene, face);
+    const plane F = scene_whole_plane(s->scene, face);
     const roberts_vec3 inward = {F.a, F.b, F.c};
     const double length = vec3_length(inward);
     const roberts_vec3 n = vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / length, inward);

@@ -413,6 +413,70 @@ static bool rename_all(assembly *a)
     return true;
 }
 
+/* Finds the end of the pieces of one face that begin at `first`, and whether they lie in several planes. */
+static uint32_t end_of_face(const roberts_scene *scene, uint32_t first, uint32_t limit, bool *bent)
+{
+    uint32_t end = first + 1;
+    *bent = false;
+    for (; end < limit && scene->face_number[end] == scene->face_number[first]; end++)
+        *bent = *bent || scene->surface->plane_of[end] != scene->surface->plane_of[first];
+    return end;
+}
+
+/* Fits a plane to all pieces of a face. Each counts by its area. So the normal is that of Newell's method, and does not
+ * depend on how the face is cut. */
+static plane plane_of_pieces(const roberts_scene *scene, uint32_t first, uint32_t end)
+{
+    const double scale = 1.0 / scene->unit;
+    roberts_vec3 sum = {0, 0, 0}, middle = {0, 0, 0};
+    double area = 0.0;
+    for (uint32_t f = first; f < end; f++) {
+        const uint32_t *corner = scene->corner + scene->face_start[f],
+                       count = scene->face_start[f + 1] - scene->face_start[f];
+        const roberts_vec3 P = vec3_sub(scene->point[corner[0]], scene->centre);
+        const plane F = scene->face_plane[f];
+        for (uint32_t i = 2; i < count; i++) {
+            const roberts_vec3 Q = vec3_sub(scene->point[corner[i - 1]], scene->centre);
+            const roberts_vec3 R = vec3_sub(scene->point[corner[i]], scene->centre);
+            const double own =
+                vec3_length(vec3_cross(vec3_scale(scale, vec3_sub(Q, P)), vec3_scale(scale, vec3_sub(R, P))));
+            sum = vec3_add(sum, vec3_scale(own, (roberts_vec3){F.a, F.b, F.c}));
+            middle = vec3_add(middle, vec3_scale(own / 3.0, vec3_add(P, vec3_add(Q, R))));
+            area += own;
+        }
+    }
+    const double length = vec3_length(sum);
+    if (!(length > 0.0))
+        return scene->face_plane[first];
+    const roberts_vec3 n = vec3_scale(1.0 / length, sum);
+    return (plane){n.x, n.y, n.z, -vec3_dot(n, middle) / area};
+}
+
+/* Finds the planes of whole faces, if some face is not planar. False: no memory. */
+static bool fit_whole_faces(roberts_scene *scene)
+{
+    scene_surface *to = scene->surface;
+    for (uint32_t b = 0; b < scene->solid_count; b++) {
+        const uint32_t limit = scene->solid[b + 1].face;
+        bool bent;
+        for (uint32_t f = scene->solid[b].face, end; to->kind[b] != ROBERTS_CONVEX && f < limit; f = end) {
+            end = end_of_face(scene, f, limit, &bent);
+            if (!bent)
+                continue;
+            if (!to->whole) {
+                to->whole = alloc_array(scene->face_count, sizeof *to->whole);
+                if (!to->whole)
+                    return false;
+                memcpy(to->whole, scene->face_plane, scene->face_count * sizeof *to->whole);
+            }
+            to->whole[f] = plane_of_pieces(scene, f, end);
+            for (uint32_t k = f + 1; k < end; k++)
+                to->whole[k] = to->whole[f];
+        }
+    }
+    return true;
+}
+
 static roberts_status fill_scene(assembly *a, roberts_error *error)
 {
     roberts_scene *scene = a->scene;
@@ -438,6 +502,8 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
     for (uint32_t b = 0; status == ROBERTS_OK && b < a->body_count; b++)
         if (a->is_convex[b])
             status = store_convex(a, b, error);
+    if (status == ROBERTS_OK && !fit_whole_faces(scene))
+        status = ROBERTS_NO_MEMORY;
 done:
     body_edges_free(&list);
     return status;

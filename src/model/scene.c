@@ -129,6 +129,7 @@ void scene_surface_free(scene_surface *s)
     free(s->edge_is);
     free(s->bend);
     free(s->plane_of);
+    free(s->whole);
     free(s->many);
     free(s->many_face);
     free(s->part);

@@ -65,6 +65,7 @@ typedef struct scene_surface {
     uint8_t *edge_is;   /* [edge_count] EDGE_... flags, for bodies that are not convex */
     uint8_t *bend;      /* [edge_count] see scene_bend_code(), of edges with two faces; NULL: planes are stored */
     uint32_t *plane_of; /* [face_count] see scene_plane_number(); NULL: each face has its own number */
+    plane *whole;       /* [face_count] see scene_whole_plane(); NULL: every face is planar */
     scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;
     scene_part *part; /* [part_count] sorted by edge */
@@ -224,6 +225,20 @@ static inline plane scene_plane(const roberts_scene *scene, uint32_t face)
     return scene->face_plane ? scene->face_plane[face] : scene_measure(scene, face).F;
 }
 
+/* Is there a face that is not planar? */
+static inline bool scene_has_bent_faces(const roberts_scene *scene)
+{
+    return scene->surface && scene->surface->whole;
+}
+
+/* Returns the plane of the whole face that a piece belongs to. A face that is not planar is cut into triangles, each
+ * with a plane of its own. Its tone, and the angle at which it meets another face, follow from the mean of these
+ * planes. */
+static inline plane scene_whole_plane(const roberts_scene *scene, uint32_t piece)
+{
+    return scene_has_bent_faces(scene) ? scene->surface->whole[piece] : scene_plane(scene, piece);
+}
+
 static inline double scene_deviation(const roberts_scene *scene, uint32_t face)
 {
     return scene_shape_of(scene, face).deviation;
@@ -241,10 +256,16 @@ static inline double scene_chord(plane F, plane G, double way)
     return a * a + b * b + c * c;
 }
 
+/* Returns 1 if the two faces of an edge are wound alike, otherwise -1. is: the edge's flags. */
+static inline double scene_way(uint8_t is)
+{
+    return ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0;
+}
+
 /* Returns the bend at an edge with two faces: that distance, as if both faces were wound alike. is: its flags. */
 static inline double scene_bend(plane F, plane G, uint8_t is)
 {
-    return scene_chord(F, G, ((is & EDGE_TURNED_0) != 0) == ((is & EDGE_TURNED_1) != 0) ? -1.0 : 1.0);
+    return scene_chord(F, G, scene_way(is));
 }
 
 /* Returns a bend as a byte that ascends with it: its binary exponent and two digits more. Most bends differ so much

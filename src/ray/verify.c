@@ -144,8 +144,10 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
             add_side_of_face(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
     if (e->f[1] != ROBERTS_NONE) {
         bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
-        found.bent =
-            angle_between(scene_plane(f->seen.scene, of + e->f[0]), scene_plane(f->seen.scene, of + e->f[1]), alike);
+        const roberts_scene *scene = f->seen.scene;
+        const uint32_t p = of + e->f[0], q = of + e->f[1];
+        found.bent = fmax(angle_between(scene_plane(scene, p), scene_plane(scene, q), alike),
+                          angle_between(scene_whole_plane(scene, p), scene_whole_plane(scene, q), alike));
     }
     return found;
 }

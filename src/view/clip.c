@@ -57,6 +57,11 @@ bool cutter_add_face(cutter *c, plane F, double deviation, double width, uint32_
         !array_reserve(&to->face_width, &c->width_room, need, sizeof *to->face_width) ||
         !array_reserve(&to->face_number, &c->face_room, need, sizeof *to->face_number))
         return false;
+    if (scene_has_bent_faces(c->from)) {
+        if (!array_reserve(&to->surface->whole, &c->whole_room, need, sizeof *to->surface->whole))
+            return false;
+        to->surface->whole[f] = F;
+    }
     to->face_plane[f] = F;
     scene_set_bounds(to, (uint32_t)f, deviation, width);
     to->face_number[f] = number;

@@ -147,9 +147,13 @@ static bool cut_face(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lin
         lines->item[lines->count++] = line;
     }
     *to_face = c->clip->scene.face_count;
-    return cutter_add_face(c, scene_plane(from, face), scene_deviation(from, face), scene_width(from, face),
-                           scene_face_number(from, face)) &&
-           add_plane_of(c, scene_plane_number(from, face));
+    if (!cutter_add_face(c, scene_plane(from, face), scene_deviation(from, face), scene_width(from, face),
+                         scene_face_number(from, face)) ||
+        !add_plane_of(c, scene_plane_number(from, face)))
+        return false;
+    if (c->clip->scene.surface->whole)
+        c->clip->scene.surface->whole[*to_face] = scene_whole_plane(from, face);
+    return true;
 }
 
 /* Adds the remaining faces of an edge with more than two. False: no memory. */

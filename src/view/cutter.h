@@ -23,7 +23,8 @@ typedef struct cutter {
         face_room;
     size_t edge_room, cap_room, ring_room;
     struct cut_side *side; /* [side_count] cut sides of a body that is not convex, sorted by their ends */
-    size_t side_count, side_room, plane_of_room, edge_is_room, many_room, many_face_room, part_room, many_faces;
+    size_t side_count, side_room, plane_of_room, whole_room, edge_is_room, many_room, many_face_room, part_room,
+        many_faces;
 } cutter;
 
 /* Is the vertex kept? A vertex in the plane is cut off with those in front of it. So no face degenerates to a line, and

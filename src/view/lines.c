@@ -31,6 +31,21 @@ static void add_edge_face(int facing, bool turned, edge_faces *to)
         to->right++;
 }
 
+/* Do two faces of an edge meet at less than the crease angle? They must do so as a whole, and in the pieces that meet
+ * there. way: -1 if they are wound differently. */
+static bool are_flat(const roberts_scene *scene, uint32_t f, uint32_t g, double way, double crease)
+{
+    return scene_chord(scene_plane(scene, f), scene_plane(scene, g), way) < crease &&
+           (!scene_has_bent_faces(scene) ||
+            scene_chord(scene_whole_plane(scene, f), scene_whole_plane(scene, g), way) < crease);
+}
+
+/* Does each face lie within the crease angle of the first one, or of its back? */
+static bool is_flat_with(const roberts_scene *scene, uint32_t first, uint32_t face, double crease)
+{
+    return are_flat(scene, first, face, 1.0, crease) || are_flat(scene, first, face, -1.0, crease);
+}
+
 /* Do the two faces of edge `e` meet at less than the crease angle? first: the first face of its body. */
 static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
 {
@@ -38,8 +53,7 @@ static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_e
     uint8_t code = scene_bend_code(crease);
     if (surface->bend && surface->bend[e] != code)
         return surface->bend[e] < code;
-    plane F = scene_plane(scene, first + edge->f[0]), G = scene_plane(scene, first + edge->f[1]);
-    return scene_bend(F, G, surface->edge_is[e]) < crease;
+    return are_flat(scene, first + edge->f[0], first + edge->f[1], scene_way(surface->edge_is[e]), crease);
 }
 
 /* The faces of edge `e` of the body in `scene`, which has one or two. */
@@ -64,9 +78,8 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
     edge_faces found = {.flat = true};
     for (uint32_t k = many->first; k < many->end; k++) {
         uint32_t f = face[k] & ~MANY_TURNED;
-        plane F = scene_plane(scene, face[many->first] & ~MANY_TURNED), G = scene_plane(scene, f);
         add_edge_face(facing_of_face(s, scene, f), face[k] & MANY_TURNED, &found);
-        found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
+        found.flat = found.flat && is_flat_with(scene, face[many->first] & ~MANY_TURNED, f, crease);
     }
     return found;
 }
@@ -210,9 +223,8 @@ static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t
 {
     edge_faces found = {.flat = true};
     for (uint32_t i = 0; i < count; i++) {
-        plane F = scene_plane(s->source, side[0].face), G = scene_plane(s->source, side[i].face);
         add_edge_face(facing_of_side(s, side[i].face), side[i].turned, &found);
-        found.flat = found.flat && (scene_chord(F, G, 1.0) < crease || scene_chord(F, G, -1.0) < crease);
+        found.flat = found.flat && is_flat_with(s->source, side[0].face, side[i].face, crease);
     }
     return found;
 }

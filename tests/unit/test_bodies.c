@@ -32,6 +32,9 @@ typedef struct body_case {
 #define SQUARE "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
 #define CROSSED "5 1 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n5 0 1 2 3 4\n"
 
+/* The triangle beside edge 0-1 in one face may lie in the plane of that in the other face. */
+#define TWISTED "6 2 0\n0 -1 0\n0 1 0\n1 -1 -.3\n1 1 .3\n-1 -1 .3\n-1 1 -.3\n"
+
 /* Lengths are measured in the picture: an edge along the line of sight has none. */
 static const body_case cases[] = {
     {"a sheet", "OFF\n" SQUARE, TOP, "o", 0, 4, 0, 0, false, false},
@@ -57,6 +60,9 @@ static const body_case cases[] = {
      "OFF\n7 2 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1.0000000000000002 0\n2 1 0\n"
      "2 2 0\n4 0 1 2 3\n3 4 5 6\n",
      TOP, "o", 0, 2 + 1 + 1 + 1 + 1 + ROOT_2, 0, 0, false, false},
+    {"twisted faces that meet at an angle", "OFF\n" TWISTED "4 0 1 3 2\n4 5 1 0 4\n", TOP, "o", 0, 8, 2, 0, false,
+     false},
+    {"... that begin with other corners", "OFF\n" TWISTED "4 1 3 2 0\n4 4 5 1 0\n", TOP, "o", 0, 8, 2, 0, false, false},
     {"a fold is outline from where it is one",
      "OFF\n6 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0.5 1\n0 0.5 1\n4 0 1 4 5\n4 3 2 4 5\n", FRONT, "o", 1, 1 + 1 + 1, 0, 0,
      false, false},

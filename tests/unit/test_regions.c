@@ -612,6 +612,33 @@ static void check_depths(const roberts_scene *scene, const roberts_camera *camer
         fail_msg("face %u: depths %.9g .. %.9g, rays %.9g .. %.9g", own->face, own->z_min, own->z_max, low, high);
 }
 
+/* The normal of a face that is not planar is that of Newell's method, whichever corner comes first. */
+static void test_normal_of_a_bent_face(void **state)
+{
+    static const roberts_vec3 P[4] = {{0, -1, 0}, {0, 1, 0}, {1, 1, 0.3}, {1, -1, -0.5}};
+    const roberts_camera camera = {.dir = {0, 0, 1}, .up = {0, 1, 0}};
+    roberts_vec3 sum = {0, 0, 0};
+    (void)state;
+    for (int i = 0; i < 4; i++)
+        sum = vec3_sub(sum, vec3_cross(P[i], P[(i + 1) % 4]));
+    sum = vec3_scale(1.0 / vec3_length(sum), sum);
+    for (int first = 0; first < 4; first++) {
+        roberts_mesh mesh = {0};
+        roberts_region_list l;
+        uint32_t corner[4];
+        for (int i = 0; i < 4; i++)
+            corner[i] = mesh_vertex(&mesh, P[(first + i) % 4]);
+        mesh_face(&mesh, corner, 4);
+        roberts_scene *scene = build_scene(&mesh);
+        assert_int_equal(roberts_regions(scene, &camera, NULL, &l, NULL), ROBERTS_OK);
+        assert_true(l.count > 0);
+        for (size_t i = 0; i < l.count; i++)
+            assert_true(vec3_length(vec3_sub(l.region[i].normal, sum)) < 1e-12);
+        roberts_regions_free(&l);
+        roberts_scene_free(scene);
+    }
+}
+
 /* Faces of several pieces, partly behind boxes: the depths are those of the pieces that are seen. Seen aslant, a face
  * that is not planar lies partly behind itself. */
 static void test_depths_of_pieces(void **state)
@@ -737,6 +764,7 @@ int main(void)
         cmocka_unit_test(test_hole),
         cmocka_unit_test(test_random_scenes),
         cmocka_unit_test(test_near_plane_not_convex),
+        cmocka_unit_test(test_normal_of_a_bent_face),
         cmocka_unit_test(test_depths_of_pieces),
         cmocka_unit_test(test_merged),
         cmocka_unit_test(test_near_plane),
