@@ -444,7 +444,7 @@ typedef struct roberts_drawing {
 } roberts_drawing;
 
 typedef struct roberts_hide_options {
-    double crease_degrees; /**< an edge between two front faces, or two back ones, flatter than this is not drawn
+    double crease_degrees; /**< an edge between two front faces, or two back ones, that bends by no more is left out
                                 (default: 0.1) */
     bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
                                 than 30 degrees are not drawn (default: true) */

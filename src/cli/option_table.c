@@ -157,9 +157,10 @@ static const option rows[] = {
      RANGE(0, 180),
      .excludes = "all-edges",
      .brief = "leave out flatter edges",
-     .help = "leave out edges between two front faces, or two back ones, flatter than this (default: auto, which is "
-             "0.1, and 30 for curved bodies of many faces that are not convex)",
-     .manual = "Leaves out edges at which two front faces bend by less than this angle; of hidden lines, also those "
+     .help =
+         "leave out edges between two front faces, or two back ones, no more bent than this (default: auto, which is "
+         "0.1, and 30 for curved bodies of many faces that are not convex)",
+     .manual = "Leaves out edges at which two front faces bend by at most this angle; of hidden lines, also those "
                "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
                "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
                "bends by less than 20 degrees at half of its edges. A larger angle thins out the slivers of scanned "
