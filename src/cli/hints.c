@@ -282,16 +282,32 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
     return g;
 }
 
+/* Whether some face that is seen is filled or hatched. */
+static bool shows_faces(const cli_options *options, const roberts_drawing *drawing, size_t views)
+{
+    const roberts_draw_options *page = &options->draw;
+    const bool drawn = page->fill != ROBERTS_FILL_NONE || (page->hatching.on && !page->hatch.off);
+    for (const roberts_drawing *d = drawing; d < drawing + views && drawn; d++)
+        if (d->regions && d->regions->count > 0)
+            return true;
+    return false;
+}
+
+/* Whether labels are written. */
+static bool shows_text(const roberts_draw_options *page)
+{
+    return !page->text.off && (page->lettering.labels || page->lettering.name_count > 0);
+}
+
 const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views)
 {
     const glance g = look(options, drawing, views, 1);
     bool too_far = true;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         too_far = too_far && d->epsilon >= d->scene_diameter;
-    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
-        if (options->draw.fill != ROBERTS_FILL_NONE && d->regions && d->regions->count > 0)
-            return NULL;
-    if (g.drawn > 0)
+    if (g.drawn > 0 || shows_faces(options, drawing, views))
+        return NULL;
+    if (g.any_inside && shows_text(&options->draw))
         return NULL;
     if (g.any_inside)
         return "--style has turned off all lines that could be seen";

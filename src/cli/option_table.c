@@ -553,7 +553,8 @@ static const option rows[] = {
          "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or "
          "hidden-text. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are the "
          "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
-         "whole lines. off leaves the class out, on brings it back. May be given several times.\n"
+         "whole lines. off leaves the class out, on brings it back. All else keeps its place on the page, so files for "
+         "one pen each fit together; only a frame must be in all of them or in none. May be given several times.\n"
          "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
          "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm; with another width= both "
          "change in proportion. The pens do not depend on the page: small or crowded pictures want thinner ones."},
@@ -571,8 +572,8 @@ static const option rows[] = {
          "to tone; shortest=MM leaves out shorter strokes",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
-         "of their own, with the pen --style hatch:..., below all others. --hatch on takes the defaults; keys change "
-         "them:\n"
+         "of their own, with the pen --style hatch:..., below all others, and stop round text. --hatch on takes the "
+         "defaults; keys change them:\n"
          "spacing=MM: from stroke to stroke on paper where no light falls. Default: 0.8. The more light falls on "
          "a face, the fewer strokes it has; a face on which the light falls straight has none (Lambert's law).\n"
          "levels=N: how many tones there are; 0: one for each shade. Default: 10. Faces of one tone have strokes in "

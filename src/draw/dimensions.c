@@ -69,7 +69,7 @@ static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
-        if (!strokes_is_drawn(s->options, segment, &line))
+        if (!strokes_has_place(s->options, segment, &line))
             continue;
         for (int end = 0; end < 2; end++) {
             const roberts_vec2 p = page_place(&view->map, end ? segment->p1 : segment->p0);
@@ -218,7 +218,7 @@ static bool shows(const strokes *s, const page_view *view, uint32_t number)
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
-        if (segment->state == ROBERTS_VISIBLE && strokes_is_drawn(s->options, segment, &line) &&
+        if (segment->state == ROBERTS_VISIBLE && strokes_has_place(s->options, segment, &line) &&
             ((segment->v0 == number && segment->t0 == 0.0) || (segment->v1 == number && segment->t1 == 1.0)))
             return true;
     }

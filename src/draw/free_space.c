@@ -245,6 +245,48 @@ space_load space_load_of(const free_space *r, const space_box *box, uint32_t own
     return load;
 }
 
+static int by_start(const void *a, const void *b)
+{
+    const space_part *p = a, *q = b;
+    return (p->from > q->from) - (p->from < q->from);
+}
+
+/* Adds the parts in the boxes that a cell lists. */
+static bool add_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, size_t cell, space_parts *out)
+{
+    double t[2];
+    for (uint32_t i = r->first_box[cell]; i != NOTHING; i = r->entry[i].next) {
+        if (!clip(a, b, &r->box[r->entry[i].what], t) || t[0] >= t[1])
+            continue;
+        if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
+            return false;
+        out->item[out->count++] = (space_part){t[0], t[1]};
+    }
+    return true;
+}
+
+bool space_find_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, space_parts *out)
+{
+    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const cells in = cells_of(r, &box);
+    size_t kept = 0;
+    out->count = 0;
+    for (uint32_t y = in.low_y; y <= in.high_y; y++)
+        for (uint32_t x = in.low_x; x <= in.high_x; x++)
+            if (!add_covered(r, a, b, (size_t)y * r->columns + x, out))
+                return false;
+    if (out->count > 1)
+        qsort(out->item, out->count, sizeof *out->item, by_start);
+    for (size_t i = 0; i < out->count; i++) { /* a box may be listed in several cells */
+        if (kept > 0 && out->item[i].from <= out->item[kept - 1].to)
+            out->item[kept - 1].to = greater(out->item[kept - 1].to, out->item[i].to);
+        else
+            out->item[kept++] = out->item[i];
+    }
+    out->count = kept;
+    return true;
+}
+
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 
 /* The point of a region that is farthest from its border, by a grid of points that is refined about the best

@@ -35,6 +35,19 @@ typedef struct space_load {
  * least `enough` mm, have been found. */
 space_load space_load_of(const free_space *r, const space_box *box, uint32_t own, uint32_t most_boxes, double enough);
 
+/* Parts of a line, as parameters along it. Zeroed = empty; release with free(item). */
+typedef struct space_part {
+    double from, to;
+} space_part;
+
+typedef struct space_parts {
+    space_part *item;
+    size_t count, room;
+} space_parts;
+
+/* Finds the parts of the line from a to b that lie in boxes. They ascend and are disjoint. False: no memory. */
+bool space_find_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, space_parts *out);
+
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 
 /* A point within a region, and how far its border is; model units of the picture. */

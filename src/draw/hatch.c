@@ -234,3 +234,86 @@ roberts_status hatch_add(const strokes *s, pieces *p, size_t *room, roberts_erro
                          "the drawing takes more than %d strokes of hatching; make their spacing wider", HATCH_MOST);
     return done ? ROBERTS_OK : error_no_memory(error);
 }
+
+/* ---- text ---- */
+
+/* mm, kept free round text besides half of the pen. */
+static const double round_text = 0.2;
+
+/* The boxes of text. NULL: no memory. */
+static free_space *text_boxes(const strokes *s)
+{
+    const roberts_page *page = &s->options->page;
+    const double more = round_text + s->options->hatch.width_mm / 2.0;
+    const space_box all = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &all);
+    for (size_t i = 0; i < s->taken_count && r; i++) {
+        const space_box *own = &s->taken[i];
+        const space_box box = {{own->min.x - more, own->min.y - more}, {own->max.x + more, own->max.y + more}};
+        uint32_t number;
+        if (!space_add_box(r, &box, &number)) {
+            space_free(r);
+            r = NULL;
+        }
+    }
+    return r;
+}
+
+/* Adds the part of a stroke from t = from to `to`. */
+static void add_part(const piece *of, double from, double to, pieces *out)
+{
+    piece part = *of;
+    const roberts_vec2 d = {of->b.x - of->a.x, of->b.y - of->a.y};
+    if (from > 0.0)
+        part.a = (roberts_vec2){of->a.x + from * d.x, of->a.y + from * d.y};
+    if (to < 1.0)
+        part.b = (roberts_vec2){of->a.x + to * d.x, of->a.y + to * d.y};
+    if (!is_point(part.a, part.b))
+        out->item[out->count++] = part;
+}
+
+/* Adds what the boxes leave of a stroke. False: no memory. */
+static bool add_free_parts(const strokes *s, const free_space *r, const piece *of, space_parts *covered, pieces *out,
+                           size_t *room)
+{
+    const roberts_vec2 a = {of->a.x / s->units_per_mm, of->a.y / s->units_per_mm};
+    const roberts_vec2 b = {of->b.x / s->units_per_mm, of->b.y / s->units_per_mm};
+    double from = 0.0;
+    if (!space_find_covered(r, a, b, covered) ||
+        !array_reserve(&out->item, room, out->count + covered->count + 1, sizeof *out->item))
+        return false;
+    for (size_t i = 0; i < covered->count; i++) {
+        add_part(of, from, covered->item[i].from, out);
+        from = covered->item[i].to;
+    }
+    add_part(of, from, 1.0, out);
+    return true;
+}
+
+bool hatch_spare_text(const strokes *s, pieces *p)
+{
+    size_t first = 0, room = 0;
+    pieces out = {.part = p->part};
+    space_parts covered = {0};
+    while (first < p->count && p->item[first].line != LINE_HATCH)
+        first++;
+    if (s->taken_count == 0 || first == p->count)
+        return true;
+    free_space *r = text_boxes(s);
+    bool done = r && array_reserve(&out.item, &room, p->count, sizeof *out.item);
+    for (size_t i = 0; i < p->count && done; i++) {
+        if (p->item[i].line == LINE_HATCH)
+            done = add_free_parts(s, r, &p->item[i], &covered, &out, &room);
+        else if ((done = array_reserve(&out.item, &room, out.count + 1, sizeof *out.item)))
+            out.item[out.count++] = p->item[i];
+    }
+    space_free(r);
+    free(covered.item);
+    if (!done) {
+        free(out.item);
+        return false;
+    }
+    free(p->item);
+    *p = out;
+    return true;
+}

@@ -12,6 +12,10 @@ enum { HATCH_MOST = 20000000 };
  * strokes). */
 roberts_status hatch_add(const strokes *s, pieces *p, size_t *room, roberts_error *error);
 
+/* Cuts the strokes of hatching where they run through a box of s->taken. `p` may get another array. False: no memory.
+ */
+bool hatch_spare_text(const strokes *s, pieces *p);
+
 /* How dark a region is: 0 where the light falls straight on it, 1 where none does; rounded to a level. */
 double hatch_darkness(const roberts_draw_options *options, const roberts_region *region);
 

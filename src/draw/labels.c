@@ -189,7 +189,7 @@ static bool find_targets(const strokes *s, targets *t)
         const roberts_drawing *drawing = view[v].drawing;
         roberts_line line;
         for (size_t i = 0; i < drawing->count && (kinds & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES)); i++)
-            if (strokes_is_drawn(s->options, &drawing->segment[i], &line) &&
+            if (strokes_has_place(s->options, &drawing->segment[i], &line) &&
                 !add_segment(s, &view[v], v, &drawing->segment[i], t))
                 return false;
         for (size_t i = 0;
@@ -446,7 +446,8 @@ static bool add_note(strokes *s, const label *l, double height)
                             .height_mm = height,
                             .align = 0.5,
                             .along = TEXT_LEVEL};
-    return notes_add_text(&s->notes, &line, l->of->is_back);
+    const space_box box = box_of(l, l->middle);
+    return strokes_take(s, &box) && notes_add_text(&s->notes, &line, l->of->is_back);
 }
 
 /* Fills `list` with the labels of targets that have a text. */
@@ -472,51 +473,44 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
     return count;
 }
 
-static bool add_strokes_to_room(const strokes *s, free_space *r, size_t first, size_t end)
+/* Hatching would leave no room anywhere, so labels may lie on it. */
+static bool add_pieces_to_room(const strokes *s, const pieces *p, free_space *r)
 {
-    for (size_t i = first; i < end; i++)
-        if (!space_add_polyline(r, &s->lines, i, s->units_per_mm))
+    for (size_t i = 0; i < p->count; i++) {
+        const piece *own = &p->item[i];
+        const roberts_vec2 a = {own->a.x / s->units_per_mm, own->a.y / s->units_per_mm};
+        const roberts_vec2 b = {own->b.x / s->units_per_mm, own->b.y / s->units_per_mm};
+        if (own->line != PIECE_GONE && own->line != LINE_HATCH && !space_add_line(r, a, b))
+            return false;
+    }
+    return true;
+}
+
+static bool add_polylines_to_room(const polylines *lines, double units_per_mm, free_space *r)
+{
+    for (size_t i = 0; i < lines->count; i++)
+        if (!space_add_polyline(r, lines, i, units_per_mm))
             return false;
     return true;
 }
 
-/* Hatching would leave no room anywhere, so labels may lie on it. It is the lowest class. */
-static bool add_all_strokes(const strokes *s, free_space *r)
-{
-    if (!strokes_are_grouped(s->options))
-        return add_strokes_to_room(s, r, s->start[1], s->lines.count);
-    for (size_t g = 0; g < s->group_count; g++)
-        if (s->group[g].line != LINE_HATCH && !add_strokes_to_room(s, r, s->group[g].first, s->group[g].end))
-            return false;
-    return true;
-}
-
-static bool fill_room(const strokes *s, free_space *r)
-{
-    uint32_t number;
-    if (!add_all_strokes(s, r))
-        return false;
-    for (size_t i = 0; i < s->notes.lines.count; i++)
-        if (!space_add_polyline(r, &s->notes.lines, i, s->units_per_mm))
-            return false;
-    for (size_t i = 0; i < s->taken_count; i++)
-        if (!space_add_box(r, &s->taken[i], &number))
-            return false;
-    return true;
-}
-
-free_space *labels_room(const strokes *s)
+free_space *labels_room(const strokes *s, const pieces *p, const polylines *lines)
 {
     const roberts_page *page = &s->options->page;
     space_box within = {s->frame_mm[0], s->frame_mm[1]};
     if (s->options->placement.scale > 0.0) /* a drawing at a given scale may lie on the margins */
         within = (space_box){{0.0, 0.0}, {page->width_mm, page->height_mm}};
     free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &within);
-    if (r && !fill_room(s, r)) {
-        space_free(r);
-        return NULL;
+    bool done = r && add_pieces_to_room(s, p, r) && add_polylines_to_room(lines, s->units_per_mm, r) &&
+                add_polylines_to_room(&s->notes.lines, s->units_per_mm, r);
+    for (size_t i = 0; i < s->taken_count && done; i++) {
+        uint32_t number;
+        done = space_add_box(r, &s->taken[i], &number);
     }
-    return r;
+    if (done)
+        return r;
+    space_free(r);
+    return NULL;
 }
 
 double labels_reach(const roberts_draw_options *options)

@@ -158,10 +158,7 @@ roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
     }
     for (size_t i = 0; status == ROBERTS_OK && i < sizeof plain / sizeof plain[0]; i++) {
         const stroke_group group = {.view = none, .body = ROBERTS_NONE, .line = plain[i]};
-        if (plain[i] == LINE_TEXT)
-            status = strokes_label(s, error);
-        if (status == ROBERTS_OK)
-            status = make_group(s, &(pieces){0}, group, &pen, error);
+        status = make_group(s, &(pieces){0}, group, &pen, error);
     }
     free(key);
     return status;

@@ -86,14 +86,14 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
     return is_broken(options, line) && !options->real_dashes;
 }
 
-/* A class is drawn unless its pen is off, or it is the class of hidden lines and they are not wanted. */
-static bool is_class_drawn(const roberts_draw_options *options, roberts_line line)
+/* A class has no place if it is that of hidden lines and they are not wanted, or that of a hatching that is not. */
+static bool has_place(const roberts_draw_options *options, roberts_line line)
 {
-    return !strokes_pen(options, line)->off && !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE) &&
+    return !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE) &&
            (line != LINE_HATCH || options->hatching.on);
 }
 
-bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
+bool strokes_has_place(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
 {
     if (segment->state == ROBERTS_CLIPPED)
         return false;
@@ -102,7 +102,7 @@ bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment
     else
         *line = segment->line == ROBERTS_BACK || segment->line == ROBERTS_BACK_OUTLINE ? ROBERTS_OUTLINE
                                                                                        : (roberts_line)segment->line;
-    return is_class_drawn(options, *line);
+    return has_place(options, *line);
 }
 
 static void enlarge_box(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
@@ -124,19 +124,10 @@ static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, dou
 
 static bool is_hatched(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
-    return drawing->regions && is_class_drawn(options, LINE_HATCH);
+    return drawing->regions && options->hatching.on && !options->hatch.off;
 }
 
-static void enlarge_by_regions(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
-                               roberts_vec2 *max)
-{
-    const bool drawn = options->fill != ROBERTS_FILL_NONE || is_hatched(drawing, options);
-    const roberts_region_list *regions = drawn ? drawing->regions : NULL;
-    for (size_t i = 0; regions && i < regions->corner_count; i++)
-        enlarge_box(min, max, regions->corner[i]);
-}
-
-/* The box of what is drawn, or the drawing's window. */
+/* The box of all lines that have a place, or the drawing's window. No region reaches farther. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
 {
@@ -150,13 +141,11 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
     }
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
-        if (strokes_is_drawn(options, segment, &line)) {
+        if (strokes_has_place(options, segment, &line)) {
             enlarge_box(min, max, segment->p0);
             enlarge_box(min, max, segment->p1);
         }
     }
-    if (options->outline.off || options->border.off) /* otherwise no region reaches farther than these */
-        enlarge_by_regions(drawing, options, min, max);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -179,15 +168,15 @@ static bool is_point(const piece *p)
     return page_round(p->a.x) == page_round(p->b.x) && page_round(p->a.y) == page_round(p->b.y);
 }
 
-/* Appends the pieces that are drawn, numbered from `number` on. Leaves out those without length once rounded. `p` has
- * room for all segments. */
+/* Appends the pieces that have a place, numbered from `number` on. Leaves out those without length once rounded. `p`
+ * has room for all segments. */
 static void collect(const strokes *s, const page_view *view, size_t number, pieces *p)
 {
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
-        if (!strokes_is_drawn(s->options, segment, &line) || !frame_cut(view, segment->p0, segment->p1, t))
+        if (!strokes_has_place(s->options, segment, &line) || !frame_cut(view, segment->p0, segment->p1, t))
             continue;
         double z = segment->z1 - segment->z0;
         piece own = {.a = place_on_page(s, &view->map, point_between(segment->p0, segment->p1, t[0])),
@@ -209,7 +198,7 @@ static bool add_frame(const strokes *s, polylines *out)
     piece side[4];
     for (int i = 0; i < 4; i++)
         side[i] = (piece){.a = corner[i], .b = corner[i + 1], .line = LINE_FRAME};
-    return s->options->frame.off || chain_in_order(&(pieces){.item = side, .count = 4}, LINE_FRAME, out);
+    return chain_in_order(&(pieces){.item = side, .count = 4}, LINE_FRAME, out);
 }
 
 static bool add_symbol(const strokes *s, polylines *out)
@@ -237,22 +226,28 @@ bool strokes_text_is_native(const roberts_draw_options *options)
 
 static bool add_text(const strokes *s, roberts_line line, polylines *out)
 {
-    return strokes_pen(s->options, line)->off ||
-           notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
+    return notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
 }
 
-roberts_status strokes_label(strokes *s, roberts_error *error)
+/* Finds the places of distances and labels, beside the pieces, the frame and the symbol. One room serves both, so that
+ * neither lies on the other. */
+static roberts_status place_text(strokes *s, const pieces *p, roberts_error *error)
 {
+    polylines standing = {0};
+    free_space *room = NULL;
     roberts_status status = ROBERTS_OK;
-    if (distances_wanted(s) || labels_wanted(s)) {
-        free_space *room = labels_room(s); /* one room for both, so that neither lies on the other */
-        status = room ? ROBERTS_OK : error_no_memory(error);
-        if (status == ROBERTS_OK && distances_wanted(s))
-            status = distances_add(s, room, error);
-        if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
-            status = error_no_memory(error);
-        space_free(room);
-    }
+    if (!distances_wanted(s) && !labels_wanted(s))
+        return ROBERTS_OK;
+    if ((s->options->frame.off || add_frame(s, &standing)) && (s->options->symbol.off || add_symbol(s, &standing)))
+        room = labels_room(s, p, &standing);
+    if (!room)
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK && distances_wanted(s))
+        status = distances_add(s, room, error);
+    if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
+        status = error_no_memory(error);
+    space_free(room);
+    polylines_free(&standing);
     return status;
 }
 
@@ -278,6 +273,8 @@ roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line lin
     const bool ordered = s->options->order == ROBERTS_ORDER_TRAVEL;
     const size_t first = out->count;
     bool done, in_place = line == LINE_FRAME || line == LINE_SYMBOL;
+    if (strokes_pen(s->options, line)->off)
+        return ROBERTS_OK;
     if (line == LINE_FRAME)
         done = add_frame(s, out);
     else if (line == LINE_SYMBOL)
@@ -309,10 +306,7 @@ static roberts_status make_classes(strokes *s, const pieces *p, roberts_error *e
     roberts_status status = ROBERTS_OK;
     for (int i = 0; i < LINE_CLASSES && status == ROBERTS_OK; i++) {
         s->start[i] = s->lines.count;
-        if (line_order[i] == LINE_TEXT)
-            status = strokes_label(s, error);
-        if (status == ROBERTS_OK)
-            status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
+        status = strokes_chain(s, p, line_order[i], &s->lines, &pen, error);
         s->start[i + 1] = s->lines.count;
     }
     return status;
@@ -344,11 +338,15 @@ static roberts_status draw(strokes *s, roberts_error *error)
     }
     if (number > INT32_MAX)
         status = error_no_memory(error);
-    if (status == ROBERTS_OK && is_class_drawn(s->options, LINE_HATCH))
+    if (status == ROBERTS_OK && s->options->hatching.on && !s->options->hatch.off)
         status = hatch_add(s, &p, &room, error);
     if (status == ROBERTS_OK && strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, number)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK && !overlap_remove(&p, epsilon))
+        status = error_no_memory(error);
+    if (status == ROBERTS_OK)
+        status = place_text(s, &p, error);
+    if (status == ROBERTS_OK && !hatch_spare_text(s, &p))
         status = error_no_memory(error);
     if (status == ROBERTS_OK)
         status = part ? groups_make(s, &p, error) : make_classes(s, &p, error);
@@ -399,7 +397,7 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
     for (int i = ROBERTS_OUTLINE; i <= ROBERTS_INTERSECTION; i++) {
         const roberts_line line = (roberts_line)i;
         const double width = strokes_pen(options, line)->width_mm;
-        bool needed = is_class_drawn(options, line) && width > widest;
+        bool needed = has_place(options, line) && width > widest;
         if (needed && i > ROBERTS_BACK) {
             needed = false;
             for (int k = 0; k < views && !needed; k++)
@@ -408,7 +406,7 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
         if (needed)
             widest = width;
     }
-    return is_class_drawn(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
+    return has_place(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
 }
 
 /* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a fitted

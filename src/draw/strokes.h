@@ -54,7 +54,7 @@ typedef struct strokes {
     roberts_vec2 symbol_mm;         /* the symbol's lower right corner */
     roberts_vec2 frame_mm[2];       /* upper left and lower right corner of the frame */
     notes notes;
-    space_box *taken; /* [taken_count] boxes that labels must avoid */
+    space_box *taken; /* [taken_count] boxes of text, and of the title block: further text and hatching avoid them */
     size_t taken_count, taken_room;
     fills fills; /* below all lines */
     polylines lines;
@@ -85,9 +85,6 @@ static inline bool strokes_are_grouped(const roberts_draw_options *options)
  * becomes the end of the last polyline. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (too many dashes). */
 roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
                              roberts_error *error);
-
-/* Finds the places of labels. It comes after all classes but those of text. */
-roberts_status strokes_label(strokes *s, roberts_error *error);
 
 /* Adds a box to s->taken. False: no memory. */
 bool strokes_take(strokes *s, const space_box *box);
@@ -121,8 +118,9 @@ enum { SEGMENTS_PER_STROKE = 1000 };
  * segments together. */
 size_t strokes_part_end(const strokes *s, size_t first, size_t end);
 
-/* Whether a segment is drawn, and the class that it is drawn as. */
-bool strokes_is_drawn(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line);
+/* Whether a segment has a place on the page, and its class. A class whose pen is off has its place: it draws nothing,
+ * but all else stays where it is. So drawings for one pen each fit together. */
+bool strokes_has_place(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line);
 
 /* How often and how far the pen goes. */
 roberts_ink strokes_measure(const strokes *s);

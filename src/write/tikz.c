@@ -237,7 +237,7 @@ static roberts_status write_vertices(const tikz *p, roberts_error *error)
         return error_no_memory(error);
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
-        if (segment->state != ROBERTS_VISIBLE || !strokes_is_drawn(p->s->options, segment, &line))
+        if (segment->state != ROBERTS_VISIBLE || !strokes_has_place(p->s->options, segment, &line))
             continue;
         if (segment->t0 == 0.0)
             add_seen_vertex(p->s, segment->v0, segment->p0, list, &count);

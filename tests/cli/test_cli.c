@@ -444,10 +444,48 @@ static const struct {
     {"--style border:off", "id=\"wire\""},
     {"--style wire:off", "!id=\"wire\""},
     {"--style wire:width=2 --view top --page 100x100 --margin 0", "M 1 50 L 99 50"},
-    {"--style wire:width=2,off --view top --page 100x100 --margin 0", "M 0.25 99.75 L 99.75 99.75 L 99.75 0.25 Z"},
+    {"--style wire:width=2,off --view top --page 100x100 --margin 0", "M 1 99 L 99 99 L 99 1 Z"},
 };
 
 /* A triangle, and a wire through its middle. */
+/* Draws with these pens off. Returns the layer of one class, or NULL if there is none; the caller frees it. */
+static char *layer_of(const char *model, const char *off, const char *class)
+{
+    char line[600], begin[60];
+    snprintf(line, sizeof line, "--order none --hidden dashed --hatch spacing=6%s %s", off, model);
+    if (run(line) != 0)
+        fail_msg("%s: %s", line, last.err);
+    snprintf(begin, sizeof begin, "<g id=\"%s\"", class);
+    const char *from = strstr(last.out, begin), *end = from ? strstr(from, "</g>") : NULL;
+    return from ? strndup(from, (size_t)(end - from)) : NULL;
+}
+
+/* Drawings for one pen each fit together: whatever else is off, a class is drawn in the same way. */
+static void pens_that_are_off_move_nothing(void **state)
+{
+    static const char *const models[] = {"models/chair.off", "--label vertices,faces models/stella-octangula.off",
+                                         "--label faces models/interpenetrating-cubes.off"};
+    static const char *const classes[] = {"outline", "border", "crease", "intersection",
+                                          "hidden",  "hatch",  "text",   "hidden-text"};
+    enum { CLASSES = sizeof classes / sizeof classes[0] };
+    size_t layers = 0;
+    (void)state;
+    for (size_t m = 0; m < sizeof models / sizeof models[0]; m++)
+        for (size_t c = 0; c < CLASSES; c++) {
+            char off[400] = "";
+            for (size_t k = 0; k < CLASSES; k++)
+                if (k != c)
+                    snprintf(off + strlen(off), sizeof off - strlen(off), " --style %s:off", classes[k]);
+            char *all = layer_of(models[m], "", classes[c]), *alone = layer_of(models[m], off, classes[c]);
+            if (!all != !alone || (all && strcmp(all, alone) != 0))
+                fail_msg("%s: %s", models[m], classes[c]);
+            layers += all != NULL;
+            free(all);
+            free(alone);
+        }
+    assert_int_equal(layers, 17);
+}
+
 static void borders_and_wires(void **state)
 {
     (void)state;
@@ -1144,6 +1182,7 @@ int main(void)
         IN_FOLDER(angles_are_views),
         IN_FOLDER(pages_and_pens),
         IN_FOLDER(borders_and_wires),
+        IN_FOLDER(pens_that_are_off_move_nothing),
         IN_FOLDER(lost_lines_have_a_class),
         IN_FOLDER(levels_are_counted),
         IN_FOLDER(bodies_are_named),

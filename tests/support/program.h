@@ -20,7 +20,7 @@
 #include "temporary.h"
 #include "testing.h"
 
-enum { ARGUMENTS = 16, TEXT = 65536, CLOSED = -2 };
+enum { ARGUMENTS = 32, TEXT = 65536, CLOSED = -2 };
 
 static char top[2048], program[4096]; /* the source's top folder; the program */
 
