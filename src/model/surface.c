@@ -78,7 +78,7 @@ static bool enter_face(face_set *set, const surface *s, uint32_t f, const uint32
     uint32_t least = corner[0];
     for (uint32_t i = 1; i < count; i++)
         least = corner[i] < least ? corner[i] : least;
-    size_t at = (size_t)((double)least / s->vertex_count * (double)set->size) & (set->size - 1);
+    size_t at = (size_t)((double)least / (double)s->mesh->vertex_count * (double)set->size) & (set->size - 1);
     *repeats = false;
     for (size_t tries = 0; set->slot[at] != ROBERTS_NONE; tries++) {
         if (!repeats_face(set, s, set->slot[at], corner, count, repeats))

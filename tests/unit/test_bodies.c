@@ -74,6 +74,10 @@ static const body_case cases[] = {
      TOP, "o", 0, 6 + 1, 1, 0, false, false}, /* the third is edge-on: it hides nothing */
     /* 2 sqrt 40 (1/3 + 8/19) + 2 sqrt 41 (2/5 + 7/19) + 6 * 7/9: its inner pentagon has the face on both sides */
     {"a pentagram", "OFF\n" CROSSED, TOP, "o", 0, 24.049569135931204, 0, 0, false, false},
+    {"a pentagram between two copies of a square",
+     "OFF\n9 3 0\n0 3 0\n2 -3 0\n-3 1 0\n3 1 0\n-2 -3 0\n4 0 0\n5 0 0\n5 1 0\n4 1 0\n4 5 6 7 8\n5 0 1 2 3 4\n"
+     "4 5 6 7 8\n",
+     TOP, "oo", 0, 24.049569135931204 + 4, 0, 0, false, false},
     {"a slit bounds nothing",
      "OFF\n8 1 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n10 0 1 2 3 0 4 5 6 7 4\n", TOP, "o", 0,
      12 + 4, 0, 0, false, false},
