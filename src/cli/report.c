@@ -278,10 +278,14 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
     message_open(log);
     message_begin(log, t->options->label);
     fprintf(log, "verify: body %u, ", (unsigned)c->solid);
-    if (c->face[0] == ROBERTS_NONE)
+    if (c->v0 != ROBERTS_NONE)
         fprintf(log, "edge %u-%u", (unsigned)c->v0, (unsigned)c->v1);
-    else
+    else if (c->face[1] != ROBERTS_NONE)
         fprintf(log, "intersection of faces %u and %u", (unsigned)c->face[0], (unsigned)c->face[1]);
+    else if (c->face[0] != ROBERTS_NONE)
+        fprintf(log, "intersection of face %u and a face of a hull", (unsigned)c->face[0]);
+    else
+        fputs("intersection of two faces of hulls", log);
     fprintf(log, ", t = %.17g: ", c->t);
     if (!c->no_line)
         fprintf(log, "drawn %s, but ", c->drawn == ROBERTS_VISIBLE ? "visible" : "hidden");

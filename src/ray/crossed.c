@@ -143,27 +143,18 @@ static roberts_vec3 point_at(const roberts_crossing *line, double t)
     return vec3_add(line->end[0], vec3_scale(t, vec3_sub(line->end[1], line->end[0])));
 }
 
-bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out)
+/* Does the line lie in this face? */
+static bool lies_in(const crossed *c, const roberts_crossing *line, const crossed_piece *p)
 {
-    const roberts_scene *scene = c->scene;
-    roberts_vec3 middle = point_at(line, 0.5);
-    for (int i = 0; i < 2; i++) {
-        bool found = false;
-        for (uint32_t k = first_piece(c, line->face[i]);
-             !found && k < scene->face_count && c->piece[k].number == line->face[i]; k++) {
-            const crossed_piece *p = &c->piece[k];
-            bool other = i == 0 || p->body != out->of[0].body ||
-                         (p->face != out->of[0].face && seen_face_key(scene, p->body, p->face) !=
-                                                            seen_face_key(scene, out->of[0].body, out->of[0].face));
-            found = other && is_point_in_plane(c, p->face, line->end[0]) &&
-                    is_point_in_plane(c, p->face, line->end[1]) && face_holds(c, p, middle, c->touching);
-            if (found)
-                out->of[i] = *p;
-        }
-        if (!found)
-            return false;
-    }
-    return true;
+    return is_point_in_plane(c, p->face, line->end[0]) && is_point_in_plane(c, p->face, line->end[1]) &&
+           face_holds(c, p, point_at(line, 0.5), c->touching);
+}
+
+/* Are these two faces, and not twice the same one? */
+static bool are_two(const crossed *c, const crossed_piece *p, const crossed_piece *q)
+{
+    return p->body != q->body || (p->face != q->face && seen_face_key(c->scene, p->body, p->face) !=
+                                                            seen_face_key(c->scene, q->body, q->face));
 }
 
 /* On how many sides of X is the face met, so far from it? */
@@ -212,17 +203,39 @@ static bool are_met_beside(const crossed *c, crossed_faces *faces, roberts_vec3 
     return true;
 }
 
-bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_faces *faces)
+/* Do both faces continue on both sides of the line, somewhere near its middle? If `ends`, they may also end along an
+ * edge there. Sets the edges. */
+static bool do_cross(const crossed *c, const roberts_crossing *line, crossed_faces *faces, bool ends)
 {
     static const double places[] = {0.5, 0.31, 0.77};
     roberts_vec3 d = vec3_sub(line->end[1], line->end[0]);
     faces->edge[0] = faces->edge[1] = ROBERTS_NONE;
     if (vec3_length(d) <= 2.0 * c->touching)
         return true; /* too short to test: its ends may be off by the touching distance */
-    for (int ends = 0; ends < 2; ends++)
-        for (int k = 0; k < 3; k++)
-            for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
-                if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching, ends > 0))
-                    return true;
+    for (int k = 0; k < 3; k++)
+        for (size_t n = 0; n < sizeof beside / sizeof *beside; n++)
+            if (are_met_beside(c, faces, point_at(line, places[k]), d, beside[n] * c->touching, ends))
+                return true;
     return false;
+}
+
+static bool find_pair(const crossed *c, const roberts_crossing *line, crossed_faces *out, bool ends)
+{
+    const crossed_piece *end = c->piece + c->scene->face_count, *p = c->piece + first_piece(c, line->face[0]);
+    for (; p < end && p->number == line->face[0]; p++) {
+        if (!lies_in(c, line, p))
+            continue;
+        const crossed_piece *q = c->piece + first_piece(c, line->face[1]);
+        for (; q < end && q->number == line->face[1]; q++) {
+            *out = (crossed_faces){.of = {*p, *q}};
+            if (are_two(c, p, q) && lies_in(c, line, q) && do_cross(c, line, out, ends))
+                return true;
+        }
+    }
+    return false;
+}
+
+bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out)
+{
+    return find_pair(c, line, out, false) || find_pair(c, line, out, true);
 }

@@ -32,11 +32,8 @@ typedef struct crossed_faces {
 bool crossed_begin(crossed *c, const roberts_scene *scene, double touching);
 void crossed_end(crossed *c);
 
-/* Finds the faces of a line. False: the line does not lie in two faces with these numbers. */
+/* Finds two faces with the numbers of the line that cross in it: near its middle, both go on at both sides of it, or end
+ * there along an edge. (All faces of hulls have one number.) False: there are none. */
 bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out);
-
-/* Do both faces continue on both sides of the line, somewhere near its middle, or end along an edge there? Sets the
- * edges. */
-bool crossed_is_line(const crossed *c, const roberts_crossing *line, crossed_faces *faces);
 
 #endif

@@ -336,8 +336,7 @@ static void check_line(const verifier *f, stretch_checker *checker, stretch_resu
     uint32_t edge = f->scene->edge_count + (uint32_t)k;
     size_t row = first_row(f, k);
     crossed_faces faces;
-    bool found = crossed_find(&f->crossed, line, &faces);
-    if (!found || !crossed_is_line(&f->crossed, line, &faces) || is_drawn_edge(f, &faces)) {
+    if (!crossed_find(&f->crossed, line, &faces) || is_drawn_edge(f, &faces)) {
         reject_line(result, row < f->drawing->count ? f->drawing->segment[row].solid : 0, edge);
         return;
     }

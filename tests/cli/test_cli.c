@@ -1107,6 +1107,16 @@ static void draws_bodies_as_one(void **state)
 
 /* ---- rays ---- */
 
+/* Three solids with notches. The hulls of two of them have faces in one plane, and the third one crosses it. */
+static const char notched[] =
+    "OFF\n36 24 0\n1 0 1\n1 0 3\n2 0 3\n2 0 2\n3 0 2\n3 0 1\n1 2 1\n1 2 3\n2 2 3\n2 2 2\n3 2 2\n3 2 1\n1 0 2\n"
+    "1 2 2\n1 2 3\n1 1 3\n1 1 4\n1 0 4\n3 0 2\n3 2 2\n3 2 3\n3 1 3\n3 1 4\n3 0 4\n1 1 1\n3 1 1\n3 2 1\n2 2 1\n"
+    "2 3 1\n1 3 1\n1 1 2\n3 1 2\n3 2 2\n2 2 2\n2 3 2\n1 3 2\n6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n"
+    "4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n6 17 16 15 14 13 12\n6 18 19 20 21 22 23\n"
+    "4 12 13 19 18\n4 13 14 20 19\n4 14 15 21 20\n4 15 16 22 21\n4 16 17 23 22\n4 17 12 18 23\n"
+    "6 29 28 27 26 25 24\n6 30 31 32 33 34 35\n4 24 25 31 30\n4 25 26 32 31\n4 26 27 33 32\n4 27 28 34 33\n"
+    "4 28 29 35 34\n4 29 24 30 35\n";
+
 static void checks_by_rays(void **state)
 {
     unsigned points, more, segments;
@@ -1123,6 +1133,9 @@ static void checks_by_rays(void **state)
     assert_int_equal(run("--verify --all-edges --hidden solid -f null models/sphere.off"), 0);
     assert_int_equal(run("--verify --crease 45 --quiet -f null models/sphere.off"), 0);
     assert_string_equal(last.err, ""); /* nothing wrong, no message */
+    put("notched.off", notched);
+    assert_int_equal(run("--hull --dir 1,2,3 --verify --quiet -f null notched.off"), 0);
+    assert_string_equal(last.err, "");
 }
 
 static void picks(void **state)
