@@ -12,6 +12,10 @@
  * meaningless. */
 #define CANCELLED 1e-6
 
+/* Fraction: lengths that differ by less are equal, so that rounding, and with it the corner with which a face begins,
+ * decides nothing. */
+#define ALIKE 1e-9
+
 bool face_pieces_add_side(face_pieces *f, piece_side side)
 {
     if (!array_reserve(&f->side, &f->side_room, f->side_count + 1, sizeof *f->side))
@@ -169,8 +173,8 @@ static void fit(face_pieces *f, const face_rules *rules)
     f->fit.width *= rules->unit;
     f->chord *= rules->unit;
     roberts_vec3 n = f->fit.n;
-    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);
-    f->axis = x > y && x > z ? 0 : y > z ? 1 : 2;
+    double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z), most = (1.0 - ALIKE) * greater(x, greater(y, z));
+    f->axis = z >= most ? 2 : y >= most ? 1 : 0;
     f->turned = (f->axis == 0 ? n.x : f->axis == 1 ? n.y : n.z) < 0.0 ? -1.0 : 1.0;
     f->unit = rules->unit;
     for (size_t i = 0; i < f->node_count; i++)
@@ -253,26 +257,36 @@ static bool add_sides(face_pieces *f)
     return true;
 }
 
-/* Is the ring a quadrilateral that turns left at every corner? */
+/* Is the ring a quadrilateral that turns left at every corner, as seen along the normal of its plane? */
 static bool is_quadrilateral(const face_pieces *f)
 {
+    const roberts_vec3 *P = f->relative;
     bool left = f->ring_count == 4;
-    for (uint32_t i = 0; left && i < 4; i++)
-        left =
-            orient2d(f->node[f->ring[i]].at, f->node[f->ring[(i + 1) % 4]].at, f->node[f->ring[(i + 2) % 4]].at) > 0.0;
+    for (uint32_t i = 0; left && i < 4; i++) {
+        const roberts_vec3 a = vec3_sub(P[(i + 1) % 4], P[i]), b = vec3_sub(P[(i + 2) % 4], P[(i + 1) % 4]);
+        left = vec3_dot(vec3_cross(a, b), f->fit.n) > 0.0;
+    }
     return left;
 }
 
-/* Cuts a quadrilateral that is not planar along its shorter diagonal. */
+static bool is_before(roberts_vec3 p, roberts_vec3 q)
+{
+    return p.x != q.x ? p.x < q.x : p.y != q.y ? p.y < q.y : p.z < q.z;
+}
+
+/* Cuts a quadrilateral that is not planar along its shorter diagonal; if they are equally long, along that of the
+ * corner with the least x (then y, then z). */
 static bool take_quadrilateral(face_pieces *f)
 {
-    roberts_vec3 P[4];
+    const roberts_vec3 *P = f->relative;
+    uint32_t least = 0;
     if (!array_reserve(&f->piece, &f->piece_room, 2, sizeof *f->piece))
         return false;
-    for (int i = 0; i < 4; i++)
-        P[i] = f->node[f->ring[i]].point;
-    roberts_vec3 a = vec3_sub(P[2], P[0]), b = vec3_sub(P[3], P[1]);
-    uint32_t first = vec3_dot(b, b) <= vec3_dot(a, a);
+    for (uint32_t i = 1; i < 4; i++)
+        least = is_before(P[i], P[least]) ? i : least;
+    const double a = vec3_length(vec3_sub(P[2], P[0])), b = vec3_length(vec3_sub(P[3], P[1]));
+    const bool alike = fabs(a - b) <= ALIKE * greater(a, b);
+    const uint32_t first = alike ? least % 2 : b < a;
     for (uint32_t p = 0; p < 2; p++) {
         uint32_t at[3] = {first + 2 * p, (first + 2 * p + 1) % 4, (first + 2 * p + 2) % 4};
         f->piece[p] = (face_piece){3, {f->ring[at[0]], f->ring[at[1]], f->ring[at[2]]}, {at[0], at[1], 4}};

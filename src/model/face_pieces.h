@@ -48,7 +48,7 @@ typedef struct face_pieces {
     piece_node *node;
     face_piece *piece;
     piece_side *side;
-    roberts_vec3 *relative;
+    roberts_vec3 *relative; /* [ring_count] the corners, relative to the first one, in scene units */
     size_t ring_count, node_count, piece_count, side_count;
     size_t ring_room, side_of_room, node_room, piece_room, side_room, relative_room;
 } face_pieces;

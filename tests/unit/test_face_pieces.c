@@ -459,11 +459,49 @@ static void turns_are_exact(void **unused)
     assert_true(orient2d((roberts_vec2){1, 1}, (roberts_vec2){0, 0x1p-150}, (roberts_vec2){-1, -1}) > 0.0);
 }
 
+/* A quadrilateral that is not planar is cut in the same way whichever corner comes first, in both directions, wherever
+ * it lies. */
+static void quadrilaterals_have_one_diagonal(void **unused)
+{
+    static const struct {
+        roberts_vec3 point[4];
+        uint32_t ends; /* sum of the corners of the diagonal: 0 + 2 or 1 + 3 */
+    } quads[] = {
+        {{{0, 0, 0}, {2, 0, 0}, {2, 1, 1}, {0, 1, 0}}, 4},
+        {{{0.3, 0.1, 0.1}, {0.2, 1.1, 0.1}, {0.3, 0.1, 0.7}, {1.1, 0.2, 0.3}},
+         2},                                               /* its plane is as near to x as to y */
+        {{{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}}, 2}, /* diagonals of one length */
+        {{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {1, 1, 1}}, 4},
+    };
+    (void)unused;
+    for (size_t q = 0; q < sizeof quads / sizeof quads[0]; q++)
+        for (uint32_t way = 0; way < 16; way++) {
+            roberts_vec3 point[4];
+            uint32_t corner[4], sum = 0;
+            face_pieces f = {0};
+            for (uint32_t i = 0; i < 4; i++) {
+                point[i] = vec3_add(quads[q].point[i], (roberts_vec3){way / 8 * 16.0, 0, 0});
+                corner[i] = way & 4 ? (way + 4 - i) % 4 : (way + i) % 4;
+            }
+            const face_rules rules = {point, 1e-9, 1e-9, 1.0, false};
+            assert_true(face_pieces_cut(&f, &rules, corner, 4));
+            assert_int_equal(f.piece_count, 2);
+            for (uint32_t i = 0; i < 3; i++) /* both pieces have the ends of the diagonal */
+                for (uint32_t k = 0; k < 3; k++)
+                    sum += f.piece[0].node[i] == f.piece[1].node[k] ? f.node[f.piece[0].node[i]].vertex : 0;
+            assert_int_equal(sum, quads[q].ends);
+            face_pieces_free(&f);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cases_have_their_area), cmocka_unit_test(random_faces_are_tiled),
-        cmocka_unit_test(large_faces_come_out),  cmocka_unit_test(order_of_lines),
+        cmocka_unit_test(quadrilaterals_have_one_diagonal),
+        cmocka_unit_test(cases_have_their_area),
+        cmocka_unit_test(random_faces_are_tiled),
+        cmocka_unit_test(large_faces_come_out),
+        cmocka_unit_test(order_of_lines),
         cmocka_unit_test(turns_are_exact),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
