@@ -147,19 +147,26 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
     return status;
 }
 
-/* Removes the quotation marks round a field of CSV (RFC 4180). False: the closing one is not at the end. */
-static bool unquote(char *text)
+/* Takes the first field of a line of CSV (RFC 4180), without the quotation marks round it. `*rest` receives what
+ * follows the comma, or NULL at the end of the line. NULL: the closing quotation mark is not at the field's end. */
+static char *take_field(char *line, char **rest)
 {
-    char *to = text;
-    const char *at = text + 1;
-    if (*text != '"')
-        return true;
+    char *to = line, *at = line + 1;
+    if (*line != '"') {
+        *rest = strchr(line, ',');
+        if (*rest)
+            *(*rest)++ = '\0';
+        return line;
+    }
     for (; *at && (at[0] != '"' || at[1] == '"'); at++) {
         at += *at == '"'; /* two of them stand for one */
         *to++ = *at;
     }
+    if (at[0] != '"' || (at[1] != ',' && at[1] != '\0'))
+        return NULL;
+    *rest = at[1] == ',' ? at + 2 : NULL;
     *to = '\0';
-    return at[0] == '"' && at[1] == '\0';
+    return line;
 }
 
 /* Reads one line. Returns why it is wrong, or NULL. */
@@ -168,15 +175,19 @@ static const char *read_line(char *line, roberts_name *name)
     static const char *const kinds[] = {"vertex", "edge", "face", "body", NULL};
     static const roberts_label_kind of[] = {ROBERTS_LABEL_VERTICES, ROBERTS_LABEL_EDGES, ROBERTS_LABEL_FACES,
                                             ROBERTS_LABEL_BODIES};
-    char *number = strchr(line, ','), *text = number ? strchr(number + 1, ',') : NULL;
+    static const char quoted[] = "a field that begins with a quotation mark ends with one; two within it stand for one";
+    char *number = NULL, *text = NULL, *more = NULL, *word = take_field(line, &number);
+    if (word && number && !(number = take_field(number, &text)))
+        return quoted;
+    if (!word)
+        return quoted;
     if (!text)
         return "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a";
-    *number++ = *text++ = '\0';
-    const size_t kind = parse_find(line, kinds);
+    const size_t kind = parse_find(word, kinds);
     if (!kinds[kind])
         return "the kind is none of vertex, edge, face and body";
-    if (!unquote(text))
-        return "a name that begins with a quotation mark ends with one; two within it stand for one";
+    if (*text == '"' && (!take_field(text, &more) || more))
+        return quoted;
     *name = (roberts_name){.of = of[kind], .text = text};
     char *second = name->of == ROBERTS_LABEL_EDGES ? strchr(number, '-') : NULL;
     if (name->of == ROBERTS_LABEL_EDGES && !second)
@@ -254,7 +265,10 @@ static int by_thing_and_line(const void *a, const void *b)
 /* Reads all lines of the text. */
 static roberts_status read_lines(listed_names *l, char *text, const char *path, roberts_error *error)
 {
+    static const char mark[] = "\xef\xbb\xbf"; /* a byte order mark, as spreadsheets write it */
     size_t line = 0;
+    if (text && strncmp(text, mark, sizeof mark - 1) == 0)
+        text += sizeof mark - 1;
     for (char *at = text, *next; at && *at; at = next) {
         roberts_name name;
         next = strchr(at, '\n');

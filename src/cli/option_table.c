@@ -687,7 +687,7 @@ static const option rows[] = {
      .help = "names for labels: lines such as vertex,4,A and edge,4-17,a and face,3,base and body,0,leg",
      .manual =
          "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
-         "face,3,base or body,0,leg, in UTF-8. A name may stand in quotation marks, as spreadsheets write it. Lines "
+         "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, as spreadsheets write them. Lines "
          "that begin with # are skipped. Everything with a name is labelled; with --label, the rest is labelled by its "
          "numbers. An empty name is no label."},
     {.group = GROUP_TEXT,

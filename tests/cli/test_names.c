@@ -25,9 +25,9 @@ static void in_order(void **state)
     roberts_error error;
     assert_int_equal(chdir(temporary), 0);
     assert_int_equal(
-        read_names("# all kinds\r\n\nface,3,Gr\xc3\xb6\xc3\x9f"
+        read_names("\xef\xbb\xbf# all kinds\r\n\nface,3,Gr\xc3\xb6\xc3\x9f"
                    "e\r\nedge,9-2,a, b\nvertex,12,\nvertex,2,A\nbody,0,x\nbody,1,\"P, \"\"Q\"\"\"\nbody,2,\"\"\n"
-                   "body,3,6\"",
+                   "\"body\",\"3\",6\"",
                    &n, &error),
         ROBERTS_OK);
     static const roberts_name wanted[] = {{ROBERTS_LABEL_VERTICES, 2, 0, "A"},
@@ -67,8 +67,11 @@ static void faults(void **state)
         {"\n\nface,-1,A\n", 3, "the number is not a whole number from 0 on"},
         {"edge,4,A\n", 1, "an edge is named by its vertices, as 4-17"},
         {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
-        {"vertex,1,\"A\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
-        {"vertex,1,\"A\"B\n", 1, "a name that begins with a quotation mark ends with one; two within it stand for one"},
+        {"vertex,1,\"A\n", 1, "a field that begins with a quotation mark ends with one; two within it stand for one"},
+        {"vertex,1,\"A\"B\n", 1,
+         "a field that begins with a quotation mark ends with one; two within it stand for one"},
+        {"\"vertex\"x,1,A\n", 1,
+         "a field that begins with a quotation mark ends with one; two within it stand for one"},
         {"vertex,1,A\n\nvertex,1,B\n", 3, "vertex 1 has a name already, in line 1"},
         {"edge,4-7,A\nedge,7-4,B\n", 2, "edge 4-7 has a name already, in line 1"},
     };
