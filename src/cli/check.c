@@ -434,6 +434,15 @@ static void warn_wide(const cli_options *options)
     }
 }
 
+/* Warns of hatching that leaves no paper between its strokes. */
+static void warn_dense(const cli_options *options)
+{
+    const roberts_draw_options *draw = &options->draw;
+    if (draw->hatching.on && !draw->hatch.off && draw->hatch.width_mm >= draw->hatching.spacing_mm)
+        fprintf(stderr, "roberts: warning: --hatch: strokes of %g mm, %g mm apart, cover the darkest faces wholly\n",
+                draw->hatch.width_mm, draw->hatching.spacing_mm);
+}
+
 /* An input, and which file it is. */
 typedef struct input_identity {
     file_identity file;
@@ -489,6 +498,7 @@ void check_warn(const cli_options *options, const options_given *given)
     if (has_page(options->draw.format)) {
         warn_pages(options, given);
         warn_wide(options);
+        warn_dense(options);
     } else {
         warn_useless(options, given, OPTION_PAPER, "has no page");
     }
@@ -496,6 +506,9 @@ void check_warn(const cli_options *options, const options_given *given)
         warn_useless(options, given, OPTION_TABLE, "is no table");
     else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)
         warn("--columns +level", "it is 0 in visible rows, and there are no others without --hidden");
+    for (size_t i = 0; is_table(options->draw.format) && i < options->draw.column_count; i++)
+        if (options->draw.column[i] == ROBERTS_COLUMN_BY && options->draw.hidden == ROBERTS_HIDDEN_NONE)
+            warn("--columns +by", "it is empty in visible rows, and there are no others without --hidden");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",

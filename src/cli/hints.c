@@ -418,6 +418,23 @@ bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
+bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing, size_t views)
+{
+    const roberts_hatching *h = &options->draw.hatching;
+    const roberts_vec3 l = options->draw.light;
+    const double length = hypot(hypot(l.x, l.y), l.z), least = h->levels > 0 ? 0.5 / h->levels : 0.0;
+    size_t regions = 0;
+    if (!h->on || options->draw.hatch.off)
+        return false;
+    for (const roberts_drawing *d = drawing; d < drawing + views; d++)
+        for (size_t i = 0; d->regions && i < d->regions->count; i++, regions++) {
+            const roberts_vec3 n = d->regions->region[i].normal;
+            if (1.0 - (n.x * l.x + n.y * l.y + n.z * l.z) / length >= least)
+                return false;
+        }
+    return regions > 0;
+}
+
 size_t hint_curved(const roberts_scene *scene)
 {
     size_t curved = 0;

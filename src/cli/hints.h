@@ -54,6 +54,9 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
 /* Do all visible faces lack a colour, so that --fill model fills none? */
 bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
+/* Does the light fall straight on all faces that are seen, so that --hatch draws no stroke? */
+bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing, size_t views);
+
 /* How many bodies are curved? */
 size_t hint_curved(const roberts_scene *scene);
 

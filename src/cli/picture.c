@@ -371,6 +371,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
                          ? "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in "
                            "the .mtl files beside it that it names)"
                          : "--fill model has no effect: no face that is seen has a colour");
+    if (page && hint_idle_hatch(options, v->drawing, v->count))
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     "--hatch has no effect: the light falls straight on all faces that are seen");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }

@@ -433,8 +433,8 @@ static void warn_tiny(const strokes *s)
     most *= page_scale(&s->map);
     if (s->options->placement.scale == 0.0 || most >= least_mm || most == 0.0 || !to->warn)
         return;
-    snprintf(text, sizeof text, "at this scale the drawing is less than %.0f mm large: is --unit missing?",
-             most < 1.0 ? 1.0 : least_mm);
+    snprintf(text, sizeof text, "at this scale the drawing is less than %.0f mm large: is --unit %s?",
+             most < 1.0 ? 1.0 : least_mm, s->options->placement.unit_mm > 0.0 ? "right" : "missing");
     to->warn(to->context, "", 0, text);
 }
 

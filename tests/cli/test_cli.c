@@ -1170,6 +1170,10 @@ static void regions(void **state)
     assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
     assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour\n"));
+    assert_int_equal(run("--hatch on --light 0,0,1 --view top --style outline:off -o a.svg plate.off"), 0);
+    assert_non_null(strstr(last.err, "--hatch has no effect: the light falls straight on all faces that are seen\n"));
+    assert_int_equal(run("--hatch on --light 1,0,1 --view top --style border:off -o a.svg plate.off"), 0);
+    assert_string_equal(last.err, ""); /* it is hatched, and so not empty */
     put("plate.obj", "v 0 0 0\nv 4 0 0\nv 4 2 0\nf 1 2 3\n");
     assert_int_equal(run("--fill model -o a.svg plate.obj"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour (those of an OBJ "

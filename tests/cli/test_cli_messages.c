@@ -492,6 +492,7 @@ static const struct {
     {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
     {"--unit in --scale 1:1", ""},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
+    {"--hatch on --style hatch:width=1.5", "--hatch: strokes of 1.5 mm, 0.8 mm apart, cover the darkest faces wholly\n"},
     {"--view top --up 0,0,2", "--up has no effect: it is parallel to the view\n"},
     {"--eye 9,9,9 --look-at 1,1,1 --up -1,-1,-1", "--up has no effect: it is parallel to the view\n"},
     {"--azimuth 90 --elevation 0 --up 1,0,0", "--up has no effect: it is parallel to the view\n"},
@@ -580,6 +581,9 @@ static const struct {
      "--columns +level has no effect: it is 0 in visible rows, and there are no others without "
      "--hidden\n"},
     {"-f csv --columns +level --hidden dashed", ""},
+    {"-f csv --columns +by",
+     "--columns +by has no effect: it is empty in visible rows, and there are no others without --hidden\n"},
+    {"-f csv --columns +by --hidden dashed", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };
