@@ -27,7 +27,8 @@ enum { CELLS = 512 };
 #define SHARES_MOST 1000000u
 
 typedef struct kept_body {
-    uint64_t at; /* of its record in the plan */
+    uint64_t at;    /* of its record in the plan */
+    uint64_t check; /* of the record */
     uint32_t number;
     uint32_t first_vertex; /* in the mesh */
     bool own;
@@ -137,7 +138,7 @@ static bool keep_body(part *q, uint32_t number, uint64_t at, const plan_place *p
 {
     if (!array_reserve(&q->body, &q->room, q->count + 1, sizeof *q->body))
         return false;
-    q->body[q->count++] = (kept_body){at, number, (uint32_t)q->vertices, own};
+    q->body[q->count++] = (kept_body){at, place->check, number, (uint32_t)q->vertices, own};
     q->vertices += place->vertices;
     q->faces += place->faces;
     q->corners += place->corners;
@@ -171,7 +172,7 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
     if (!plan_read_from(&places, q->p->file, facts->places, facts->starts) ||
         !plan_read_from(&starts, q->p->file, facts->starts, facts->names))
         status = error_no_memory(error);
-    uint64_t at = 0, vertices = 0;
+    uint64_t at = PLAN_BEGIN, vertices = 0;
     for (uint32_t i = 0; i < facts->bodies && status == ROBERTS_OK; i++) {
         plan_place place;
         uint32_t start;
@@ -193,7 +194,8 @@ static roberts_status look_through(part *q, look what, roberts_error *error)
             status = error_no_memory(error);
         at += (uint64_t)place.size * PLAN_UNIT;
     }
-    if (status == ROBERTS_OK && (at != facts->places || vertices != facts->weight))
+    if (status == ROBERTS_OK && (at != facts->places || vertices != facts->weight ||
+                                 places.check != facts->places_check || starts.check != facts->starts_check))
         status = broken(error);
     plan_reader_free(&places);
     plan_reader_free(&starts);
@@ -257,6 +259,7 @@ static bool read_body(part *q, const kept_body *body, plan_reader *in)
     roberts_mesh *m = &q->mesh;
     plan_body head;
     const uint32_t first = body->first_vertex;
+    in->check = 0;
     if (first != m->vertex_count || !plan_read(in, &head, sizeof head) ||
         head.vertices > q->vertices - m->vertex_count || head.faces > q->faces - m->face_count ||
         head.corners > q->corners - m->corner_count ||
@@ -265,7 +268,8 @@ static bool read_body(part *q, const kept_body *body, plan_reader *in)
         !read_numbers(in, head.listed & PLAN_FACES, head.first_face, head.faces, q->face_number + m->face_count))
         return false;
     uint32_t *start = m->face_start + m->face_count, *corner = m->corner + m->corner_count;
-    if (!plan_read(in, start + 1, head.faces * sizeof *start) || !plan_read(in, corner, head.corners * sizeof *corner))
+    if (!plan_read(in, start + 1, head.faces * sizeof *start) ||
+        !plan_read(in, corner, head.corners * sizeof *corner) || in->check != body->check)
         return false;
     for (uint32_t f = 0, left = head.corners; f < head.faces; f++) { /* up to here start[f + 1] is a face's corners */
         if (start[f + 1] > left)
@@ -322,9 +326,10 @@ static roberts_status gather(part *q, roberts_error *error)
     plan_reader in = {0};
     if (q->count == 0)
         return ROBERTS_OK;
-    roberts_status status =
-        alloc_mesh(q) && plan_read_from(&in, q->p->file, 0, q->p->facts.places) ? ROBERTS_OK : error_no_memory(error);
-    uint64_t at = 0;
+    roberts_status status = alloc_mesh(q) && plan_read_from(&in, q->p->file, PLAN_BEGIN, q->p->facts.places)
+                                ? ROBERTS_OK
+                                : error_no_memory(error);
+    uint64_t at = PLAN_BEGIN;
     for (size_t k = 0; k < q->count && status == ROBERTS_OK; k++) {
         const uint64_t now = in.at - (in.filled - in.used);
         at = q->body[k].at;

@@ -30,7 +30,7 @@
 enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 
 /* The last digit is the version. */
-static const char magic[16] = "roberts plan 2\n";
+static const char magic[PLAN_BEGIN] = "roberts plan 3\n";
 
 /* Touching distances and roundings: how much larger the margin of boxes in the picture is. The cells that list fronts
  * are widened by a quarter of that (hide_margin()). */
@@ -50,10 +50,29 @@ uint64_t part_hash(uint64_t hash, const void *bytes, size_t size)
     return hash;
 }
 
+uint64_t plan_check(uint64_t check, const void *bytes, size_t size)
+{
+    const char *at = bytes;
+    for (size_t i = 0; i + sizeof(uint32_t) <= size; i += sizeof(uint32_t)) {
+        uint32_t word;
+        memcpy(&word, at + i, sizeof word);
+        check = (check ^ word) * 0x9e3779b97f4a7c15u;
+        check ^= check >> 29;
+    }
+    return check;
+}
+
+/* The check of the facts, which are at the end of the file. */
+static uint64_t check_of(const plan_facts *facts)
+{
+    return plan_check(0, &facts->id, sizeof *facts - offsetof(plan_facts, id));
+}
+
 /* A file that is written sequentially. Failures are checked at the end. */
 typedef struct plan_writer {
     int file, reason; /* reason: errno of the first failure */
     uint64_t at, hash;
+    uint64_t check; /* as in plan_reader */
     size_t used;
     char *bytes; /* [PLAN_BUFFER] */
 } plan_writer;
@@ -70,6 +89,7 @@ static void flush(plan_writer *w)
 static void put(plan_writer *w, const void *bytes, size_t size)
 {
     const char *from = bytes;
+    w->check = plan_check(w->check, bytes, size);
     while (size > 0) {
         size_t room = PLAN_BUFFER - w->used, some = size < room ? size : room;
         memcpy(w->bytes + w->used, from, some);
@@ -112,7 +132,7 @@ static bool fill_buffer(plan_reader *r)
 bool plan_read(plan_reader *r, void *to, size_t size)
 {
     char *next = to;
-    size_t held = r->filled - r->used;
+    size_t held = r->filled - r->used, all = size;
     if (!to && size > held) { /* skipped bytes are not read */
         if (size - held > r->end - r->at)
             return false;
@@ -131,6 +151,7 @@ bool plan_read(plan_reader *r, void *to, size_t size)
         r->used += some;
         size -= some;
     }
+    r->check = to ? plan_check(r->check, to, all) : r->check;
     return true;
 }
 
@@ -228,6 +249,7 @@ static void put_body(planner *pl, const roberts_scene *scene, uint32_t s)
     const uint32_t vertices = body[1].vertex - body[0].vertex, faces = body[1].face - body[0].face;
     plan_body head = {vertices, faces, scene_corners(scene, s), 0, 0, 0};
     const uint64_t begin = pl->out.at + pl->out.used;
+    pl->out.check = 0;
     head.listed = (in_a_row(scene->number, body->vertex, vertices) ? 0 : PLAN_VERTICES) |
                   (in_a_row(scene->face_number, body->face, faces) ? 0 : PLAN_FACES);
     head.first_vertex = (uint32_t)pl->vertices + least_number(scene->number, body->vertex, vertices);
@@ -246,12 +268,13 @@ static void put_body(planner *pl, const roberts_scene *scene, uint32_t s)
         uint32_t corner = scene->corner[i] - body->vertex;
         put(&pl->out, &corner, sizeof corner);
     }
+    const uint64_t check = pl->out.check;
     put_padding(&pl->out);
-    pl->place[pl->p->facts.bodies++] =
-        (plan_place){.vertices = vertices,
-                     .faces = faces,
-                     .corners = head.corners,
-                     .size = (uint32_t)((pl->out.at + pl->out.used - begin) / PLAN_UNIT)};
+    pl->place[pl->p->facts.bodies++] = (plan_place){.vertices = vertices,
+                                                    .faces = faces,
+                                                    .corners = head.corners,
+                                                    .size = (uint32_t)((pl->out.at + pl->out.used - begin) / PLAN_UNIT),
+                                                    .check = check};
     pl->p->facts.weight += vertices;
 }
 
@@ -388,7 +411,9 @@ static bool put_starts(planner *pl, const box3 *box)
         sum += pl->place[item[i]].vertices;
     }
     if (done) {
+        pl->out.check = 0;
         put(&pl->out, start, count * sizeof *start);
+        pl->p->facts.starts_check = pl->out.check;
         put_padding(&pl->out);
     }
     free(item);
@@ -476,13 +501,15 @@ static roberts_status put_places(planner *pl, roberts_error *error)
     facts->whole.low = (roberts_vec2){INFINITY, INFINITY};
     facts->whole.high = (roberts_vec2){-INFINITY, -INFINITY};
     roberts_status status = view_begin(&v, &scene, &pl->task->camera, pl->task->hide.epsilon, error);
-    if (status == ROBERTS_OK && !(box && plan_read_from(&pl->in, pl->p->file, 0, pl->out.at)))
+    if (status == ROBERTS_OK && !(box && plan_read_from(&pl->in, pl->p->file, PLAN_BEGIN, pl->out.at)))
         status = error_no_memory(error);
     if (status == ROBERTS_OK)
         status = place_bodies(pl, &v, &scene, box, error);
     if (status == ROBERTS_OK) {
         facts->places = pl->out.at;
+        pl->out.check = 0;
         put(&pl->out, pl->place, facts->bodies * sizeof *pl->place);
+        facts->places_check = pl->out.check;
         facts->starts = pl->out.at + pl->out.used;
         if (!put_starts(pl, box))
             status = error_no_memory(error);
@@ -542,6 +569,7 @@ static roberts_status make(planner *pl, const roberts_inputs *input, roberts_err
     roberts_status status = ROBERTS_OK;
     facts->whole.box_min = (roberts_vec3){INFINITY, INFINITY, INFINITY};
     facts->whole.box_max = (roberts_vec3){-INFINITY, -INFINITY, -INFINITY};
+    put(&pl->out, magic, sizeof magic);
     for (size_t i = 0; i < input->count && status == ROBERTS_OK; i++)
         status = put_input(pl, input->name[i], error);
     flush(&pl->out);
@@ -556,6 +584,7 @@ static roberts_status make(planner *pl, const roberts_inputs *input, roberts_err
     const uint64_t end = pl->out.at;
     memcpy(facts->magic, magic, sizeof magic);
     facts->id = part_hash(pl->out.hash, &facts->whole, sizeof *facts - offsetof(plan_facts, whole));
+    facts->check = check_of(facts);
     put(&pl->out, facts, sizeof *facts);
     flush(&pl->out);
     if (pl->out.reason)
@@ -577,10 +606,12 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
         return error_no_memory(error);
     if (p->file < 0) {
         error_set_file(error, path);
-        return output_error(error, "cannot write a plan beside it", errno);
+        return output_error(error, "cannot write into its folder", errno);
     }
     pl.out = (plan_writer){.file = p->file, .bytes = malloc(PLAN_BUFFER)};
     roberts_status status = pl.out.bytes ? make(&pl, input, error) : error_no_memory(error);
+    if (status == ROBERTS_IO && pl.out.reason)
+        error_set_file(error, path);
     plan_reader_free(&pl.in);
     free(pl.out.bytes);
     free(pl.place);
@@ -592,9 +623,9 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
 /* Do the sections follow one another, with the right sizes? And is the picture's grid possible for so many bodies? */
 static bool is_sound(const plan_facts *facts, uint64_t end)
 {
-    return facts->bodies < ROBERTS_NONE && facts->weight < ROBERTS_NONE && facts->places <= facts->starts &&
-           facts->starts <= facts->names && facts->names <= end &&
-           facts->starts - facts->places == facts->bodies * sizeof(plan_place) &&
+    return facts->check == check_of(facts) && facts->bodies < ROBERTS_NONE && facts->weight < ROBERTS_NONE &&
+           facts->places >= PLAN_BEGIN && facts->places <= facts->starts && facts->starts <= facts->names &&
+           facts->names <= end && facts->starts - facts->places == facts->bodies * sizeof(plan_place) &&
            facts->names - facts->starts >= facts->bodies * sizeof(uint32_t) && facts->inputs > 0 &&
            cells_may_cover(facts->whole.columns, facts->whole.rows, (uint32_t)facts->bodies) &&
            facts->whole.warped <= 1 &&

@@ -2,6 +2,7 @@
  *
  * A plan is a file:
  *
+ *   magic    16 bytes, also at the beginning of the facts
  *   bodies   one record for each body, in the order of their numbers: its faces and vertices (plan_body)
  *   places   [bodies] plan_place: where the body is in the picture, and how large its record is
  *   starts   [bodies] uint32_t: how many vertices the bodies before it have, in the order of the picture
@@ -12,13 +13,18 @@
  * has the bodies whose start lies in the K-th of N equal stretches. So every body is in one part, parts have about as
  * many vertices each, and the bodies of a part lie together in the picture, whatever N is.
  *
+ * Sums over words of 32 bits tell whether what a part reads is as it was written.
+ *
  * Numbers are those of the machine: machines that share the work must have the same byte order. */
 #ifndef ROBERTS_PART_PLAN_H
 #define ROBERTS_PART_PLAN_H
 
 #include "model/scene.h"
 
-enum { PLAN_UNIT = 8 }; /* bytes; records, and names together, take a multiple of it */
+enum {
+    PLAN_UNIT = 8,  /* bytes; records, and names together, take a multiple of it */
+    PLAN_BEGIN = 16 /* where the records begin */
+};
 
 /* Everything that determines the rows. Padding is zero, so that stamps can be compared as bytes. */
 typedef struct part_stamp {
@@ -40,15 +46,18 @@ enum { PLAN_VERTICES = 1, PLAN_FACES = 2 };
 typedef struct plan_place {
     float low[2], high[2]; /* its box in the picture, rounded outward, view units */
     uint32_t vertices, faces, corners;
-    uint32_t size; /* of its record, in units of 8 bytes */
+    uint32_t size;  /* of its record, in units of 8 bytes */
+    uint64_t check; /* plan_check() of the record without its last zero bytes */
 } plan_place;
 
 typedef struct plan_facts {
     char magic[16];
-    uint64_t id;                     /* a hash of everything else: the same inputs and options give the same one */
-    uint64_t places, starts, names;  /* positions in the file */
-    uint64_t bodies, weight, inputs; /* weight: vertices of all bodies */
-    uint64_t has_names;              /* 1: faces have names in some input (see roberts_group) */
+    uint64_t check;                      /* plan_check() of the facts from `id` on */
+    uint64_t id;                         /* a hash of everything else: the same inputs and options give the same one */
+    uint64_t places_check, starts_check; /* the same of these sections */
+    uint64_t places, starts, names;      /* positions in the file */
+    uint64_t bodies, weight, inputs;     /* weight: vertices of all bodies */
+    uint64_t has_names;                  /* 1: faces have names in some input (see roberts_group) */
     scene_whole whole;
     double margin;                  /* of boxes in the picture: bodies farther apart never touch; view units */
     double unit;                    /* model units per view unit */
@@ -69,7 +78,8 @@ typedef struct plan_reader {
     int file;
     uint64_t at, end;
     size_t used, filled;
-    char *bytes; /* [PLAN_BUFFER] */
+    uint64_t check; /* plan_check() of all that has been read since it was set to 0 */
+    char *bytes;    /* [PLAN_BUFFER] */
 } plan_reader;
 
 /* Starts a reader. False: no memory; call plan_reader_free() in any case. */
@@ -80,6 +90,9 @@ void plan_reader_free(plan_reader *r);
 
 /* Adds bytes, a multiple of 8, to a hash that tells files apart. It does not withstand deliberate collisions. */
 uint64_t part_hash(uint64_t hash, const void *bytes, size_t size);
+
+/* Adds bytes, a multiple of 4, to a check that tells damaged files. */
+uint64_t plan_check(uint64_t check, const void *bytes, size_t size);
 
 part_stamp part_stamp_of(const roberts_task *task);
 

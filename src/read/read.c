@@ -122,7 +122,7 @@ static const struct foreign {
     {"MeshVersionFormatted", "Medit", "gmsh -0 model.mesh -o model.stl", true},
     {"LIST", "a Geomview LIST", "", true},
     {"MESH", "a Geomview MESH", "", true},
-    {"roberts", "a part of a drawing", "roberts --join -o drawing.svg part-*", true}, /* see part/rows.h */
+    {"roberts", "a part or a plan of a drawing", "roberts --part 1/1 x.plan -o x.part; roberts --join x.part", true},
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
     {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
@@ -200,7 +200,7 @@ static bool need_stl_header(input *in)
 static bool begins_foreign_binary(const char *bytes)
 {
     static const char *const begins[] = {"PK\x03\x04", "\x1f\x8b",    "\xff\xfe",
-                                         "\xfe\xff",   "$MeshFormat", "roberts part"};
+                                         "\xfe\xff",   "$MeshFormat", "roberts p"}; /* see part/rows.h, part/plan.h */
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
         if (memcmp(bytes, begins[i], strlen(begins[i])) == 0)
             return true;

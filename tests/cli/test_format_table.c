@@ -14,7 +14,7 @@ static const char *const formats[FORMATS] = {"svg", "pdf", "ps", "eps", "png", "
 static const struct {
     const char *name, *given;
 } tried[] = {
-    {"columns", "--columns +by"},
+    {"columns", "--columns +ends"},
     {"page", "--page a3"},
     {"landscape", "--landscape"},
     {"margin", "--margin 5"},

@@ -389,7 +389,36 @@ static void plans_are_checked(void **state)
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, first, part[0], NULL), ROBERTS_BAD_SYNTAX);
 }
 
-/* Sizes and counts in a plan that do not fit the file. */
+static void write_plan(const char *bytes, size_t size)
+{
+    FILE *file = fopen(plan_path, "wb");
+    assert_int_equal(fwrite(bytes, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Makes the checks of a plan fit its contents. No body lists numbers. */
+static void sign_plan(char *bytes, size_t size)
+{
+    plan_facts facts;
+    memcpy(&facts, bytes + size - sizeof facts, sizeof facts);
+    const size_t places = facts.starts - facts.places;
+    size_t at = PLAN_BEGIN;
+    for (size_t i = 0; i < places / sizeof(plan_place); i++) {
+        plan_place *place = (plan_place *)(void *)(bytes + facts.places) + i;
+        plan_body body;
+        memcpy(&body, bytes + at, sizeof body);
+        const size_t length =
+            sizeof body + body.vertices * sizeof(roberts_vec3) + ((size_t)body.faces + body.corners) * sizeof(uint32_t);
+        place->check = plan_check(0, bytes + at, length);
+        at += (size_t)(length + PLAN_UNIT - 1) / PLAN_UNIT * PLAN_UNIT;
+    }
+    facts.places_check = plan_check(0, bytes + facts.places, places);
+    facts.starts_check = plan_check(0, bytes + facts.starts, places / sizeof(plan_place) * sizeof(uint32_t));
+    facts.check = plan_check(0, &facts.id, sizeof facts - offsetof(plan_facts, id));
+    memcpy(bytes + size - sizeof facts, &facts, sizeof facts);
+}
+
+/* Sizes and counts in a plan that do not fit the file, though its checks hold. */
 static void broken_plans_are_refused(void **state)
 {
     char *names[] = {model[0]}, *plans[] = {plan_path};
@@ -399,11 +428,12 @@ static void broken_plans_are_refused(void **state)
     (void)state;
     write_crowd(model[0], 4, 9, IN_A_ROW);
     assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan_path, NULL), ROBERTS_OK);
-    char *bytes = whole_file(plan_path, &size);
+    char *bytes = whole_file(plan_path, &size), *copy = malloc(size);
+    assert_non_null(copy);
     memcpy(&facts, bytes + size - sizeof facts, sizeof facts);
     const size_t end = size - sizeof facts, place = facts.places;
-    const uint32_t vertices = ((const plan_body *)bytes)->vertices;
-    const size_t corners = sizeof(plan_body) + vertices * sizeof(roberts_vec3); /* of the first face */
+    const uint32_t vertices = ((const plan_body *)(const void *)(bytes + PLAN_BEGIN))->vertices;
+    const size_t corners = PLAN_BEGIN + sizeof(plan_body) + vertices * sizeof(roberts_vec3); /* of the first face */
     const struct {
         size_t at;
         uint32_t value;
@@ -423,16 +453,45 @@ static void broken_plans_are_refused(void **state)
                  {corners, 0xfffffff0},
                  {corners, 5}};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
-        uint32_t right;
-        memcpy(&right, bytes + wrong[i].at, sizeof right);
-        memcpy(bytes + wrong[i].at, &wrong[i].value, sizeof right);
-        FILE *file = fopen(plan_path, "wb");
-        assert_int_equal(fwrite(bytes, 1, size, file), size);
-        assert_int_equal(fclose(file), 0);
-        memcpy(bytes + wrong[i].at, &right, sizeof right);
+        memcpy(copy, bytes, size);
+        sign_plan(copy, size);
+        assert_memory_equal(copy, bytes, size);
+        memcpy(copy + wrong[i].at, &wrong[i].value, sizeof wrong[i].value);
+        sign_plan(copy, size);
+        write_plan(copy, size);
         assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, (roberts_share){1, 1}, part[0], NULL),
                          ROBERTS_BAD_SYNTAX);
     }
+    free(copy);
+    free(bytes);
+}
+
+/* A single wrong bit is found, wherever it is: but in the zero bytes that fill records up, and in names. */
+static void damaged_plans_are_refused(void **state)
+{
+    char *names[] = {model[0]}, *plans[] = {plan_path};
+    const roberts_task task = task_of("iso");
+    plan_facts facts;
+    size_t size, found = 0;
+    (void)state;
+    write_crowd(model[0], 4, 9, IN_A_ROW);
+    assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan_path, NULL), ROBERTS_OK);
+    char *bytes = whole_file(plan_path, &size);
+    memcpy(&facts, bytes + size - sizeof facts, sizeof facts);
+    const size_t end = size - sizeof facts, starts = facts.starts + facts.bodies * sizeof(uint32_t);
+    for (size_t at = PLAN_BEGIN; at < size; at += 13) {
+        if (at >= starts && at < end)
+            continue;
+        bytes[at] ^= (char)(1 << at % 8);
+        write_plan(bytes, size);
+        roberts_status status =
+            roberts_part_save(&(roberts_inputs){1, plans}, &task, (roberts_share){1, 1}, part[0], NULL);
+        found += status == ROBERTS_BAD_SYNTAX;
+        if (status == ROBERTS_OK && bytes[at] != (char)(1 << at % 8))
+            fail_msg("byte %zu of %zu", at, size);
+        bytes[at] ^= (char)(1 << at % 8);
+    }
+    assert_true(found > 100);
     free(bytes);
 }
 
@@ -449,6 +508,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(wholes_are_refused, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(plans_are_checked, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(broken_plans_are_refused, begin, temporary_remove),
+        cmocka_unit_test_setup_teardown(damaged_plans_are_refused, begin, temporary_remove),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
