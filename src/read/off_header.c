@@ -145,6 +145,8 @@ static roberts_status counts(reader *r)
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of vertices");
     if (!input_skip(&r->in) || !input_integer(&r->in, &r->off->header.faces))
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of faces");
+    if (r->off->header.vertices >= UINT32_MAX || r->off->header.faces >= UINT32_MAX)
+        return read_fail(r, ROBERTS_BAD_NUMBER, "there can be no more than 4294967294 vertices or faces");
     r->off->header.line = r->in.line;
     if (input_skip_in_line(&r->in)) {
         if (*r->in.at == '-')

@@ -149,7 +149,7 @@ static bool has_size_of_stl(reader *r)
     if (!source->read_at || source->size < STL_FIRST || !input_need(&r->in, STL_FIRST))
         return false;
     const uint64_t count = read_word(r->in.at + STL_HEADER, true);
-    return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
+    return source->size == STL_FIRST + STL_TRIANGLE * count; /* four zero bytes are no text */
 }
 
 /* Does one of these bytes occur in no text? */
