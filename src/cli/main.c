@@ -43,7 +43,7 @@ static void hold_streams(void)
 {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; stream++)
         if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
-            (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY); /* gets the least free number */
+            (void)open("/dev/null", stream == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* gets the least free number */
 }
 
 /* Large arrays of the library lie in large pages of memory (base/array.c). This gives smaller ones such pages to share:

@@ -541,7 +541,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
                 error_set(error, ROBERTS_NOT_CLOSED, 0, "there is nothing to draw: no face has area, no edge length");
         else
             status = lay_out(&a) ? fill_scene(&a, error) : ROBERTS_NO_MEMORY;
-        *notes = (bodies_notes){count_repeated(&a), a.surface.bent, a.surface.uncut};
+        *notes = (bodies_notes){count_repeated(&a), a.surface.bent, a.surface.uncut, a.surface.repeated};
     }
     polygons_free(&a.faces);
     polygons_free(&a.all);

@@ -257,6 +257,13 @@ static void warn_repeated(size_t corners, const roberts_mesh *mesh, const robert
                      corners == 1 ? "" : "s", corners == 1 ? "s" : "");
 }
 
+static void warn_copies(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+{
+    if (faces > 0)
+        warning_send(warnings, only_name(mesh), 0, "%zu face%s an earlier one, and %s", faces,
+                     faces == 1 ? " repeats" : "s repeat", faces == 1 ? "does not count" : "do not count");
+}
+
 static void warn_bent(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
     if (faces > 0)
@@ -431,6 +438,7 @@ static roberts_status build_bodies(roberts_scene *scene, const roberts_mesh *mes
     roberts_status status = bodies_build(scene, mesh, options, known, &notes, error);
     if (status == ROBERTS_OK) {
         warn_repeated(notes.repeated, mesh, &options->warnings);
+        warn_copies(notes.copies, mesh, &options->warnings);
         warn_bent(notes.bent, mesh, &options->warnings);
         warn_uncut(notes.uncut, mesh, &options->warnings);
     }

@@ -242,17 +242,24 @@ static void note_warning(void *context, const char *file, size_t line, const cha
 }
 
 /* The message about a face with these corners. */
-static void require_warning(const roberts_vec3 *point, const uint32_t *corner, size_t count, const char *wanted)
+static void require_warning_of(const roberts_vec3 *point, const uint32_t *corner, size_t count, int copies,
+                               const char *wanted)
 {
     roberts_mesh mesh = {0};
     char said[200] = "";
     for (size_t i = 0; i < count; i++)
         mesh_vertex(&mesh, point[i]);
-    mesh_face(&mesh, corner, count);
+    for (int i = 0; i < copies; i++)
+        mesh_face(&mesh, corner, count);
     roberts_scene *scene = scene_of_mesh(&mesh, &(roberts_scene_options){.warnings = {note_warning, said}});
     assert_string_equal(said, wanted);
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
+}
+
+static void require_warning(const roberts_vec3 *point, const uint32_t *corner, size_t count, const char *wanted)
+{
+    require_warning_of(point, corner, count, 1, wanted);
 }
 
 /* The corners of a slit are kept, but those that repeat their neighbour are left out. A bow tie off its plane is told
@@ -267,6 +274,8 @@ static void what_is_left_out_is_said(void **state)
     static uint32_t corner[SIDES];
     (void)state;
     require_warning(slit, way, 10, "");
+    require_warning_of(slit, way, 10, 2, "1 face repeats an earlier one, and does not count;");
+    require_warning_of(slit, way, 10, 3, "2 faces repeat an earlier one, and do not count;");
     require_warning(slit, still, 10, "3 corners that repeat another of the same face ignored;");
     for (int i = 0; i < 2; i++) {
         const roberts_vec3 bow[4] = {{0, 0, i ? 0.5 : 1e-6}, {3, 3, 0}, {3, 0, 0}, {0, 3, 0}};
