@@ -627,8 +627,7 @@ static const option rows[] = {
          "named (the default): layers of svg have the names of the classes. numbered: the names begin with numbers, "
          "from 1 hidden to 6 outline, 7 frame, 8 symbol, 9 hatch, 10 text and 11 hidden-text, the same in every "
          "drawing. The software of AxiDraw finds layers by their numbers. With --group body layers are bodies, "
-         "numbered "
-         "from 1."},
+         "numbered from 1; frame, symbol and text come after the last body."},
     {.group = GROUP_LINES,
      .name = "group",
      .flags = OPTION_DRAWS | OPTION_PAPER,

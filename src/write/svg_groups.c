@@ -23,6 +23,7 @@ typedef struct svg_groups {
     level order[LEVELS]; /* from the outermost */
     int depth;           /* how many of them there are */
     int32_t thousandths; /* of a mm, in a unit */
+    uint32_t bodies;     /* numbered layers: those of frame, symbol and text come after so many */
 } svg_groups;
 
 /* ---- attributes ---- */
@@ -81,7 +82,7 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
         svg_id(w->out, w->s->options, name);
     svg_attribute(w->out, "class", name);
     if (outermost)
-        svg_layer(w->out, w->s->options, strokes_class_number(g->line), name);
+        svg_layer(w->out, w->s->options, w->bodies + strokes_class_number(g->line), name);
     svg_pen(w->out, w->s->options, g->line);
 }
 
@@ -219,6 +220,16 @@ static void write_path(const svg_groups *w, const stroke_group *g, size_t first,
     output_text(w->out, "\"/>\n");
 }
 
+/* The bodies of the scene; if it is not known, up to the last one that is drawn. */
+static uint32_t count_bodies(const strokes *s)
+{
+    uint32_t count = s->options->scene ? (uint32_t)roberts_scene_solid_count(s->options->scene) : 0;
+    for (size_t i = 0; i < s->group_count; i++)
+        if (!is_plain(&s->group[i]) && s->group[i].body >= count)
+            count = s->group[i].body + 1;
+    return count;
+}
+
 /* With an element for each piece, the dashes of a piece and the hatching of a region are one path; otherwise all
  * strokes are. */
 static void write_paths(const svg_groups *w, const stroke_group *g)
@@ -243,6 +254,7 @@ void svg_groups_write(const strokes *s, output *out)
         w.order[w.depth++] = LEVEL_VIEW;
     w.order[w.depth++] = by_body ? LEVEL_BODY : LEVEL_CLASS;
     w.order[w.depth++] = by_body ? LEVEL_CLASS : LEVEL_BODY;
+    w.bodies = w.order[0] == LEVEL_BODY ? count_bodies(s) : 0;
     for (size_t i = 0; i < s->group_count; i++) {
         const stroke_group *g = &s->group[i];
         const int kept = i > 0 ? shared(&w, g - 1, g) : 0;

@@ -358,6 +358,8 @@ static const struct {
     {"--layers named", "inkscape:label=\"outline\""},
     {"--layers numbered", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"6 outline\">"},
     {"--layers numbered --hidden dashed", "inkscape:label=\"1 hidden\""},
+    {"--layers numbered --group body --frame", "inkscape:label=\"1 body-0\""},
+    {"--layers numbered --group body --frame", "inkscape:label=\"8 frame\""},
     {"--group class", "<g id=\"outline\" inkscape:groupmode=\"layer\" inkscape:label=\"outline\">\n<path fill"},
     {"--group body", "<g id=\"body-0\" inkscape:groupmode=\"layer\" inkscape:label=\"body-0\" class=\"body\" "
                      "data-body=\"0\">\n<g class=\"crease\" fill=\"none\""},
