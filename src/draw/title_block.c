@@ -58,6 +58,21 @@ static void scale_text(const strokes *s, char *text, size_t size)
     snprintf(text, size, ratio < 1.0 ? "1:%s" : "%s:1", number);
 }
 
+/* mm: the smallest letters of ISO 3098 that are easy to read. */
+static const double readable_mm = 1.8;
+
+static void warn_small(const strokes *s, const block_cell *cell, double height)
+{
+    const roberts_warnings *to = &s->options->lettering.warnings;
+    char text[120];
+    if (height >= readable_mm || !to->warn)
+        return;
+    snprintf(text, sizeof text,
+             "title block: the letters of \"%s\" are only %.2g mm high, so that they fit into their cell",
+             cell->caption, height);
+    to->warn(to->context, "", 0, text);
+}
+
 /* Writes a text into a cell, smaller if it is too wide. */
 static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, const char *text)
 {
@@ -70,8 +85,19 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     if (!*text)
         return true;
     const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
+    warn_small(s, cell, height);
     line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, false);
+}
+
+/* The border of the block. Its right and lower sides lie on the frame, if there is one. */
+static bool add_block_border(strokes *s, roberts_vec2 corner)
+{
+    const roberts_vec2 end = s->frame_mm[1];
+    if (s->options->frame.off)
+        return notes_add_box(&s->notes, corner, end, s->units_per_mm);
+    return notes_add_line(&s->notes, (roberts_vec2){corner.x, end.y}, corner, s->units_per_mm) &&
+           notes_add_line(&s->notes, corner, (roberts_vec2){end.x, corner.y}, s->units_per_mm);
 }
 
 bool title_block_add(strokes *s)
@@ -101,7 +127,7 @@ bool title_block_add(strokes *s)
                                   (roberts_vec2){corner.x + cell->right, corner.y + cell->bottom * row_mm},
                                   s->units_per_mm);
     }
-    return done && notes_add_box(&s->notes, corner, s->frame_mm[1], s->units_per_mm);
+    return done && add_block_border(s, corner);
 }
 
 /* ---- zones of the frame ------------------------------------------------------------------------------------------ */

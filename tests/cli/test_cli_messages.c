@@ -492,7 +492,11 @@ static const struct {
     {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
     {"--unit in --scale 1:1", ""},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
-    {"--hatch on --style hatch:width=1.5", "--hatch: strokes of 1.5 mm, 0.8 mm apart, cover the darkest faces wholly\n"},
+    {"--hatch on --style hatch:width=1.5",
+     "--hatch: strokes of 1.5 mm, 0.8 mm apart, cover the darkest faces wholly\n"},
+    {"--sheet first --landscape --title "
+     "MMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMM",
+     "title block: the letters of \"Title\" are only 0.93 mm high, so that they fit into their cell\n"},
     {"--view top --up 0,0,2", "--up has no effect: it is parallel to the view\n"},
     {"--eye 9,9,9 --look-at 1,1,1 --up -1,-1,-1", "--up has no effect: it is parallel to the view\n"},
     {"--azimuth 90 --elevation 0 --up 1,0,0", "--up has no effect: it is parallel to the view\n"},
