@@ -496,7 +496,7 @@ static const struct {
      "--hatch: strokes of 1.5 mm, 0.8 mm apart, cover the darkest faces wholly\n"},
     {"--sheet first --landscape --title "
      "MMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMM",
-     "title block: the letters of \"Title\" are only 0.93 mm high, so that they fit into their cell\n"},
+     "title block: the letters of \"Title\" are only "},
     {"--view top --up 0,0,2", "--up has no effect: it is parallel to the view\n"},
     {"--eye 9,9,9 --look-at 1,1,1 --up -1,-1,-1", "--up has no effect: it is parallel to the view\n"},
     {"--azimuth 90 --elevation 0 --up 1,0,0", "--up has no effect: it is parallel to the view\n"},
