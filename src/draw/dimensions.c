@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/box.h"
 #include "base/error.h"
 #include "base/output.h"
 #include "base/vec.h"
@@ -17,7 +18,8 @@
 #include "view/camera.h"
 
 /* mm */
-static const double line_off = 10.0; /* dimension line from the view */
+static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure, and farther ones */
+static const double beyond_line = 8.0;                /* room beyond the last of them */
 static const double extension_gap = 1.0, extension_over = 2.0;
 static const double arrow_length = 3.0, arrow_half = 0.8;
 static const double text_off = 1.2, text_apart = 1.0; /* from the dimension line, from extension lines */
@@ -149,10 +151,24 @@ bool dimension_draw(strokes *s, const dimension *d)
            add_arrow(s, d->end[1], l.is_narrow ? outward : inward) && notes_add_text(&s->notes, &l.text, false);
 }
 
+/* How far the dimension lines of the whole scene are from a view: large letters must not reach it, and distances stand
+ * nearer, since a shorter dimension does not lie beyond a longer one. */
+static double overall_off(const roberts_draw_options *options)
+{
+    const double nearest = fmax(nearest_mm, strokes_text_height(options) + 2.0 * text_off);
+    return options->lettering.distance_count > 0 ? nearest + ring_mm : nearest;
+}
+
+double dimensions_room(const roberts_draw_options *options)
+{
+    return (options->lettering.overall ? overall_off(options) : nearest_mm) + beyond_line;
+}
+
 /* A dimension between `ends`, corners of the box of a view, off toward `off`; its line is level or upright. */
 static bool add_overall(strokes *s, const page_view *view, const roberts_vec2 ends[2], roberts_vec2 off, double value)
 {
     char text[DIMENSION_TEXT];
+    const double line_off = overall_off(s->options);
     dimension_text(value, s->options->lettering.unit, text, sizeof text);
     const dimension d = {{find_corner(s, view, ends[0], off), find_corner(s, view, ends[1], off)},
                          {moved_along(ends[0], off, line_off), moved_along(ends[1], off, line_off)},
@@ -195,10 +211,9 @@ bool dimensions_add(strokes *s)
 enum { RINGS = 14, SHIFTS = 3, PARTS_MOST = 4096 /* of a line; longer parts on pages of more than 8 m */ };
 
 /* mm */
-static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure */
-static const double beyond_mm = 8.0;                  /* text beyond an end, from that end */
-static const double margin_mm = 0.6;                  /* kept free round text and lines */
-static const double step_mm = 2.0;                    /* parts in which a line is examined */
+static const double beyond_mm = 8.0; /* text beyond an end, from that end */
+static const double margin_mm = 0.6; /* kept free round text and lines */
+static const double step_mm = 2.0;   /* parts in which a line is examined */
 
 /* Greatest depth of a distance seen in true length, as a fraction of it: the effect of rounding to five digits. */
 static const double level_part = 1e-5;
@@ -279,13 +294,28 @@ static double line_cost(const strokes *s, const free_space *r, roberts_vec2 a, r
     return cost;
 }
 
-/* The cost of the lines already there; infinite if there is no room for the text. */
-static double drawn_cost(const strokes *s, const free_space *r, const dimension *d)
+/* Does the line from a to b run into the box of another view? */
+static bool is_in_other_view(const strokes *s, const page_view *own, roberts_vec2 a, roberts_vec2 b)
+{
+    for (const page_view *view = s->view; view < s->view + s->views; view++) {
+        const roberts_vec2 p = page_place(&view->map, view->drawing->window_min);
+        const roberts_vec2 q = page_place(&view->map, view->drawing->window_max);
+        double t0 = 0.0, t1 = 1.0;
+        if (view != own && box_clip(a.x, b.x, p.x, q.x, &t0, &t1) && box_clip(a.y, b.y, q.y, p.y, &t0, &t1) && t0 < t1)
+            return true;
+    }
+    return false;
+}
+
+/* The cost of the lines already there; infinite if there is no room for the text, or another view is in the way. */
+static double drawn_cost(const strokes *s, const free_space *r, const page_view *own, const dimension *d)
 {
     dimension_lines l;
     space_box box[DIMENSION_BOXES];
     double cost = 0.0;
-    if (!dimension_lay(s, d, &l))
+    if (!dimension_lay(s, d, &l) || is_in_other_view(s, own, l.line[0], l.line[1]) ||
+        is_in_other_view(s, own, l.extension[0][0], l.extension[0][1]) ||
+        is_in_other_view(s, own, l.extension[1][0], l.extension[1][1]))
         return INFINITY;
     for (size_t i = 0, count = dimension_text_boxes(&l.text, box); i < count; i++)
         if (box_cost(s, r, box[i]) > 0.0)
@@ -332,7 +362,7 @@ static bool find_place(const strokes *s, const free_space *r, const seen_distanc
         double cost;
         if (!nth_place(s, seen, i, &d, &cost) || cost >= least)
             continue;
-        cost += drawn_cost(s, r, &d);
+        cost += drawn_cost(s, r, seen->view, &d);
         if (cost < least) {
             least = cost;
             *best = d;

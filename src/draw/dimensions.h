@@ -6,7 +6,7 @@
 #include "draw/strokes.h"
 
 /* The space that dimensions need beside a view, mm. */
-#define DIMENSION_ROOM 18.0
+double dimensions_room(const roberts_draw_options *options);
 
 /* Adds width, height and depth to s->notes, and the space that labels must avoid to s->taken. The sheet has been laid
  * out. False: no memory. */

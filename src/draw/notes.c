@@ -23,10 +23,31 @@ static page_point on_page(roberts_vec2 mm, double units_per_mm)
     return (page_point){page_round(mm.x * units_per_mm), page_round(mm.y * units_per_mm)};
 }
 
+/* Does the line from a to b hold p? */
+static bool holds_point(page_point a, page_point b, page_point p)
+{
+    const double x = (double)b.x - a.x, y = (double)b.y - a.y, u = (double)p.x - a.x, v = (double)p.y - a.y;
+    const double length = page_distance(a, b), along = x * u + y * v;
+    return fabs(x * v - y * u) <= PIECE_TOUCH * length && along >= -PIECE_TOUCH * length &&
+           along <= (length + PIECE_TOUCH) * length;
+}
+
+/* Is the line from p to q part of a line that is there already? */
+static bool is_drawn_already(const notes *n, page_point p, page_point q)
+{
+    for (size_t i = 0; i < n->lines.count; i++) {
+        const polyline *line = &n->lines.item[i];
+        const page_point a = n->lines.point[line->first], b = n->lines.point[line->first + 1];
+        if (line->count == 2 && holds_point(a, b, p) && holds_point(a, b, q))
+            return true;
+    }
+    return false;
+}
+
 bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)
 {
     const page_point p = on_page(a, units_per_mm), q = on_page(b, units_per_mm);
-    if (p.x == q.x && p.y == q.y)
+    if ((p.x == q.x && p.y == q.y) || is_drawn_already(n, p, q))
         return true;
     return polylines_start(&n->lines) && polylines_append(&n->lines, p) && polylines_append(&n->lines, q);
 }

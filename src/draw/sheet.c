@@ -162,10 +162,11 @@ static bool find_room(layout *l, const roberts_draw_options *options, bool third
     *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
     l->left_mm = l->top_mm = edge;
     if (options->lettering.overall || options->lettering.distance_count > 0) {
-        l->left_mm += DIMENSION_ROOM;
-        l->top_mm += third ? 0.0 : DIMENSION_ROOM;
-        room->width_mm -= DIMENSION_ROOM;
-        room->height_mm -= DIMENSION_ROOM;
+        const double beside = dimensions_room(options);
+        l->left_mm += beside;
+        l->top_mm += third ? 0.0 : beside;
+        room->width_mm -= beside;
+        room->height_mm -= beside;
     }
     if (title_block_is_wanted(options))
         return fit_block(l, options, room, error);
