@@ -389,6 +389,24 @@ static bool number_body_edges(assembly *a, const body_edges *list)
     return scene->edge && scene->surface->kind && scene->surface->smooth && scene->surface->edge_is;
 }
 
+/* Copies the winding numbers of pieces, if some are not 1. The faces have the numbers of `all`. False: no memory. */
+static bool copy_windings(assembly *a)
+{
+    roberts_scene *scene = a->scene;
+    const surface *s = &a->surface;
+    if (s->wound_count == 0)
+        return true;
+    scene->surface->winding = alloc_array(scene->face_count, sizeof *scene->surface->winding);
+    if (!scene->surface->winding)
+        return false;
+    for (uint32_t f = 0; f < scene->face_count; f++) {
+        size_t at = find_numbered(s->wound, s->wound_count, sizeof *s->wound, scene->face_number[f]);
+        bool found = at < s->wound_count && s->wound[at].piece == scene->face_number[f];
+        scene->surface->winding[f] = found ? s->wound[at].winding : 1;
+    }
+    return true;
+}
+
 /* Replaces the numbers of `all` and of the surface by those of the input. */
 static bool rename_all(assembly *a)
 {
@@ -496,7 +514,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
             goto done;
         scene->surface->smooth[b] = body_smooth(scene, b);
     }
-    if (!rename_all(a))
+    if (!copy_windings(a) || !rename_all(a))
         goto done;
     status = ROBERTS_OK;
     for (uint32_t b = 0; status == ROBERTS_OK && b < a->body_count; b++)

@@ -209,6 +209,7 @@ static bool take_whole(face_pieces *f)
         return false;
     face_piece *only = &f->piece[f->piece_count++];
     only->count = (uint32_t)f->ring_count;
+    only->winding = 1;
     for (uint32_t i = 0; i < only->count; i++) {
         only->node[i] = f->ring[i];
         only->label[i] = i;
@@ -235,6 +236,7 @@ static bool take_fan(face_pieces *f)
             p->label[n++] = i < last ? i : last == count - 1 ? last : cut;
         }
         p->count = n;
+        p->winding = 1;
         k = last;
     }
     return true;
@@ -289,7 +291,7 @@ static bool take_quadrilateral(face_pieces *f)
     const uint32_t first = alike ? least % 2 : b < a;
     for (uint32_t p = 0; p < 2; p++) {
         uint32_t at[3] = {first + 2 * p, (first + 2 * p + 1) % 4, (first + 2 * p + 2) % 4};
-        f->piece[p] = (face_piece){3, {f->ring[at[0]], f->ring[at[1]], f->ring[at[2]]}, {at[0], at[1], 4}};
+        f->piece[p] = (face_piece){3, 1, {f->ring[at[0]], f->ring[at[1]], f->ring[at[2]]}, {at[0], at[1], 4}};
     }
     f->piece_count = 2;
     return true;

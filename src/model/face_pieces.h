@@ -21,6 +21,7 @@ typedef struct piece_node {
 /* A convex polygon. */
 typedef struct face_piece {
     uint32_t count;
+    int32_t winding; /* how often the border winds round it, counter-clockwise about the plane's normal */
     uint32_t node[PIECE_CORNERS];
     uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; larger labels are cuts */
 } face_piece;

@@ -130,6 +130,7 @@ void scene_surface_free(scene_surface *s)
     free(s->bend);
     free(s->plane_of);
     free(s->whole);
+    free(s->winding);
     free(s->many);
     free(s->many_face);
     free(s->part);

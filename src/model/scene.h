@@ -65,6 +65,8 @@ typedef struct scene_surface {
     uint8_t *edge_is;   /* [edge_count] EDGE_... flags, for bodies that are not convex */
     uint8_t *bend;      /* [edge_count] see scene_bend_code(), of edges with two faces; NULL: planes are stored */
     uint32_t *plane_of; /* [face_count] see scene_plane_number(); NULL: each face has its own number */
+    int32_t *winding;   /* [face_count] how often the border of its face winds round a piece, counter-clockwise as seen
+                           from where F < 0; NULL: once round all */
     plane *whole;       /* [face_count] see scene_whole_plane(); NULL: every face is planar */
     scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;

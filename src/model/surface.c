@@ -131,6 +131,11 @@ static bool add_surface_piece(surface *s, const face_pieces *p, const face_piece
     for (uint32_t i = 0; i < piece->count; i++)
         s->corner[s->corner_count++] = p->node[piece->node[i]].vertex;
     s->start[n + 1] = (uint32_t)s->corner_count;
+    if (piece->winding != 1) {
+        if (!array_reserve(&s->wound, &s->wound_room, s->wound_count + 1, sizeof *s->wound))
+            return false;
+        s->wound[s->wound_count++] = (surface_wound){(uint32_t)n, piece->winding};
+    }
     s->face[n] = face;
     s->plane_of[n] = plane_of;
     s->piece_count++;
@@ -280,6 +285,7 @@ void surface_free(surface *s)
     free(s->face);
     free(s->plane_of);
     free(s->fit);
+    free(s->wound);
     free(s->side);
     free(s->side_part);
     free(s->edge);

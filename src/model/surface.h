@@ -39,6 +39,12 @@ typedef struct surface_edge {
     bool odd;      /* it does not have two pieces, comes from a side that was divided, or may end beside its pieces */
 } surface_edge;
 
+/* A piece round which the border of its face does not wind once, counter-clockwise about its normal. */
+typedef struct surface_wound {
+    uint32_t piece;
+    int32_t winding;
+} surface_wound;
+
 typedef struct surface {
     const roberts_mesh *mesh;
     const uint32_t *name; /* [vertices of the mesh] the new name of each vertex; NULL: vertices keep their names */
@@ -49,14 +55,15 @@ typedef struct surface {
     uint32_t *face;           /* [piece_count] in the input */
     uint32_t *plane_of;       /* [piece_count] the first piece of its plane */
     surface_fit *fit;         /* [fit_count] sorted by piece */
+    surface_wound *wound;     /* [wound_count] sorted by piece: those with a winding number other than 1 */
     surface_side *side;       /* [side_count] */
     scene_part *side_part;    /* [part_count] sorted by side: sides that are parts of a side of the file */
     surface_edge *edge;       /* [edge_count] sorted by v[0], v[1] */
     uint32_t *many;
     scene_part *part; /* entries of edges */
-    size_t corner_count, fit_count, side_count, part_count, edge_count, many_count, edge_part_count;
-    size_t start_room, corner_room, face_room, plane_room, fit_room, side_room, part_room, edge_room, many_room,
-        edge_part_room, point_room, low_room;
+    size_t corner_count, fit_count, wound_count, side_count, part_count, edge_count, many_count, edge_part_count;
+    size_t start_room, corner_room, face_room, plane_room, fit_room, wound_room, side_room, part_room, edge_room,
+        many_room, edge_part_room, point_room, low_room;
     size_t repeated;  /* number of faces left out as copies of earlier ones */
     size_t bent;      /* number of faces that cross or touch themselves and are not planar; they count as planar */
     size_t uncut;     /* number of faces whose borders cross themselves too often: their sides became wires */

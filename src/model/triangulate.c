@@ -52,6 +52,7 @@ typedef struct sweep {
     chain_link *link;
     size_t event_count, link_count, link_room;
     uint32_t cuts;
+    int32_t inside; /* winding number of the region that is being cut */
 } sweep;
 
 static roberts_vec2 place(const sweep *s, uint32_t node)
@@ -239,6 +240,7 @@ static bool add_triangle(sweep *s, const uint32_t node[3], const uint32_t label[
         return false;
     face_piece *t = &f->piece[f->piece_count++];
     t->count = 3;
+    t->winding = s->inside;
     for (int i = 0; i < 3; i++) {
         t->node[i] = node[i];
         t->label[i] = label[i];
@@ -362,12 +364,16 @@ static bool begin_region(sweep *s, open_region *r, uint32_t node)
  * from `first` to `last` in the order. False: no memory. */
 static bool end_regions(sweep *s, uint32_t node, uint32_t below, uint32_t first, uint32_t last)
 {
-    if (is_filled(s, winding_above(s, below)) && !extend_top(s, &s->region[below], node, first))
+    s->inside = winding_above(s, below);
+    if (is_filled(s, s->inside) && !extend_top(s, &s->region[below], node, first))
         return false;
-    for (uint32_t i = first; i != last; i = s->order.place[i].near[1])
-        if (is_filled(s, s->winding[i]) && !extend_bottom(s, &s->region[i], node, i, s->order.place[i].near[1]))
+    for (uint32_t i = first; i != last; i = s->order.place[i].near[1]) {
+        s->inside = s->winding[i];
+        if (is_filled(s, s->inside) && !extend_bottom(s, &s->region[i], node, i, s->order.place[i].near[1]))
             return false;
-    return !is_filled(s, s->winding[last]) || extend_bottom(s, &s->region[last], node, last, ROBERTS_NONE);
+    }
+    s->inside = s->winding[last];
+    return !is_filled(s, s->inside) || extend_bottom(s, &s->region[last], node, last, ROBERTS_NONE);
 }
 
 /* Inserts the lines that leave the node into the order, above `below`. If two coincide, the longer one is divided and
@@ -416,6 +422,7 @@ static bool begin_regions(sweep *s, uint32_t node, uint32_t below, bool had, ope
             merge_open_regions(s, &s->region[below], &high);
         return true;
     }
+    s->inside = outer;
     if (!had && is_filled(s, outer) && !split(s, &s->region[below], node, &high))
         return false;
     for (bool more = true; more;) {
@@ -501,7 +508,7 @@ static roberts_vec2 piece_corner(const face_pieces *f, const face_piece *p, uint
 /* Joins q to p across a cut, side i of p and side j of q, if the result is convex. */
 static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint32_t i, uint32_t j)
 {
-    face_piece all = {.count = p->count + q->count - 2};
+    face_piece all = {.count = p->count + q->count - 2, .winding = p->winding};
     if (all.count > PIECE_CORNERS ||
         orient2d(piece_corner(f, p, i + p->count - 1), piece_corner(f, p, i), piece_corner(f, q, j + 2)) < 0.0 ||
         orient2d(piece_corner(f, q, j + q->count - 1), piece_corner(f, q, j), piece_corner(f, p, i + 2)) < 0.0)

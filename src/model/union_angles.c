@@ -59,9 +59,17 @@ static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, doub
     return false;
 }
 
-/* Casts a ray from the line at t, in direction w, and returns the parity of its crossings with the body's surface
- * (MISSES or HITS), or UNSURE. Faces in which the line lies at t do not count. */
-static int cast(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w)
+/* How much a crossing of a face toward direction d counts. 0: parity decides. */
+static int32_t winding_across(const union_bodies *all, uint32_t face, roberts_vec3 d)
+{
+    const plane F = union_plane(all->scene, face);
+    return !all->winding ? 0 : all->winding[face] * (vec3_dot((roberts_vec3){F.a, F.b, F.c}, d) > 0.0 ? 1 : -1);
+}
+
+/* Casts a ray from the line at t, in direction w, and counts its crossings with the body's surface: `*winding` is the
+ * winding number there, or else their parity. Faces in which the line lies at t do not count. False: it passes a border
+ * too closely. */
+static bool cast(const union_cutter *c, const union_fill *of, double t, roberts_vec3 w, int32_t *winding)
 {
     const union_bodies *all = c->all;
     const roberts_scene *scene = all->scene;
@@ -69,7 +77,7 @@ static int cast(const union_cutter *c, const union_fill *of, double t, roberts_v
     uint32_t root = all->root[of->body], first = scene->solid[of->body].face;
     const box_tree_node few = {.skip = 1, .first = first, .count = scene->solid[of->body + 1].face - first};
     const box_tree_node *node = root == ROBERTS_NONE ? &few : all->tree.node + root;
-    int passed = 0;
+    *winding = 0;
     for (uint32_t i = 0, end = root == ROBERTS_NONE ? 1 : node[0].skip - root; i < end;) {
         double t0 = 0.0, t1 = 1.0;
         const box3 *box = &node[i].box;
@@ -85,16 +93,20 @@ static int cast(const union_cutter *c, const union_fill *of, double t, roberts_v
                 continue;
             int meets = ray_meets(scene, face, M, R);
             if (meets == UNSURE)
-                return UNSURE;
-            passed ^= meets == HITS;
+                return false;
+            if (meets == HITS && of->wound)
+                *winding += winding_across(all, face, R);
+            else
+                *winding ^= meets == HITS;
         }
         i++;
     }
-    return passed;
+    return true;
 }
 
-/* Does the body fill the sector just beside the line at t? `middle` is the sector's angle, `half` half its width. */
-static bool fills_by_rays(const union_cutter *c, const union_fill *of, double t, double middle, double half)
+/* Finds the winding number of the body in the sector just beside the line at t, or the parity; not 0: it fills the
+ * sector. `middle` is the sector's angle, `half` half its width. */
+static int32_t winding_by_rays(const union_cutter *c, const union_fill *of, double t, double middle, double half)
 {
     static const double turn[RAYS_TRIED] = {0.03,  -0.27, 0.41,  -0.11, 0.33, -0.47, 0.19,  -0.37,
                                             0.071, -0.21, 0.273, -0.43, 0.13, -0.31, 0.459, -0.067};
@@ -102,11 +114,11 @@ static bool fills_by_rays(const union_cutter *c, const union_fill *of, double t,
         double angle = middle + half * turn[i], slant = 0.7 * turn[(i + 5) % RAYS_TRIED];
         roberts_vec3 w = vec3_add(vec3_scale(cos(angle), c->e1), vec3_scale(sin(angle), c->e2));
         w = vec3_add(w, vec3_scale(slant, c->u));
-        int passed = cast(c, of, t, vec3_scale(1.0 / vec3_length(w), w));
-        if (passed != UNSURE)
-            return passed == HITS;
+        int32_t winding;
+        if (cast(c, of, t, vec3_scale(1.0 / vec3_length(w), w), &winding))
+            return winding;
     }
-    return false;
+    return 0;
 }
 
 /* Is the line inside the body at t? The line touches no face of it there. */
@@ -114,7 +126,7 @@ static bool is_inside(const union_cutter *c, const union_fill *of, double t)
 {
     const roberts_scene *scene = c->all->scene;
     if (!of->convex)
-        return fills_by_rays(c, of, t, 0.0, 0.5 * FULL_TURN);
+        return winding_by_rays(c, of, t, 0.0, 0.5 * FULL_TURN) != 0;
     roberts_vec3 M = vec3_add(c->A, vec3_scale(t, c->U));
     for (uint32_t f = scene->solid[of->body].face; f < scene->solid[of->body + 1].face; f++)
         if (!(plane_at(union_plane(scene, f), M) > 0.0))
@@ -242,7 +254,13 @@ static bool convex_fills(const union_cutter *c, const union_fill *of, double t, 
     return true;
 }
 
-/* Does the body fill the sector after cluster k? For a body that is not convex, each ray toggles the answer. */
+/* The change of a body's winding number, or of the parity, where a ray is passed counter-clockwise. */
+static int32_t step_past(const union_cutter *c, const union_fill *of, const union_ray *r)
+{
+    return of->wound ? -winding_across(c->all, r->side.face, vec3_cross(c->u, r->side.d)) : 1;
+}
+
+/* Does the body fill the sector after cluster k? For a body that is not convex, each ray changes the answer. */
 static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_t k, double middle)
 {
     const union_work *work = c->work;
@@ -250,25 +268,28 @@ static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_
         return false;
     if (of->convex)
         return convex_fills(c, of, t, vec3_add(vec3_scale(cos(middle), c->e1), vec3_scale(sin(middle), c->e2)));
-    bool filled = of->first;
+    int32_t winding = of->first;
     for (size_t i = 0; i < work->ray_count; i++)
-        filled ^= work->ray[i].side.body == of->body && work->ray[i].cluster > 0 && work->ray[i].cluster <= k;
-    return filled;
+        if (work->ray[i].side.body == of->body && work->ray[i].cluster > 0 && work->ray[i].cluster <= k)
+            winding += step_past(c, of, &work->ray[i]);
+    return of->wound ? winding != 0 : winding % 2 != 0;
 }
 
-/* Finds, for the bodies that are not convex, whether they fill the first sector. */
+/* Finds the winding numbers, or the parities, of the bodies that are not convex in the first sector. */
 static void begin_fills(union_cutter *c, double t, uint32_t clusters)
 {
     union_work *work = c->work;
     double half, middle = sector(work, 0, clusters, &half);
     for (size_t i = 0; i < work->fill_count; i++) {
         union_fill *of = &work->fill[i];
+        int32_t round = 0;
         if (!of->active || of->convex)
             continue;
-        of->broken = false;
         for (size_t k = 0; k < work->ray_count; k++)
-            of->broken ^= work->ray[k].side.body == of->body;
-        of->first = !of->broken && fills_by_rays(c, of, t, middle, half);
+            if (work->ray[k].side.body == of->body)
+                round += step_past(c, of, &work->ray[k]);
+        of->broken = of->wound ? round != 0 : round % 2 != 0;
+        of->first = of->broken ? 0 : winding_by_rays(c, of, t, middle, half);
     }
 }
 

@@ -26,9 +26,10 @@ struct union_fill {
     uint32_t body;
     double touch;
     bool convex;
-    bool active; /* it touches the line at the current piece */
-    bool broken; /* not convex: the region it fills there is undefined */
-    bool first;  /* not convex: it fills the first sector */
+    bool active;   /* it touches the line at the current piece */
+    bool wound;    /* winding numbers decide, not parity: see union_bodies */
+    bool broken;   /* not convex: the region it fills there is undefined */
+    int32_t first; /* not convex: the winding number in the first sector, or the parity */
 };
 
 typedef struct union_cutter {

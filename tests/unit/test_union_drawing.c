@@ -433,6 +433,99 @@ static void test_star_bodies(void **state)
     }
 }
 
+/* ---- a body whose faces wind twice ------------------------------------------------------------------------------- */
+
+/* The crossing of the lines from p to q and from r to s, in the plane z = 0. */
+static roberts_vec3 cross_lines(roberts_vec3 p, roberts_vec3 q, roberts_vec3 r, roberts_vec3 s)
+{
+    const double t = ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) /
+                     ((q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x));
+    return (roberts_vec3){p.x + t * (q.x - p.x), p.y + t * (q.y - p.y), 0};
+}
+
+static void add_prism_face(model *m, const uint32_t *corner, uint32_t count, bool turned)
+{
+    uint32_t other[10];
+    for (uint32_t i = 0; i < count; i++)
+        other[i] = corner[turned ? count - 1 - i : i];
+    model_face(m, other, count);
+}
+
+/* A prism over a star of five points: with two pentagrams and five walls that cross, or with two decagons and ten walls
+ * that do not. `turned`: bits of the faces to turn over. */
+static void put_star(model *m, bool crossed, double z0, double z1, unsigned turned)
+{
+    static const roberts_vec3 tip[5] = {{0, 6, 0}, {-6, 1, 0}, {-3, -5, 0}, {3, -5, 0}, {6, 1, 0}};
+    const uint32_t first = (uint32_t)m->mesh.vertex_count, count = crossed ? 5 : 10;
+    uint32_t low[10], high[10];
+    for (int side = 0; side < 2; side++)
+        for (uint32_t i = 0; i < count; i++) {
+            const uint32_t k = crossed ? 2 * i % 5 : i / 2;
+            roberts_vec3 p = tip[k];
+            if (!crossed && i % 2)
+                p = cross_lines(tip[k], tip[(k + 2) % 5], tip[(k + 4) % 5], tip[(k + 1) % 5]);
+            p.z = side ? z1 : z0;
+            model_vertex(m, p);
+        }
+    for (uint32_t i = 0; i < count; i++) {
+        low[i] = first + count - 1 - i;
+        high[i] = first + count + i;
+        const uint32_t next = (i + 1) % count;
+        const uint32_t wall[4] = {first + i, first + next, first + count + next, first + count + i};
+        add_prism_face(m, wall, 4, turned >> i & 1);
+    }
+    add_prism_face(m, low, count, turned >> 10 & 1);
+    add_prism_face(m, high, count, turned >> 11 & 1);
+}
+
+/* Visible lengths by class: of the edges of boxes, and of the lines in which their faces cross others. */
+static void measure_boxes(const roberts_drawing *d, uint32_t boxes, double length[ROBERTS_BACK_OUTLINE + 1])
+{
+    for (int i = 0; i <= ROBERTS_BACK_OUTLINE; i++)
+        length[i] = 0.0;
+    for (size_t i = 0; i < d->count; i++) {
+        const roberts_segment *g = &d->segment[i];
+        const bool own = g->v0 != ROBERTS_NONE ? g->solid < boxes : d->crossing[g->edge].face[0] < 6 * boxes;
+        if (own && g->state == ROBERTS_VISIBLE)
+            length[g->line] += hypot(g->p1.x - g->p0.x, g->p1.y - g->p0.y);
+    }
+}
+
+/* The middle of a pentagram is filled, and so is what lies below it, whatever the winding of the faces. */
+static void test_pentagrams(void **state)
+{
+    rng r = {471};
+    double all = 0.0;
+    (void)state;
+    for (int scene = 0; scene < 60; scene++) {
+        const roberts_camera camera = {.dir = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)}};
+        const uint32_t boxes = (uint32_t)rng_int(&r, 1, 2);
+        const double z0 = rng_int(&r, -3, 0), z1 = rng_int(&r, 1, 4);
+        const unsigned turned = scene % 3 ? 0 : (unsigned)rng_int(&r, 0, 4095);
+        double length[2][ROBERTS_BACK_OUTLINE + 1];
+        model m[2] = {{.mesh = {0}}, {.mesh = {0}}};
+        for (uint32_t b = 0; b < boxes; b++) { /* no face of a box lies in one of the star */
+            const roberts_vec3 at = {rng_int(&r, -5, 3) + 0.3, rng_int(&r, -5, 3) + 0.4, rng_int(&r, -5, 3) + 0.5};
+            const roberts_vec3 to = {at.x + rng_int(&r, 1, 5), at.y + rng_int(&r, 1, 5), at.z + rng_int(&r, 1, 5)};
+            model_box(&m[0], at, to);
+            model_box(&m[1], at, to);
+        }
+        for (int k = 0; k < 2; k++) {
+            put_star(&m[k], k == 0, z0, z1, turned);
+            roberts_drawing drawing = draw(&m[k], &camera, 0.0, true);
+            measure_boxes(&drawing, boxes, length[k]);
+            roberts_drawing_free(&drawing);
+            model_free(&m[k]);
+        }
+        for (int i = 0; i <= ROBERTS_BACK_OUTLINE; i++) {
+            if (fabs(length[0][i] - length[1][i]) > 1e-7)
+                fail_msg("scene %d, class %d: %.9g instead of %.9g", scene, i, length[0][i], length[1][i]);
+            all += length[0][i];
+        }
+    }
+    assert_true(all > 100.0);
+}
+
 /* An L whose ends are one face each, or four triangles, and a leg that stands along a cut between two of these. */
 static void put_leg_on_cut(model *m, bool cut)
 {
@@ -514,9 +607,9 @@ static void test_same_result(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
-                                       cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_random_cells),
-                                       cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_star_bodies),
-                                       cmocka_unit_test(test_leg_on_cut),    cmocka_unit_test(test_same_result)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bodies),       cmocka_unit_test(test_wall),          cmocka_unit_test(test_menger_sponge),
+        cmocka_unit_test(test_random_cells), cmocka_unit_test(test_random_blocks), cmocka_unit_test(test_star_bodies),
+        cmocka_unit_test(test_pentagrams),   cmocka_unit_test(test_leg_on_cut),    cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
