@@ -754,8 +754,9 @@ static const option rows[] = {
      .manual = "strokes (the default): letters are drawn as strokes of a pen, everywhere the same: upright letters "
                "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
                "svg, pdf, tikz and dxf have the text itself, which can be searched, copied, and set in the "
-               "document's fonts (in svg in the layers letters and hidden-letters); other formats have strokes all the "
-               "same, and a warning says so."},
+               "document's fonts (in svg in the layers letters and hidden-letters). In pdf the fonts are Helvetica and "
+               "Symbol, which are not part of the file. Other formats have strokes all the same, and a warning says "
+               "so."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

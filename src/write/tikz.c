@@ -331,7 +331,13 @@ static void write_fills(const tikz *p)
 
 /* ---- text of the document ---- */
 
-/* Writes the text of a class as nodes, unless it is strokes: in the font and the size of the document. */
+/* The size of a font whose capitals have a height of 1, as in Computer Modern. */
+static const double size_of_capitals = 1.0 / 0.683;
+
+/* A document that defines this command itself decides about sizes. */
+static const char size_command[] = "\\providecommand\\robertssize[1]{\\fontsize{#1}{#1}\\selectfont}\n";
+
+/* Writes the text of a class as nodes, unless it is strokes: in the font of the document, in its own size. */
 static void write_nodes(const tikz *p, roberts_line class)
 {
     const strokes *s = p->s;
@@ -348,8 +354,11 @@ static void write_nodes(const tikz *p, roberts_line class)
             output_text(p->out, "inner sep=0pt,outer sep=0pt,text=");
             write_color(p->out, pen->red, pen->green, pen->blue);
             output_text(p->out, "}}}\n");
+            output_text(p->out, size_command);
         }
-        output_text(p->out, "\\node[roberts ");
+        output_text(p->out, "\\node[font=\\robertssize{");
+        output_mm(p->out, size_of_capitals * line.height_mm);
+        output_text(p->out, "mm},roberts ");
         output_text(p->out, style);
         output_text(p->out, line.align <= 0.0  ? ",anchor=base west"
                             : line.align < 1.0 ? ",anchor=base"
