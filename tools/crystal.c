@@ -1,6 +1,8 @@
 /* crystal.c - writes a crystal as OFF, from its cell, its class and its forms.
  *
- *     crystal FILE >crystal.off
+ *     crystal FILE [NAMES.csv] >crystal.off
+ *
+ * NAMES.csv receives the Miller indices of each face, as roberts --labels reads them; in the OFF they are comments.
  *
  * FILE has lines of words; a # begins a comment:
  *
@@ -201,6 +203,8 @@ typedef struct crystal_face {
     double d;       /* from the centre */
     int color[3];
     bool has_color;
+    int hkl[3];
+    bool has_four; /* its form was given as h k i l */
 } crystal_face;
 
 typedef struct crystal {
@@ -208,7 +212,8 @@ typedef struct crystal {
     size_t face_count;
     roberts_vec3 corner[CORNERS_MAX];
     size_t corner_count;
-    double size; /* the largest distance of a face */
+    size_t outside; /* faces behind another in the same direction */
+    double size;    /* the largest distance of a face */
 } crystal;
 
 /* Adds a face. Of two in the same direction, the nearer one is kept. */
@@ -216,6 +221,7 @@ static void add_face(crystal *c, crystal_face new)
 {
     for (size_t i = 0; i < c->face_count; i++)
         if (vec3_length(vec3_sub(c->face[i].n, new.n)) < slack) {
+            c->outside += fabs(new.d - c->face[i].d) > slack * new.d;
             if (new.d < c->face[i].d)
                 c->face[i] = new;
             return;
@@ -229,16 +235,25 @@ static void add_face(crystal *c, crystal_face new)
 /* Adds all faces of a form. `like` has its distance and colour. */
 static void add_form(crystal *c, const cell *axes, const group *g, const int hkl[3], crystal_face like)
 {
+    roberts_vec3 done[OPERATIONS_MAX];
+    size_t count = 0;
     for (size_t i = 0; i < g->count; i++) {
         roberts_vec3 n = {0.0, 0.0, 0.0};
         for (int column = 0; column < 3; column++) {
             int index = 0;
             for (int row = 0; row < 3; row++)
                 index += hkl[row] * g->item[i].m[row][column];
+            like.hkl[column] = index;
             n = vec3_add(n, vec3_scale(index, axes->reciprocal[column]));
         }
         like.n = vec3_scale(1.0 / vec3_length(n), n);
-        add_face(c, like);
+        size_t k = 0;
+        while (k < count && vec3_length(vec3_sub(done[k], like.n)) >= slack)
+            k++;
+        if (k == count)
+            add_face(c, like);
+        done[k] = like.n;
+        count += k == count;
     }
 }
 
@@ -323,10 +338,23 @@ static bool is_closed(const crystal *c, size_t faces, size_t sides)
     return c->corner_count >= 4 && sides % 2 == 0 && c->corner_count + faces == sides / 2 + 2;
 }
 
-static void write_crystal(const crystal *c)
+/* The Miller indices of a face, with a space between them, or without one if each has a single digit. */
+static void write_indices(const crystal_face *face, bool spaced, FILE *file)
+{
+    const int h = face->hkl[0], k = face->hkl[1], i = -h - k, l = face->hkl[2];
+    const bool few = abs(h) < 10 && abs(k) < 10 && (!face->has_four || abs(i) < 10) && abs(l) < 10;
+    const char *space = spaced || !few ? " " : "";
+    fprintf(file, "%d%s%d%s", h, space, k, space);
+    if (face->has_four)
+        fprintf(file, "%d%s", i, space);
+    fprintf(file, "%d", l);
+}
+
+/* names: NULL, or what receives the indices of faces. */
+static void write_crystal(const crystal *c, FILE *names)
 {
     static turn list[CORNERS_MAX];
-    size_t faces = 0, sides = 0;
+    size_t faces = 0, sides = 0, written = 0;
     for (size_t i = 0; i < c->face_count; i++) {
         const size_t count = face_corners(c, &c->face[i], list);
         faces += count > 0;
@@ -347,10 +375,20 @@ static void write_crystal(const crystal *c)
             printf(" %zu", list[k].corner);
         if (face->has_color)
             printf(" %d %d %d", face->color[0], face->color[1], face->color[2]);
+        fputs(" # ", stdout);
+        write_indices(face, true, stdout);
         putchar('\n');
+        if (names) {
+            fprintf(names, "face,%zu,(", written);
+            write_indices(face, false, names);
+            fputs(")\n", names);
+        }
+        written++;
     }
-    if (faces < c->face_count)
-        fprintf(stderr, "crystal: %s: %zu faces lie outside of the crystal\n", input.name, c->face_count - faces);
+    const size_t outside = c->face_count - faces + c->outside;
+    if (outside > 0)
+        fprintf(stderr, "crystal: %s: %zu face%s outside of the crystal\n", input.name, outside,
+                outside == 1 ? " lies" : "s lie");
 }
 
 /* ---- the input ------------------------------------------------------------------------------------------------- */
@@ -419,9 +457,13 @@ static void read_form(const char *text, crystal *c, const cell *axes, const grou
         fail("form: one index at least must not be 0");
     if (!(rest[0] > 0.0))
         fail("form: the distance must be above 0");
-    crystal_face like = {.d = rest[0], .has_color = colored};
-    for (int i = 0; i < 3 && colored; i++)
-        like.color[i] = (int)rest[1 + i];
+    crystal_face like = {.d = rest[0], .has_color = colored, .has_four = four};
+    for (int i = 0; i < 3 && colored; i++) {
+        const double part = rest[1 + i];
+        if (!(part >= 0.0 && part <= 255.0 && part == floor(part)))
+            fail("form: a colour has whole numbers from 0 to 255, as 200 80 0");
+        like.color[i] = (int)part;
+    }
     add_form(c, axes, g, hkl, like);
 }
 
@@ -452,15 +494,33 @@ static void read_crystal(FILE *file, crystal *c)
     }
 }
 
+static void print_help(void)
+{
+    puts("usage: crystal FILE [NAMES.csv] >crystal.off\n\n"
+         "FILE (- is standard input) has lines of words; a # begins a comment:\n\n"
+         "  cell 4.913 4.913 5.405 90 90 120    lengths a b c, and angles alpha beta gamma (default: 90)\n"
+         "  class 32                            a crystal class\n"
+         "  form 1 0 1 5                        h k l or h k i l of a face, and its distance from the centre\n"
+         "  form 1 1 1 5.2 200 80 0             the same with a colour, from 0 to 255\n\n"
+         "NAMES.csv receives the indices of each face, for roberts --labels NAMES.csv.\n\n"
+         "Classes:");
+    for (size_t i = 0; i < CLASSES; i++)
+        printf("%s%s", classes[i].symbol, i + 1 == CLASSES || i % 12 == 11 ? "\n" : " ");
+}
+
 int main(int argc, char **argv)
 {
     static crystal c;
-    if (argc != 2) {
-        fputs("usage: crystal FILE >crystal.off\n", stderr);
+    if (argc == 2 && (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)) {
+        print_help();
+        return fflush(stdout) != 0;
+    }
+    if (argc != 2 && argc != 3) {
+        fputs("usage: crystal FILE [NAMES.csv] >crystal.off\ncrystal --help lists the classes.\n", stderr);
         return 2;
     }
     const bool standard = strcmp(argv[1], "-") == 0;
-    FILE *file = standard ? stdin : fopen(argv[1], "r");
+    FILE *file = standard ? stdin : fopen(argv[1], "r"), *names = NULL;
     input.name = standard ? "standard input" : argv[1];
     if (!file) {
         perror(argv[1]);
@@ -469,7 +529,14 @@ int main(int argc, char **argv)
     read_crystal(file, &c);
     if (!standard)
         fclose(file);
+    if (argc == 3 && !(names = fopen(argv[2], "w"))) {
+        perror(argv[2]);
+        return 1;
+    }
     find_corners(&c);
-    write_crystal(&c);
-    return ferror(stdout) || fflush(stdout) != 0;
+    write_crystal(&c, names);
+    const bool named = !names || (!ferror(names) & (fclose(names) == 0));
+    if (!named)
+        perror(argv[2]);
+    return !named || ferror(stdout) || fflush(stdout) != 0;
 }

@@ -37,7 +37,7 @@ static void general_forms_have_all_faces(void **state)
                  "form 0 -1 0 9\nform 0 0 1 9\nform 0 0 -1 9\n",
                  hexagonal ? 120 : 90, classes[i].symbol);
         count(text, counts);
-        for (const char *at = last.out; (at = strstr(at, " 255 0 0\n")) != NULL; at++)
+        for (const char *at = last.out; (at = strstr(at, " 255 0 0 # ")) != NULL; at++)
             colored++;
         assert_int_equal(colored, classes[i].faces);
         assert_true(counts[1] >= classes[i].faces);
@@ -94,6 +94,29 @@ static void axes_have_their_lengths(void **state)
     assert_float_equal(top_z, 1.0 / 0.6186, 1e-3); /* 1 / cos 51.79 degrees */
 }
 
+/* The second file has the indices of faces, in the order of the faces; faces that the crystal lacks are counted. */
+static void faces_have_indices(void **state)
+{
+    static char text[TEXT];
+    (void)state;
+    put("crystal.txt", "cell 5 5 7 90 90 120\nclass 6/mmm\nform 1 0 -1 0 1\nform 0 0 1 2\nform 1 0 -1 0 1.5\n"
+                       "form 1 1 12 90\n");
+    assert_int_equal(run("crystal.txt names.csv"), 0);
+    assert_said("crystal: crystal.txt: 18 faces lie outside of the crystal\n");
+    read_text("names.csv", text);
+    assert_int_equal(count_of(text, "\n"), 8);
+    assert_non_null(strstr(text, "face,0,(10-10)\n"));
+    assert_non_null(strstr(text, ",(00-1)\n"));
+    assert_non_null(strstr(last.out, " # 1 0 -1 0\n"));
+    put("crystal.txt", "cell 5 5 5\nclass m-3m\nform 1 0 0 1\nform 12 1 0 12.05\n");
+    assert_int_equal(run("crystal.txt names.csv"), 0);
+    read_text("names.csv", text);
+    assert_non_null(strstr(text, ",(12 -1 0)\n"));
+    assert_int_equal(run("crystal.txt missing/names.csv"), 1);
+    assert_int_equal(run("--help"), 0);
+    assert_non_null(strstr(last.out, " 6/mmm "));
+}
+
 static const struct {
     const char *text, *said;
 } refused[] = {
@@ -110,6 +133,8 @@ static const struct {
     {"cell 1 one 1\n", "crystal.txt:1: a number expected, found \"one\""},
     {"shape 1\n", "cell, class or form expected, found \"shape\""},
     {"# nothing\n", "these forms do not close"},
+    {"cell 1 1 1\nclass m-3m\nform 1 0 0 1 300 0 0\n", "crystal.txt:3: form: a colour has whole numbers from 0 to 255"},
+    {"cell 1 1 1\nclass m-3m\nform 1 0 0 1 0.5 0 0\n", "a colour has whole numbers"},
 };
 
 static void wrong_lines_are_named(void **state)
@@ -129,10 +154,8 @@ static void wrong_lines_are_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(general_forms_have_all_faces),
-        IN_FOLDER(known_crystals),
-        IN_FOLDER(axes_have_their_lengths),
-        IN_FOLDER(wrong_lines_are_named),
+        IN_FOLDER(general_forms_have_all_faces), IN_FOLDER(known_crystals),        IN_FOLDER(axes_have_their_lengths),
+        IN_FOLDER(faces_have_indices),           IN_FOLDER(wrong_lines_are_named),
     };
     if (!program_find_as("tools/crystal") || access(program, X_OK) != 0)
         return 1;
