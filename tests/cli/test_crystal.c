@@ -108,7 +108,7 @@ static void faces_have_indices(void **state)
     assert_non_null(strstr(text, "face,0,(10-10)\n"));
     assert_non_null(strstr(text, ",(00-1)\n"));
     assert_non_null(strstr(last.out, " # 1 0 -1 0\n"));
-    put("crystal.txt", "cell 5 5 5\nclass m-3m\nform 1 0 0 1\nform 12 1 0 12.05\n");
+    put("crystal.txt", "cell 5 5 5\nclass m-3m\nform 1 0 0 1\nform 12 1 0 1.05\n");
     assert_int_equal(run("crystal.txt names.csv"), 0);
     read_text("names.csv", text);
     assert_non_null(strstr(text, ",(12 -1 0)\n"));
