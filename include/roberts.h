@@ -795,7 +795,10 @@ typedef struct roberts_pen {
     double width_mm;        /**< > 0 */
     double dash_mm, gap_mm; /**< as seen on paper, round caps included; dash_mm 0 = unbroken */
     unsigned char red, green, blue;
-    bool off; /**< leave these lines out */
+    bool off; /**< leave these lines out; all else keeps its place */
+    /** Number of the pen in HP-GL, and of the layer if layers are numbered; 0 = that of the class: 1 hidden, 2 wire, 3
+     * intersection, 4 crease, 5 border, 6 outline, 7 frame, 8 symbol, 9 hatch, 10 text, 11 hidden-text. */
+    unsigned char number;
 } roberts_pen;
 
 /** The background of the whole page, below all lines. */

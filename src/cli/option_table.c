@@ -548,12 +548,15 @@ static const option rows[] = {
      .help =
          "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
          "(default: 0.5, 0.5, 0.35, 0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; "
-         "color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; off, on",
+         "color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; pen=N: its number in hpgl and numbered "
+         "layers; off, on",
      .manual =
          "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or "
          "hidden-text. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are the "
          "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
-         "whole lines. off leaves the class out, on brings it back. All else keeps its place on the page, so files for "
+         "whole lines. pen=N is the number of the pen in hpgl, and of the layer with --layers numbered, where several "
+         "classes may share one. off leaves the class out, on brings it back. All else keeps its place on the page, so "
+         "files for "
          "one pen each fit together; only a frame must be in all of them or in none. May be given several times.\n"
          "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
          "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm; with another width= both "

@@ -465,11 +465,20 @@ static int set_width(roberts_pen *pen, const char *value)
     return EXIT_DONE;
 }
 
+static int set_pen_number(roberts_pen *pen, const char *value)
+{
+    uint32_t number;
+    if (!parse_integer(value, &number) || number < 1 || number > UINT8_MAX)
+        return message_misuse("--style: \"pen=%s\" is no number of a pen, from 1 to %d", value, UINT8_MAX);
+    pen->number = (unsigned char)number;
+    return EXIT_DONE;
+}
+
 /* One key=value, or a key alone. */
 static int set_key(roberts_pen *pen, const char *item)
 {
-    enum { WIDTH, COLOR, COLOUR, DASH, OFF, ON };
-    static const char *const names[] = {"width", "color", "colour", "dash", "off", "on", NULL};
+    enum { WIDTH, COLOR, COLOUR, DASH, PEN, OFF, ON };
+    static const char *const names[] = {"width", "color", "colour", "dash", "pen", "off", "on", NULL};
     char key[64];
     bool fits;
     const char *value = parse_word(item, '=', key, sizeof key, &fits);
@@ -486,6 +495,8 @@ static int set_key(roberts_pen *pen, const char *item)
         return set_color(pen, value);
     case DASH:
         return set_dashes(pen, value);
+    case PEN:
+        return set_pen_number(pen, value);
     default:
         pen->off = i == OFF;
         return EXIT_DONE;

@@ -63,13 +63,14 @@ const char *strokes_class_name(roberts_line line)
     return name[line];
 }
 
-uint32_t strokes_class_number(roberts_line line)
+uint32_t strokes_class_number(const roberts_draw_options *options, roberts_line line)
 {
     static const uint8_t number[] = {
         [ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,    [ROBERTS_INTERSECTION] = 3, [ROBERTS_CREASE] = 4,
         [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6, [LINE_FRAME] = 7,           [LINE_SYMBOL] = 8,
         [LINE_HATCH] = 9,     [LINE_TEXT] = 10,      [LINE_HIDDEN_TEXT] = 11};
-    return number[line];
+    const uint8_t own = strokes_pen(options, line)->number;
+    return own ? own : number[line];
 }
 
 static bool is_broken(const roberts_draw_options *options, roberts_line line)

@@ -106,9 +106,9 @@ bool strokes_dash(const roberts_draw_options *options, roberts_line line, double
 /* "outline", "hidden", ...: what a class is called in files. */
 const char *strokes_class_name(roberts_line line);
 
-/* The number of a class if layers and pens are numbered, the same in every drawing: from 1, the lowest first, but
- * hatching has 9. */
-uint32_t strokes_class_number(roberts_line line);
+/* The number of a class if layers and pens are numbered: that of its pen, or else the same in every drawing, from 1,
+ * the lowest first, but hatching has 9. */
+uint32_t strokes_class_number(const roberts_draw_options *options, roberts_line line);
 
 /* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and
  * much larger parts take much memory. */

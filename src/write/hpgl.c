@@ -47,7 +47,7 @@ static void begin_class(void *context, roberts_line line)
 {
     const hpgl *p = context;
     const roberts_pen *pen = strokes_pen(p->s->options, line);
-    const uint32_t number = strokes_class_number(line);
+    const uint32_t number = strokes_class_number(p->s->options, line);
     double dash[2];
     write_integer(p->out, "SP", number, ";PW");
     output_mm(p->out, pen->width_mm);

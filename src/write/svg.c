@@ -126,7 +126,7 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     const char *name = strokes_class_name(line);
     output_text(out, "<g");
     svg_id(out, options, name);
-    svg_layer(out, options, strokes_class_number(line), name);
+    svg_layer(out, options, strokes_class_number(options, line), name);
     output_text(out, ">\n<path");
     svg_pen(out, options, line);
     output_text(out, " d=\"");
@@ -213,7 +213,8 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
         if (written++ == 0) {
             output_text(out, "<g");
             svg_id(out, s->options, class == LINE_TEXT ? "letters" : "hidden-letters");
-            svg_layer(out, s->options, strokes_class_number(class), class == LINE_TEXT ? "letters" : "hidden-letters");
+            svg_layer(out, s->options, strokes_class_number(s->options, class),
+                      class == LINE_TEXT ? "letters" : "hidden-letters");
             output_text(out, " font-family=\"sans-serif\" fill=\"");
             svg_color(out, pen->red, pen->green, pen->blue);
             output_text(out, "\">\n");

@@ -82,7 +82,7 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
         svg_id(w->out, w->s->options, name);
     svg_attribute(w->out, "class", name);
     if (outermost)
-        svg_layer(w->out, w->s->options, w->bodies + strokes_class_number(g->line), name);
+        svg_layer(w->out, w->s->options, w->bodies + strokes_class_number(w->s->options, g->line), name);
     svg_pen(w->out, w->s->options, g->line);
 }
 

@@ -284,7 +284,7 @@ static const struct {
     {"-o in", "--output: in is a folder; name a file in it\n"}, /* --batch does not read standard input */
     {"models/table.off --turntable 2 -o in", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--style outline=red", "\"outline=red\" is not CLASS:key=value,..., as outline:width=0.7,color=red"},
-    {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, off, on, as in outline:width="},
+    {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, pen, off, on, as in outline:width="},
     {"--style outline:color=red:width=2", "there is a comma between two values, as outline:width=0.7,color=red"},
     {"models/table.off out.svg", "out.svg: there is no such file to read; to draw into it: -o out.svg"},
     {"copy.off -f csv -o copy.off", "--output: copy.off is an input; the drawing would take its place"},
