@@ -206,13 +206,10 @@ static void write_text(const strokes *s, output *to)
     write_class(s, LINE_TEXT, to);
 }
 
-/* The fonts, as a part of the page's resources; empty if all text of the page is strokes. */
-static const char *text_fonts(const strokes *s)
+/* Does the page need fonts, or is all its text strokes? */
+static bool has_fonts(const strokes *s)
 {
-    if (!strokes_text_is_native(s->options) || s->notes.count == 0)
-        return "";
-    return "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> "
-           "/F2 << /Type /Font /Subtype /Type1 /BaseFont /Symbol >> >> ";
+    return strokes_text_is_native(s->options) && s->notes.count > 0;
 }
 
 enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
@@ -220,7 +217,7 @@ enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the
 /* In a longer file, the positions of objects cannot be written. */
 static const uint64_t longest_file = 9999999999;
 
-enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, OBJECTS };
+enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, LETTERS, GREEK, OBJECTS };
 
 static const double points_per_mm = 72.0 / 25.4;
 
@@ -386,7 +383,7 @@ static void write_resources(output *out, const strokes *s)
     for (int alpha = 0; alpha < 255; alpha++)
         any = any || used[alpha];
     output_text(out, "<< ");
-    output_text(out, text_fonts(s));
+    output_text(out, has_fonts(s) ? "/Font << /F1 6 0 R /F2 7 0 R >> " : "");
     output_text(out, any ? "/ExtGState << " : "");
     for (uint32_t alpha = 0; any && alpha < 256; alpha++)
         if (used[alpha] || alpha == 255) {
@@ -413,18 +410,29 @@ static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
     output_text(out, " /Contents 4 0 R /MediaBox [0 0 ");
     write_numbers(out, (const double[]){page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 2,
                   "] >>\nendobj\n");
+    if (!has_fonts(s))
+        return;
+    begin_object(out, object, LETTERS);
+    output_text(out, "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>\nendobj\n");
+    begin_object(out, object, GREEK);
+    output_text(out, "<< /Type /Font /Subtype /Type1 /BaseFont /Symbol >>\nendobj\n");
 }
 
 /* The table of the objects' positions. Each of its lines has 20 bytes. */
-static void write_tail(output *out, const uint64_t object[OBJECTS])
+static void write_tail(output *out, const strokes *s, const uint64_t object[OBJECTS])
 {
     const uint64_t table = output_position(out);
-    output_text(out, "xref\n0 6\n0000000000 65535 f \n");
-    for (int i = 1; i < OBJECTS; i++) {
+    const uint32_t objects = has_fonts(s) ? OBJECTS : LETTERS;
+    output_text(out, "xref\n0 ");
+    output_integer(out, objects);
+    output_text(out, "\n0000000000 65535 f \n");
+    for (uint32_t i = 1; i < objects; i++) {
         output_digits(out, object[i], OFFSET_DIGITS);
         output_text(out, " 00000 n \n");
     }
-    output_text(out, "trailer\n<< /Size 6 /Root 1 0 R >>\nstartxref\n");
+    output_text(out, "trailer\n<< /Size ");
+    output_integer(out, objects);
+    output_text(out, " /Root 1 0 R >>\nstartxref\n");
     output_digits(out, table, OFFSET_DIGITS);
     output_text(out, "\n%%EOF\n");
 }
@@ -445,6 +453,6 @@ roberts_status pdf_write(const strokes *s, output *out, roberts_error *error)
     begin_object(out, object, CONTENT_LENGTH);
     output_digits(out, size, OFFSET_DIGITS);
     output_text(out, "\nendobj\n");
-    write_tail(out, object);
+    write_tail(out, s, object);
     return status;
 }
