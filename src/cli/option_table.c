@@ -491,7 +491,8 @@ static const option rows[] = {
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
          "Where two colours meet, a line of at most 0.4 mm lies below the border, so that no gap shines through on a "
          "screen. "
-         "Translucent colours stay translucent in svg, pdf and tikz; in ps, eps and png they are mixed with the "
+         "Translucent colours let the background through, not the faces behind. They stay translucent in svg, pdf and "
+         "tikz; in ps, eps and png they are mixed with the "
          "background, or with white. A line below the border of translucent colours would be seen, so there is none: a "
          "screen may show a hairline there. In svg the fills are a layer without a number; with --layers numbered its "
          "name "
@@ -987,8 +988,8 @@ static const option rows[] = {
          "and the point in the model. X and Y are those of tables: in model units, y up, counted from the middle of "
          "the scene's box or, in perspective, from the look-at point. Depth is how near the viewer it is, measured in "
          "model units from that same point along the axis of sight: greater is nearer, less than 0 is behind. Of a "
-         "convex solid its front faces are named, of any other body all faces that are not seen edge-on. May be given "
-         "several times."},
+         "convex solid its front faces are named, of any other body all faces that are not seen edge-on, with --union "
+         "too. May be given several times."},
     {.group = GROUP_MESSAGES,
      .name = "quiet",
      .letter = 'q',
