@@ -325,6 +325,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
     warn_lost(options);
     if (options_is_given(given, "light") && !draw->shaded && !draw->hatching.on)
         warn("--light", "nothing is shaded without --fill shade or --hatch");
+    if (options_is_given(given, "landscape") && draw->page.width_mm == draw->page.height_mm)
+        warn("--landscape", "the page is square");
     if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
         warn("--layers", "only layers of svg are numbered");
     if (options_is_given(given, "group") && draw->format != ROBERTS_SVG)

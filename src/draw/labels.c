@@ -163,6 +163,18 @@ static bool is_same_thing(const target *p, const target *q)
     return p->view == q->view && p->kind == q->kind && p->number == q->number && p->other == q->other;
 }
 
+/* Fraction: parts that differ in size by less are equal, so that rounding does not choose. */
+static const double same_size = 1e-9;
+
+/* Is a part of a face or body, no larger than another part, as good for its label? Of equal parts the highest on the
+ * page is the best, then the one on the left. */
+static bool is_better_part(const target *part, const target *than)
+{
+    const bool is_higher = part->at.y != than->at.y ? part->at.y < than->at.y : part->at.x < than->at.x;
+    return (part->kind == ROBERTS_LABEL_FACES || part->kind == ROBERTS_LABEL_BODIES) &&
+           part->size >= (1.0 - same_size) * than->size && is_higher;
+}
+
 /* Leaves one target of each thing. A vertex keeps the sum of the directions of all its lines that have its state. */
 static void unite(targets *t)
 {
@@ -176,6 +188,8 @@ static void unite(targets *t)
         } else if (last->kind == ROBERTS_LABEL_VERTICES && last->is_back == t->item[i].is_back) {
             last->along.x += t->item[i].along.x;
             last->along.y += t->item[i].along.y;
+        } else if (is_better_part(&t->item[i], last)) {
+            *last = t->item[i];
         }
     }
     t->count = kept;

@@ -497,6 +497,7 @@ static const struct {
     {"--sheet first --landscape --title "
      "MMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMMM",
      "title block: the letters of \"Title\" are only "},
+    {"--landscape --page 100x100", "--landscape has no effect: the page is square\n"},
     {"--view top --up 0,0,2", "--up has no effect: it is parallel to the view\n"},
     {"--eye 9,9,9 --look-at 1,1,1 --up -1,-1,-1", "--up has no effect: it is parallel to the view\n"},
     {"--azimuth 90 --elevation 0 --up 1,0,0", "--up has no effect: it is parallel to the view\n"},
