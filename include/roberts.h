@@ -434,8 +434,8 @@ typedef struct roberts_drawing {
     size_t edges, surviving_edges;
     size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept), or parts of them, that are left
                        out because bodies are flush there or because they lie inside a body */
-    size_t drawn_edges; /**< surviving edges (all, if hidden segments are kept) that are not flatter than the crease
-                             angle */
+    size_t
+        drawn_edges; /**< surviving edges (all, if hidden segments are kept) that bend by more than the crease angle */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
     roberts_time region_time; /**< of visible regions, with hiding the edges that only they need; 0: none are wanted */
@@ -444,14 +444,14 @@ typedef struct roberts_drawing {
 } roberts_drawing;
 
 typedef struct roberts_hide_options {
-    double crease_degrees; /**< an edge between two front faces, or two back ones, that bends by no more is left out
-                                (default: 0.1) */
-    bool crease_auto;      /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges flatter
-                                than 30 degrees are not drawn (default: true) */
-    bool all_edges;        /**< draw flat edges too */
-    bool keep_hidden;      /**< return hidden segments too, also of back edges, with `by` */
-    bool levels;           /**< with keep_hidden: fill in `level` */
-    bool nameless;         /**< with keep_hidden: `by` is ROBERTS_NONE, which saves time */
+    double crease_degrees; /**< an edge between two front faces, or two back ones, that bends by at most this is left
+                              out (default: 0.1) */
+    bool crease_auto; /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges that bend by
+                           at most 30 degrees are left out (default: true) */
+    bool all_edges;   /**< draw flat edges too */
+    bool keep_hidden; /**< return hidden segments too, also of back edges, with `by` */
+    bool levels;      /**< with keep_hidden: fill in `level` */
+    bool nameless;    /**< with keep_hidden: `by` is ROBERTS_NONE, which saves time */
     /** Draw all closed bodies as one: seams between flush blocks and everything inside disappear. In the plane
      * perpendicular to an edge, the bodies together fill some angle. The edge is drawn where this angle is neither
      * nothing, nor all, nor exactly half of the plane. The angle also determines the class of a line: an intersection
@@ -689,7 +689,8 @@ typedef struct roberts_contradiction {
     uint32_t by;            /**< cast hidden: a solid that hides the point; else ROBERTS_NONE */
     uint32_t drawn_by;      /**< drawn hidden: the solid that the drawing names, or ROBERTS_NONE; if `cast` is hidden
                                  too, this solid is wrong */
-    uint32_t face[2];       /**< of an intersection: its faces; of an edge: ROBERTS_NONE */
+    uint32_t face[2];       /**< of an intersection: its faces, ROBERTS_NONE for one of a hull; of an edge (v0 is a
+                                 vertex): ROBERTS_NONE */
     bool no_line;           /**< these faces do not cross there; `cast` is meaningless */
 } roberts_contradiction;
 
@@ -795,7 +796,7 @@ typedef struct roberts_pen {
     double width_mm;        /**< > 0 */
     double dash_mm, gap_mm; /**< as seen on paper, round caps included; dash_mm 0 = unbroken */
     unsigned char red, green, blue;
-    bool off; /**< leave these lines out; all else keeps its place */
+    bool off; /**< leave these lines out; all else keeps its place, except without frame or symbol */
     /** Number of the pen in HP-GL, and of the layer if layers are numbered; 0 = that of the class: 1 hidden, 2 wire, 3
      * intersection, 4 crease, 5 border, 6 outline, 7 frame, 8 symbol, 9 hatch, 10 text, 11 hidden-text. */
     unsigned char number;

@@ -331,11 +331,20 @@ static size_t face_corners(const crystal *c, const crystal_face *face, turn list
     return count;
 }
 
-/* Do the faces enclose a region? A closed convex surface has two more faces and corners than edges (Euler). An open one
- * lacks faces, those with fewer than three corners. */
-static bool is_closed(const crystal *c, size_t faces, size_t sides)
+/* Counts the faces that have corners. They must enclose a region: a closed convex surface has two more faces and
+ * corners than edges (Euler). An open one lacks faces, those with fewer than three corners. */
+static size_t count_faces(const crystal *c)
 {
-    return c->corner_count >= 4 && sides % 2 == 0 && c->corner_count + faces == sides / 2 + 2;
+    static turn list[CORNERS_MAX];
+    size_t faces = 0, sides = 0;
+    for (size_t i = 0; i < c->face_count; i++) {
+        const size_t count = face_corners(c, &c->face[i], list);
+        faces += count > 0;
+        sides += count;
+    }
+    if (c->corner_count < 4 || sides % 2 != 0 || c->corner_count + faces != sides / 2 + 2)
+        fail("these forms do not close; add another one");
+    return faces;
 }
 
 /* The Miller indices of a face, with a space between them, or without one if each has a single digit. */
@@ -350,18 +359,11 @@ static void write_indices(const crystal_face *face, bool spaced, FILE *file)
     fprintf(file, "%d", l);
 }
 
-/* names: NULL, or what receives the indices of faces. */
-static void write_crystal(const crystal *c, FILE *names)
+/* names: NULL, or what receives the indices of the faces. */
+static void write_crystal(const crystal *c, size_t faces, FILE *names)
 {
     static turn list[CORNERS_MAX];
-    size_t faces = 0, sides = 0, written = 0;
-    for (size_t i = 0; i < c->face_count; i++) {
-        const size_t count = face_corners(c, &c->face[i], list);
-        faces += count > 0;
-        sides += count;
-    }
-    if (!is_closed(c, faces, sides))
-        fail("these forms do not close; add another one");
+    size_t written = 0;
     printf("OFF\n%zu %zu 0\n", c->corner_count, faces);
     for (size_t i = 0; i < c->corner_count; i++)
         printf("%.12g %.12g %.12g\n", c->corner[i].x + 0.0, c->corner[i].y + 0.0, c->corner[i].z + 0.0);
@@ -529,12 +531,15 @@ int main(int argc, char **argv)
     read_crystal(file, &c);
     if (!standard)
         fclose(file);
+    find_corners(&c);
+    const size_t faces = count_faces(&c);
+    if (argc == 3 && strcmp(argv[1], argv[2]) == 0)
+        fail("the names would take the place of the crystal");
     if (argc == 3 && !(names = fopen(argv[2], "w"))) {
         perror(argv[2]);
         return 1;
     }
-    find_corners(&c);
-    write_crystal(&c, names);
+    write_crystal(&c, faces, names);
     const bool named = !names || (!ferror(names) & (fclose(names) == 0));
     if (!named)
         perror(argv[2]);

@@ -325,6 +325,12 @@ static void warn_pages(const cli_options *options, const options_given *given)
     warn_lost(options);
     if (options_is_given(given, "light") && !draw->shaded && !draw->hatching.on)
         warn("--light", "nothing is shaded without --fill shade or --hatch");
+    for (size_t pen = 0; pen < PENS; pen++)
+        if (values_pen(draw, pen)->number && draw->format != ROBERTS_HPGL &&
+            !(draw->format == ROBERTS_SVG && draw->number_layers)) {
+            warn("pen= of --style", "only pens of hpgl and numbered layers of svg have numbers");
+            break;
+        }
     if (options_is_given(given, "landscape") && draw->page.width_mm == draw->page.height_mm)
         warn("--landscape", "the page is square");
     if (options_is_given(given, "layers") && draw->format != ROBERTS_SVG)
@@ -403,20 +409,29 @@ static void warn_place(const cli_options *options)
                         "the file gets this very name: only tables of --sheet have the name of a view there");
 }
 
+/* The vector over its length, which may be too large for a square. */
+static roberts_vec3 over_length(roberts_vec3 v)
+{
+    const double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
+    v = (roberts_vec3){v.x / most, v.y / most, v.z / most};
+    const double length = sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    return (roberts_vec3){v.x / length, v.y / length, v.z / length};
+}
+
 /* Warns of an --up along the line of sight, which something else replaces. An eye without --look-at looks at the
  * centre of the scene, which is not known yet. */
 static void warn_up(const cli_options *options)
 {
     const roberts_camera *camera = &options->camera;
-    const roberts_vec3 up = camera->up, eye = camera->eye, at = camera->look_at;
+    const roberts_vec3 eye = camera->eye, at = camera->look_at;
     roberts_vec3 dir = camera->dir;
     if (camera->projection == ROBERTS_PERSPECTIVE) {
         if (!camera->has_look_at)
             return;
         dir = (roberts_vec3){eye.x - at.x, eye.y - at.y, eye.z - at.z};
     }
-    const double x = dir.y * up.z - dir.z * up.y, y = dir.z * up.x - dir.x * up.z, z = dir.x * up.y - dir.y * up.x;
-    if (hypot(hypot(x, y), z) <= 1e-9 * hypot(hypot(dir.x, dir.y), dir.z) * hypot(hypot(up.x, up.y), up.z))
+    const roberts_vec3 u = over_length(camera->up), d = over_length(dir);
+    if (hypot(hypot(d.y * u.z - d.z * u.y, d.z * u.x - d.x * u.z), d.x * u.y - d.y * u.x) <= 1e-9)
         warn("--up", "it is parallel to the view");
 }
 
@@ -440,7 +455,9 @@ static void warn_wide(const cli_options *options)
 static void warn_dense(const cli_options *options)
 {
     const roberts_draw_options *draw = &options->draw;
-    if (draw->hatching.on && !draw->hatch.off && draw->hatch.width_mm >= draw->hatching.spacing_mm)
+    const roberts_hatching *h = &draw->hatching;
+    const double part = h->cross > 0.5 ? h->cross : 1.0 - h->cross; /* of the strokes, in the commoner direction */
+    if (values_hatches(draw) && draw->hatch.width_mm * part >= h->spacing_mm)
         fprintf(stderr, "roberts: warning: --hatch: strokes of %g mm, %g mm apart, cover the darkest faces wholly\n",
                 draw->hatch.width_mm, draw->hatching.spacing_mm);
 }

@@ -286,7 +286,7 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
 static bool shows_faces(const cli_options *options, const roberts_drawing *drawing, size_t views)
 {
     const roberts_draw_options *page = &options->draw;
-    const bool drawn = page->fill != ROBERTS_FILL_NONE || (page->hatching.on && !page->hatch.off);
+    const bool drawn = page->fill != ROBERTS_FILL_NONE || values_hatches(page);
     for (const roberts_drawing *d = drawing; d < drawing + views && drawn; d++)
         if (d->regions && d->regions->count > 0)
             return true;
@@ -424,12 +424,13 @@ bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing,
     const roberts_vec3 l = options->draw.light;
     const double length = hypot(hypot(l.x, l.y), l.z), least = h->levels > 0 ? 0.5 / h->levels : 0.0;
     size_t regions = 0;
-    if (!h->on || options->draw.hatch.off)
+    if (!values_hatches(&options->draw))
         return false;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         for (size_t i = 0; d->regions && i < d->regions->count; i++, regions++) {
             const roberts_vec3 n = d->regions->region[i].normal;
-            if (1.0 - (n.x * l.x + n.y * l.y + n.z * l.z) / length >= least)
+            const double dark = 1.0 - (n.x * l.x + n.y * l.y + n.z * l.z) / length;
+            if (dark > 1e-12 && dark >= least)
                 return false;
         }
     return regions > 0;

@@ -147,54 +147,90 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
     return status;
 }
 
+static const char wrong_quotes[] =
+    "a field that begins with a quotation mark ends with one; two within it stand for one";
+
+/* Removes blanks at both ends. */
+static char *trim(char *text)
+{
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && strchr(" \t\r", text[length - 1]))
+        text[--length] = '\0';
+    return text;
+}
+
 /* Takes the first field of a line of CSV (RFC 4180), without the quotation marks round it. `*rest` receives what
  * follows the comma, or NULL at the end of the line. NULL: the closing quotation mark is not at the field's end. */
-static char *take_field(char *line, char **rest)
+static char *take_field(char *line, char comma, char **rest)
 {
     char *to = line, *at = line + 1;
     if (*line != '"') {
-        *rest = strchr(line, ',');
+        *rest = strchr(line, comma);
         if (*rest)
             *(*rest)++ = '\0';
-        return line;
+        return trim(line);
     }
     for (; *at && (at[0] != '"' || at[1] == '"'); at++) {
         at += *at == '"'; /* two of them stand for one */
         *to++ = *at;
     }
-    if (at[0] != '"' || (at[1] != ',' && at[1] != '\0'))
+    if (at[0] != '"' || (at[1] != comma && at[1] != '\0'))
         return NULL;
-    *rest = at[1] == ',' ? at + 2 : NULL;
+    *rest = at[1] == comma ? at + 2 : NULL;
     *to = '\0';
     return line;
 }
 
-/* Reads one line. Returns why it is wrong, or NULL. */
-static const char *read_line(char *line, roberts_name *name)
+/* Takes the name, which is the rest of the line. Only in quotation marks may it end with commas: spreadsheets fill rows
+ * up with them. Returns why it is wrong, or NULL. */
+static const char *take_name(char *rest, char comma, const char **name)
+{
+    char *more = NULL;
+    rest = trim(rest);
+    for (size_t length = strlen(rest); length > 0 && rest[length - 1] == comma; length--)
+        rest[length - 1] = '\0';
+    *name = *rest == '"' ? take_field(rest, comma, &more) : rest;
+    if (!*name)
+        return wrong_quotes;
+    return more ? "more fields follow the name; a name with commas stands in quotation marks" : NULL;
+}
+
+/* The number of a vertex: 4 or v4. */
+static bool take_number(const char *text, uint32_t *number)
+{
+    return parse_integer(*text == 'v' || *text == 'V' ? text + 1 : text, number);
+}
+
+/* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL. */
+static const char *read_line(char *line, char comma, roberts_name *name)
 {
     static const char *const kinds[] = {"vertex", "edge", "face", "body", NULL};
     static const roberts_label_kind of[] = {ROBERTS_LABEL_VERTICES, ROBERTS_LABEL_EDGES, ROBERTS_LABEL_FACES,
                                             ROBERTS_LABEL_BODIES};
-    static const char quoted[] = "a field that begins with a quotation mark ends with one; two within it stand for one";
-    char *number = NULL, *text = NULL, *more = NULL, *word = take_field(line, &number);
-    if (word && number && !(number = take_field(number, &text)))
-        return quoted;
-    if (!word)
-        return quoted;
+    char *number = NULL, *text = NULL, *word = take_field(line, comma, &number);
+    if (word && number)
+        number = take_field(number, comma, &text);
+    if (!word || (text && !number))
+        return wrong_quotes;
     if (!text)
         return "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a";
+    for (char *c = word; *c; c++)
+        *c = (char)(*c >= 'A' && *c <= 'Z' ? *c - 'A' + 'a' : *c);
     const size_t kind = parse_find(word, kinds);
     if (!kinds[kind])
         return "the kind is none of vertex, edge, face and body";
-    if (*text == '"' && (!take_field(text, &more) || more))
-        return quoted;
-    *name = (roberts_name){.of = of[kind], .text = text};
+    *name = (roberts_name){.of = of[kind]};
+    const char *why = take_name(text, comma, &name->text);
+    if (why)
+        return why;
     char *second = name->of == ROBERTS_LABEL_EDGES ? strchr(number, '-') : NULL;
     if (name->of == ROBERTS_LABEL_EDGES && !second)
-        return "an edge is named by its vertices, as 4-17";
+        return "an edge is named by its vertices, as 4-17 or v4-v17 (some spreadsheets take 4-7 for a date)";
     if (second)
         *second++ = '\0';
-    if (!parse_integer(number, &name->number) || (second && !parse_integer(second, &name->other)))
+    if (second ? !take_number(number, &name->number) || !take_number(second, &name->other)
+               : !parse_integer(number, &name->number))
         return "the number is not a whole number from 0 on";
     if (second && name->number > name->other) {
         const uint32_t smaller = name->other;
@@ -262,11 +298,20 @@ static int by_thing_and_line(const void *a, const void *b)
     return order ? order : (p->line > q->line) - (p->line < q->line);
 }
 
+/* What separates the fields of a list, by its first line: a comma, or else a semicolon or a tab, as some spreadsheets
+ * have it. */
+static char separator(const char *line)
+{
+    const char first = line[strcspn(line, ",;\t")];
+    return first ? first : ',';
+}
+
 /* Reads all lines of the text. */
 static roberts_status read_lines(listed_names *l, char *text, const char *path, roberts_error *error)
 {
     static const char mark[] = "\xef\xbb\xbf"; /* a byte order mark, as spreadsheets write it */
     size_t line = 0;
+    char comma = '\0';
     if (text && strncmp(text, mark, sizeof mark - 1) == 0)
         text += sizeof mark - 1;
     for (char *at = text, *next; at && *at; at = next) {
@@ -278,9 +323,11 @@ static roberts_status read_lines(listed_names *l, char *text, const char *path, 
         const size_t length = strlen(at);
         if (length > 0 && at[length - 1] == '\r')
             at[length - 1] = '\0';
-        if (*at == '\0' || *at == '#')
+        if (*at == '#' || at[strspn(at, " \t,;")] == '\0')
             continue;
-        const char *why = read_line(at, &name);
+        if (!comma)
+            comma = separator(at);
+        const char *why = read_line(at, comma, &name);
         if (why)
             return lists_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
         if (!add_name(l, &name, line))

@@ -157,14 +157,14 @@ static const option rows[] = {
      RANGE(0, 180),
      .excludes = "all-edges",
      .brief = "leave out flatter edges",
-     .help =
-         "leave out edges between two front faces, or two back ones, no more bent than this (default: auto, which is "
-         "0.1, and 30 for curved bodies of many faces that are not convex)",
+     .help = "leave out edges between two front faces, or two back ones, that bend by at most this (default: auto, "
+             "which is "
+             "0.1, and 30 for curved bodies of many faces that are not convex)",
      .manual = "Leaves out edges at which two front faces bend by at most this angle; of hidden lines, also those "
                "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
                "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
                "bends by less than 20 degrees at half of its edges. A larger angle thins out the slivers of scanned "
-               "models."},
+               "models. 0 leaves out none."},
     {.group = GROUP_OUTPUT,
      .name = "all-edges",
      .flags = OPTION_DRAWS,
@@ -558,7 +558,8 @@ static const option rows[] = {
          "whole lines. pen=N is the number of the pen in hpgl, and of the layer with --layers numbered, where several "
          "classes may share one. off leaves the class out, on brings it back. All else keeps its place on the page, so "
          "files for "
-         "one pen each fit together; only a frame must be in all of them or in none. May be given several times.\n"
+         "one pen each fit together; only a frame and the symbol of a sheet must be in all of them or in none. May be "
+         "given several times.\n"
          "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
          "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm; with another width= both "
          "change in proportion. The pens do not depend on the page: small or crowded pictures want thinner ones."},
@@ -690,8 +691,9 @@ static const option rows[] = {
      .help = "names for labels: lines such as vertex,4,A and edge,4-17,a and face,3,base and body,0,leg",
      .manual =
          "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
-         "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, as spreadsheets write them. Lines "
-         "that begin with # are skipped. Everything with a name is labelled; with --label, the rest is labelled by its "
+         "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, and semicolons or tabs may "
+         "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same.) Lines that "
+         "begin with # are skipped. Everything with a name is labelled; with --label, the rest is labelled by its "
          "numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",

@@ -13,6 +13,7 @@
 #include "cli/parts.h"
 #include "cli/report.h"
 #include "cli/signals.h"
+#include "cli/values.h"
 
 enum { NAME_SIZE = 4096, HULLS_TOLD = 20 };
 
@@ -114,7 +115,7 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
-/* Prints that edges flatter than 30 degrees are left out of curved bodies, or that those of convex bodies of many faces
+/* Prints that edges of 30 degrees and less are left out of curved bodies, or that those of convex bodies of many faces
  * are drawn, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
@@ -129,11 +130,11 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
     message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
     if (is_round)
         fputs(
-            "note: edges flatter than 30 degrees are drawn, since the bodies are convex; --crease 30 leaves them out\n",
+            "note: edges of 30 degrees and less are drawn, since the bodies are convex; --crease 30 leaves them out\n",
             options->log);
     else
         fprintf(options->log,
-                "note: edges flatter than 30 degrees are left out of %zu curved bod%s; --crease 0.1 draws them\n",
+                "note: edges of 30 degrees and less are left out of %zu curved bod%s; --crease 0.1 draws them\n",
                 curved, curved == 1 ? "y" : "ies");
     message_close(options->log);
 }
@@ -246,8 +247,7 @@ static bool needs_regions(const cli_options *options)
     for (size_t i = 0; i < page->lettering.name_count; i++)
         kinds |= (unsigned)page->lettering.name[i].of;
     const bool labels = kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
-    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) ||
-           (strokes && page->hatching.on && !page->hatch.off);
+    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) || (strokes && values_hatches(page));
 }
 
 /* regions: filled if they are needed, and attached to the drawing. */

@@ -532,6 +532,11 @@ static const size_t pen_fields[PENS] = {
     [PEN_HIDDEN_TEXT] = offsetof(roberts_draw_options, hidden_text),
 };
 
+bool values_hatches(const roberts_draw_options *draw)
+{
+    return draw->hatching.on && !draw->hatch.off;
+}
+
 const roberts_pen *values_pen(const roberts_draw_options *draw, size_t pen)
 {
     return (const roberts_pen *)((const char *)draw + pen_fields[pen]);

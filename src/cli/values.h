@@ -72,4 +72,7 @@ option_set values_set_format, values_set_sheet, values_set_hidden, values_set_co
     values_set_group, values_set_id_prefix, values_set_hatch, values_set_view, values_set_dir, values_set_eye,
     values_set_look_at, values_set_stats, values_set_verify, values_set_pick;
 
+/* Are strokes of hatching drawn? */
+bool values_hatches(const roberts_draw_options *draw);
+
 #endif

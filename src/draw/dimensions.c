@@ -19,7 +19,6 @@
 
 /* mm */
 static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure, and farther ones */
-static const double beyond_line = 8.0;                /* room beyond the last of them */
 static const double extension_gap = 1.0, extension_over = 2.0;
 static const double arrow_length = 3.0, arrow_half = 0.8;
 static const double text_off = 1.2, text_apart = 1.0; /* from the dimension line, from extension lines */
@@ -161,7 +160,9 @@ static double overall_off(const roberts_draw_options *options)
 
 double dimensions_room(const roberts_draw_options *options)
 {
-    return (options->lettering.overall ? overall_off(options) : nearest_mm) + beyond_line;
+    const double text =
+        extension_over + text_apart + strokes_text_height(options) + text_off; /* beyond the last line */
+    return options->lettering.overall ? overall_off(options) + fmax(8.0, text) : nearest_mm + 8.0;
 }
 
 /* A dimension between `ends`, corners of the box of a view, off toward `off`; its line is level or upright. */

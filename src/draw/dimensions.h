@@ -5,7 +5,7 @@
 #include "draw/free_space.h"
 #include "draw/strokes.h"
 
-/* The space that dimensions need beside a view, mm. */
+/* Returns the space that dimensions need beside a view, mm. */
 double dimensions_room(const roberts_draw_options *options);
 
 /* Adds width, height and depth to s->notes, and the space that labels must avoid to s->taken. The sheet has been laid

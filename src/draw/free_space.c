@@ -165,6 +165,17 @@ bool space_add_box(free_space *r, const space_box *box, uint32_t *number)
     return enter_box(r, *number);
 }
 
+bool space_add_boxes(free_space *r, const space_box *box, size_t count, double more)
+{
+    bool done = true;
+    for (size_t i = 0; i < count && done; i++) {
+        const space_box wide = {{box[i].min.x - more, box[i].min.y - more}, {box[i].max.x + more, box[i].max.y + more}};
+        uint32_t number;
+        done = space_add_box(r, &wide, &number);
+    }
+    return done;
+}
+
 /* Removed entries stay in memory, unused. */
 void space_drop_box(free_space *r, uint32_t number)
 {

@@ -21,6 +21,8 @@ void space_free(free_space *r);
 bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b);
 bool space_add_polyline(free_space *r, const polylines *lines, size_t i, double units_per_mm);
 bool space_add_box(free_space *r, const space_box *box, uint32_t *number);
+/* Adds boxes, widened by `more` on all sides. */
+bool space_add_boxes(free_space *r, const space_box *box, size_t count, double more);
 bool space_move_box(free_space *r, uint32_t number, const space_box *box);
 void space_drop_box(free_space *r, uint32_t number);
 

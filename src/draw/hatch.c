@@ -13,6 +13,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/angle.h"
 #include "base/array.h"
@@ -244,19 +245,12 @@ static const double round_text = 0.2;
 static free_space *text_boxes(const strokes *s)
 {
     const roberts_page *page = &s->options->page;
-    const double more = round_text + s->options->hatch.width_mm / 2.0;
     const space_box all = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
     free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &all);
-    for (size_t i = 0; i < s->taken_count && r; i++) {
-        const space_box *own = &s->taken[i];
-        const space_box box = {{own->min.x - more, own->min.y - more}, {own->max.x + more, own->max.y + more}};
-        uint32_t number;
-        if (!space_add_box(r, &box, &number)) {
-            space_free(r);
-            r = NULL;
-        }
-    }
-    return r;
+    if (r && space_add_boxes(r, s->taken, s->taken_count, round_text + s->options->hatch.width_mm / 2.0))
+        return r;
+    space_free(r);
+    return NULL;
 }
 
 /* Adds the part of a stroke from t = from to `to`. */
@@ -293,27 +287,27 @@ static bool add_free_parts(const strokes *s, const free_space *r, const piece *o
 bool hatch_spare_text(const strokes *s, pieces *p)
 {
     size_t first = 0, room = 0;
-    pieces out = {.part = p->part};
+    pieces cut = {0}; /* the hatching, which comes behind all other pieces */
     space_parts covered = {0};
     while (first < p->count && p->item[first].line != LINE_HATCH)
         first++;
     if (s->taken_count == 0 || first == p->count)
         return true;
     free_space *r = text_boxes(s);
-    bool done = r && array_reserve(&out.item, &room, p->count, sizeof *out.item);
-    for (size_t i = 0; i < p->count && done; i++) {
+    bool done = r != NULL;
+    for (size_t i = first; i < p->count && done; i++)
         if (p->item[i].line == LINE_HATCH)
-            done = add_free_parts(s, r, &p->item[i], &covered, &out, &room);
-        else if ((done = array_reserve(&out.item, &room, out.count + 1, sizeof *out.item)))
-            out.item[out.count++] = p->item[i];
-    }
+            done = add_free_parts(s, r, &p->item[i], &covered, &cut, &room);
     space_free(r);
     free(covered.item);
-    if (!done) {
-        free(out.item);
-        return false;
+    if (done && first + cut.count > p->count) {
+        piece *larger = realloc(p->item, (first + cut.count) * sizeof *larger);
+        done = larger != NULL;
+        p->item = larger ? larger : p->item;
     }
-    free(p->item);
-    *p = out;
-    return true;
+    if (done && cut.count > 0)
+        memcpy(p->item + first, cut.item, cut.count * sizeof *cut.item);
+    p->count = done ? first + cut.count : p->count;
+    free(cut.item);
+    return done;
 }

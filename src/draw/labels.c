@@ -516,11 +516,8 @@ free_space *labels_room(const strokes *s, const pieces *p, const polylines *line
         within = (space_box){{0.0, 0.0}, {page->width_mm, page->height_mm}};
     free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &within);
     bool done = r && add_pieces_to_room(s, p, r) && add_polylines_to_room(lines, s->units_per_mm, r) &&
-                add_polylines_to_room(&s->notes.lines, s->units_per_mm, r);
-    for (size_t i = 0; i < s->taken_count && done; i++) {
-        uint32_t number;
-        done = space_add_box(r, &s->taken[i], &number);
-    }
+                add_polylines_to_room(&s->notes.lines, s->units_per_mm, r) &&
+                space_add_boxes(r, s->taken, s->taken_count, 0.0);
     if (done)
         return r;
     space_free(r);

@@ -32,14 +32,22 @@ static bool holds_point(page_point a, page_point b, page_point p)
            along <= (length + PIECE_TOUCH) * length;
 }
 
-/* Is the line from p to q part of a line that is there already? */
-static bool is_drawn_already(const notes *n, page_point p, page_point q)
+/* Finds a line that holds the line from p to q, or that this line holds; such a one is lengthened. False: there is
+ * none. */
+static bool join_line(notes *n, page_point p, page_point q)
 {
     for (size_t i = 0; i < n->lines.count; i++) {
         const polyline *line = &n->lines.item[i];
-        const page_point a = n->lines.point[line->first], b = n->lines.point[line->first + 1];
-        if (line->count == 2 && holds_point(a, b, p) && holds_point(a, b, q))
+        page_point *a = &n->lines.point[line->first], *b = a + 1;
+        if (line->count != 2)
+            continue;
+        if (holds_point(*a, *b, p) && holds_point(*a, *b, q))
             return true;
+        if (holds_point(p, q, *a) && holds_point(p, q, *b)) {
+            *a = p;
+            *b = q;
+            return true;
+        }
     }
     return false;
 }
@@ -47,7 +55,7 @@ static bool is_drawn_already(const notes *n, page_point p, page_point q)
 bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)
 {
     const page_point p = on_page(a, units_per_mm), q = on_page(b, units_per_mm);
-    if ((p.x == q.x && p.y == q.y) || is_drawn_already(n, p, q))
+    if ((p.x == q.x && p.y == q.y) || join_line(n, p, q))
         return true;
     return polylines_start(&n->lines) && polylines_append(&n->lines, p) && polylines_append(&n->lines, q);
 }

@@ -123,9 +123,9 @@ static bool frame_cut(const page_view *view, roberts_vec2 p, roberts_vec2 q, dou
            (box_clip(p.x, q.x, low.x, high.x, &t[0], &t[1]) && box_clip(p.y, q.y, low.y, high.y, &t[0], &t[1]));
 }
 
-static bool is_hatched(const roberts_drawing *drawing, const roberts_draw_options *options)
+static bool draws_hatching(const roberts_draw_options *options)
 {
-    return drawing->regions && options->hatching.on && !options->hatch.off;
+    return options->hatching.on && !options->hatch.off;
 }
 
 /* The box of all lines that have a place, or the drawing's window. No region reaches farther. */
@@ -335,11 +335,11 @@ static roberts_status draw(strokes *s, roberts_error *error)
     }
     for (size_t i = 0; i < s->views; i++) {
         s->view[i].first_region = (uint32_t)number;
-        number += is_hatched(view[i].drawing, s->options) ? view[i].drawing->regions->count : 0;
+        number += draws_hatching(s->options) && view[i].drawing->regions ? view[i].drawing->regions->count : 0;
     }
     if (number > INT32_MAX)
         status = error_no_memory(error);
-    if (status == ROBERTS_OK && s->options->hatching.on && !s->options->hatch.off)
+    if (status == ROBERTS_OK && draws_hatching(s->options))
         status = hatch_add(s, &p, &room, error);
     if (status == ROBERTS_OK && strokes_are_grouped(s->options) && !(p.part = part = groups_parts(s, number)))
         status = error_no_memory(error);

@@ -67,8 +67,8 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, uint32_t front, co
     return m;
 }
 
-/* Tests the faces one by one, or by the tree of a bundle; without a tree there are at most FACES_OF_ONE_FRONT. Finds the
- * hull of what they hide; false if they hide nothing, or if e lies in front of one face of a solid or on it. */
+/* Tests the faces one by one, or by the tree of a bundle; without a tree there are at most FACES_OF_ONE_FRONT. Finds
+ * the hull of what they hide; false if they hide nothing, or if e lies in front of one face of a solid or on it. */
 bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_edge *e, hide_sides *sides,
                    hide_interval *part);
 

@@ -285,7 +285,7 @@ static bool take_quadrilateral(face_pieces *f)
     if (!array_reserve(&f->piece, &f->piece_room, 2, sizeof *f->piece))
         return false;
     for (uint32_t i = 1; i < 4; i++)
-        least = is_before(P[i], P[least]) ? i : least;
+        least = is_before(f->node[f->ring[i]].point, f->node[f->ring[least]].point) ? i : least;
     const double a = vec3_length(vec3_sub(P[2], P[0])), b = vec3_length(vec3_sub(P[3], P[1]));
     const bool alike = fabs(a - b) <= ALIKE * greater(a, b);
     const uint32_t first = alike ? least % 2 : b < a;

@@ -68,16 +68,20 @@ enum { EDGE_FACES = 16 };
  * counts twice: below it, two walls are crossed. There the sum of signed crossings decides: a point is filled if it is
  * not 0. For that, all faces must be oriented alike. */
 
-/* Adds the winding numbers of a face's pieces along an edge, positive if the face lies on the left. */
-static void add_at_edge(const roberts_scene *scene, uint32_t piece, bool turned, edge_face *at, uint32_t *count)
+/* Adds the winding number of a piece to that of its face along an edge, positive if it lies on the left. False: the
+ * edge has too many faces. */
+static bool add_at_edge(const roberts_scene *scene, uint32_t piece, bool turned, edge_face *at, uint32_t *count)
 {
     const int32_t winding = (turned ? -1 : 1) * scene->surface->winding[piece];
     uint32_t k = 0;
     while (k < *count && scene_face_number(scene, at[k].piece) != scene_face_number(scene, piece))
         k++;
+    if (k == EDGE_FACES)
+        return false;
     if (k == *count)
         at[(*count)++] = (edge_face){piece, 0};
     at[k].winding += winding;
+    return true;
 }
 
 /* Finds the two faces that an edge joins. False: it does not join two. */
@@ -89,15 +93,13 @@ static bool find_joined(const roberts_scene *scene, uint32_t s, uint32_t e, edge
     if (is & EDGE_MANY) {
         const scene_many *many = scene_many_at(scene, e);
         const uint32_t *face = scene->surface->many_face;
-        for (uint32_t k = many->first; k < many->end; k++) {
-            if (count == EDGE_FACES)
+        for (uint32_t k = many->first; k < many->end; k++)
+            if (!add_at_edge(scene, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, at, &count))
                 return false;
-            add_at_edge(scene, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, at, &count);
-        }
     } else {
         for (int k = 0; k < 2; k++)
             if (edge.f[k] != ROBERTS_NONE)
-                add_at_edge(scene, edge.f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), at, &count);
+                (void)add_at_edge(scene, edge.f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), at, &count);
     }
     for (uint32_t k = 0; k < count; k++)
         if (at[k].winding != 0)
@@ -107,37 +109,38 @@ static bool find_joined(const roberts_scene *scene, uint32_t s, uint32_t e, edge
     return kept == 0 || (kept == 2 && abs(at[0].winding) == abs(at[1].winding));
 }
 
-/* Orients the faces of body s alike, and sets their windings. Face f counts twice: as node 2 f, as it is, and as node
- * 2 f + 1, turned over. Those of one orientation are joined. False: no memory; `*alike`: it could be done. */
-static bool orient_body(union_bodies *all, uint32_t s, bool *alike)
+/* Orients the faces of body s alike, if that is possible, and sets their windings. Face f counts twice: as node 2 f, as
+ * it is, and as node 2 f + 1, turned over. Those of one orientation are joined. False: no memory. */
+static bool orient_body(union_bodies *all, uint32_t s)
 {
     const roberts_scene *scene = all->scene;
     const uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
     uint32_t *node = alloc_array(count, sizeof *node), *parent = alloc_array(2 * (size_t)count, sizeof *parent);
-    *alike = true;
-    for (uint32_t i = 0; node && parent && i < count; i++) {
+    const bool done = node && parent;
+    bool alike = true;
+    for (uint32_t i = 0; done && i < count; i++) {
         const bool next = i == 0 || scene_face_number(scene, first + i) != scene_face_number(scene, first + i - 1);
         node[i] = i == 0 ? 0 : node[i - 1] + next;
         parent[2 * i] = 2 * i;
         parent[2 * i + 1] = 2 * i + 1;
     }
-    for (uint32_t e = scene->solid[s].edge; node && parent && *alike && e < scene->solid[s + 1].edge; e++) {
+    for (uint32_t e = scene->solid[s].edge; done && alike && e < scene->solid[s + 1].edge; e++) {
         edge_face at[EDGE_FACES];
-        *alike = find_joined(scene, s, e, at);
-        if (!*alike || at[0].piece == ROBERTS_NONE)
+        alike = find_joined(scene, s, e, at);
+        if (!alike || at[0].piece == ROBERTS_NONE)
             continue;
         const uint32_t a = 2 * node[at[0].piece - first], b = 2 * node[at[1].piece - first];
         const uint32_t turned = at[0].winding == at[1].winding;
         sets_join(parent, a, b + turned);
         sets_join(parent, a + 1, b + 1 - turned);
-        *alike = sets_root(parent, a) != sets_root(parent, a + 1);
+        alike = sets_root(parent, a) != sets_root(parent, a + 1);
     }
-    for (uint32_t i = 0; node && parent && i < count; i++)
+    for (uint32_t i = 0; done && i < count; i++)
         all->winding[first + i] =
-            !*alike ? 0 : (sets_root(parent, 2 * node[i]) % 2 ? -1 : 1) * scene->surface->winding[first + i];
+            !alike ? 0 : (sets_root(parent, 2 * node[i]) % 2 ? -1 : 1) * scene->surface->winding[first + i];
     free(node);
     free(parent);
-    return node && parent;
+    return done;
 }
 
 /* Finds the windings of bodies with faces that wind more than once. False: no memory. */
@@ -149,10 +152,10 @@ static bool find_windings(union_bodies *all)
         return true;
     all->winding = alloc_zeroed(scene->face_count, sizeof *all->winding);
     for (uint32_t s = 0; all->winding && s < scene->solid_count; s++) {
-        bool even = false, alike;
+        bool even = false;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
             even = even || own[f] % 2 == 0;
-        if (even && union_takes(scene, s) && !orient_body(all, s, &alike))
+        if (even && union_takes(scene, s) && !orient_body(all, s))
             return false;
     }
     return all->winding;

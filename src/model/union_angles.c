@@ -59,11 +59,11 @@ static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, doub
     return false;
 }
 
-/* How much a crossing of a face toward direction d counts. 0: parity decides. */
+/* How much a crossing of a face toward direction d counts, if winding numbers decide. */
 static int32_t winding_across(const union_bodies *all, uint32_t face, roberts_vec3 d)
 {
     const plane F = union_plane(all->scene, face);
-    return !all->winding ? 0 : all->winding[face] * (vec3_dot((roberts_vec3){F.a, F.b, F.c}, d) > 0.0 ? 1 : -1);
+    return all->winding[face] * (vec3_dot((roberts_vec3){F.a, F.b, F.c}, d) > 0.0 ? 1 : -1);
 }
 
 /* Casts a ray from the line at t, in direction w, and counts its crossings with the body's surface: `*winding` is the
@@ -405,6 +405,16 @@ static bool is_own_body(const union_cutter *c, uint32_t body)
     return line->body == body || (line->body == ROBERTS_NONE && (line->crossed[0] == body || line->crossed[1] == body));
 }
 
+/* Does the line belong to one body alone, of which winding numbers tell what it fills? Then lines inside one of its
+ * faces, where the border crosses itself, are seams. */
+static bool is_wound(const union_cutter *c)
+{
+    const union_line *line = c->line;
+    const uint32_t body = line->body != ROBERTS_NONE ? line->body : line->crossed[0];
+    const union_fill *of = fill_of(c->work, body);
+    return of && of->active && of->wound && (line->body != ROBERTS_NONE || line->crossed[1] == body);
+}
+
 bool union_judge(union_cutter *c, union_piece *piece)
 {
     union_work *work = c->work;
@@ -421,7 +431,7 @@ bool union_judge(union_cutter *c, union_piece *piece)
     piece->state = UNION_ALONE;
     for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie beside its own faces */
         alone = alone || (!work->fill[i].active && is_own_body(c, work->fill[i].body));
-    if (alone)
+    if (alone && !is_wound(c))
         return true;
     uint32_t clusters = find_clusters(c);
     if (clusters == 0)

@@ -62,6 +62,16 @@ uint64_t plan_check(uint64_t check, const void *bytes, size_t size)
     return check;
 }
 
+/* Adds the bytes of names, one by one, and passes over zeros: behind the last name some fill the section up. */
+static uint64_t check_name(uint64_t check, const char *name, size_t size)
+{
+    for (size_t i = 0; i < size; i++) {
+        const uint32_t letter = (unsigned char)name[i];
+        check = letter ? plan_check(check, &letter, sizeof letter) : check;
+    }
+    return check;
+}
+
 /* The check of the facts, which are at the end of the file. */
 static uint64_t check_of(const plan_facts *facts)
 {
@@ -540,8 +550,13 @@ static void put_names(planner *pl, const roberts_inputs *input)
     plan_facts *facts = &pl->p->facts;
     facts->names = pl->out.at + pl->out.used;
     facts->inputs = input->count;
-    for (size_t i = 0; i < input->count; i++)
-        put(&pl->out, input->name[i], strlen(input->name[i]) + 1);
+    uint64_t check = 0;
+    for (size_t i = 0; i < input->count; i++) {
+        const size_t size = strlen(input->name[i]) + 1;
+        put(&pl->out, input->name[i], size);
+        check = check_name(check, input->name[i], size);
+    }
+    facts->names_check = check;
     put_padding(&pl->out);
 }
 
@@ -557,7 +572,7 @@ static roberts_status read_names(plan *p, uint64_t end, roberts_error *error)
         status = error_set(error, ROBERTS_IO, 0, "cannot read the names of its inputs");
     for (size_t i = 0; status == ROBERTS_OK && i < size; i++)
         names += p->name[i] == '\0';
-    if (status == ROBERTS_OK && names < p->facts.inputs)
+    if (status == ROBERTS_OK && (names < p->facts.inputs || check_name(0, p->name, size) != p->facts.names_check))
         status = error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is broken");
     plan_reader_free(&in);
     return status;

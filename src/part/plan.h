@@ -52,12 +52,12 @@ typedef struct plan_place {
 
 typedef struct plan_facts {
     char magic[16];
-    uint64_t check;                      /* plan_check() of the facts from `id` on */
-    uint64_t id;                         /* a hash of everything else: the same inputs and options give the same one */
-    uint64_t places_check, starts_check; /* the same of these sections */
-    uint64_t places, starts, names;      /* positions in the file */
-    uint64_t bodies, weight, inputs;     /* weight: vertices of all bodies */
-    uint64_t has_names;                  /* 1: faces have names in some input (see roberts_group) */
+    uint64_t check; /* plan_check() of the facts from `id` on */
+    uint64_t id;    /* a hash of everything else: the same inputs and options give the same one */
+    uint64_t places_check, starts_check, names_check; /* the same of these sections */
+    uint64_t places, starts, names;                   /* positions in the file */
+    uint64_t bodies, weight, inputs;                  /* weight: vertices of all bodies */
+    uint64_t has_names;                               /* 1: faces have names in some input (see roberts_group) */
     scene_whole whole;
     double margin;                  /* of boxes in the picture: bodies farther apart never touch; view units */
     double unit;                    /* model units per view unit */

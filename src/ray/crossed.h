@@ -32,8 +32,8 @@ typedef struct crossed_faces {
 bool crossed_begin(crossed *c, const roberts_scene *scene, double touching);
 void crossed_end(crossed *c);
 
-/* Finds two faces with the numbers of the line that cross in it: near its middle, both go on at both sides of it, or end
- * there along an edge. (All faces of hulls have one number.) False: there are none. */
+/* Finds two faces with the numbers of the line that cross in it: near its middle, both go on at both sides of it, or
+ * end there along an edge. (All faces of hulls have one number.) False: there are none. */
 bool crossed_find(const crossed *c, const roberts_crossing *line, crossed_faces *out);
 
 #endif

@@ -121,7 +121,9 @@ static void add_side_of_face(const verifier *f, uint32_t face, bool on_right, ui
     else
         to->left++;
     double bent = angle_between(scene_plane(f->seen.scene, first), F, false);
-    to->bent = fmax(to->bent, fmin(bent, 180.0 - bent));
+    double whole =
+        angle_between(scene_whole_plane(f->seen.scene, first), scene_whole_plane(f->seen.scene, face), false);
+    to->bent = fmax(to->bent, fmax(fmin(bent, 180.0 - bent), fmin(whole, 180.0 - whole)));
 }
 
 static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)

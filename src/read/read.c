@@ -122,7 +122,8 @@ static const struct foreign {
     {"MeshVersionFormatted", "Medit", "gmsh -0 model.mesh -o model.stl", true},
     {"LIST", "a Geomview LIST", "", true},
     {"MESH", "a Geomview MESH", "", true},
-    {"roberts", "a part or a plan of a drawing", "roberts --part 1/1 x.plan -o x.part; roberts --join x.part", true},
+    {"roberts", "a part or a plan of a drawing", "roberts --join -o drawing.svg part-*, or roberts --part 1/1 x.plan",
+     true},
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
     {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
@@ -149,7 +150,7 @@ static bool has_size_of_stl(reader *r)
     if (!source->read_at || source->size < STL_FIRST || !input_need(&r->in, STL_FIRST))
         return false;
     const uint64_t count = read_word(r->in.at + STL_HEADER, true);
-    return source->size == STL_FIRST + STL_TRIANGLE * count; /* four zero bytes are no text */
+    return count > 0 && source->size == STL_FIRST + STL_TRIANGLE * count;
 }
 
 /* Does one of these bytes occur in no text? */

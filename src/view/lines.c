@@ -31,8 +31,8 @@ static void add_edge_face(int facing, bool turned, edge_faces *to)
         to->right++;
 }
 
-/* Do two faces of an edge meet at less than the crease angle? They must do so as a whole, and in the pieces that meet
- * there. way: -1 if they are wound differently. */
+/* Do two faces of an edge meet at the crease angle or less, both as a whole and in the pieces that meet there? way: -1
+ * if they are wound differently. */
 static bool are_flat(const roberts_scene *scene, uint32_t f, uint32_t g, double way, double crease)
 {
     return scene_chord(scene_plane(scene, f), scene_plane(scene, g), way) < crease &&
@@ -40,13 +40,13 @@ static bool are_flat(const roberts_scene *scene, uint32_t f, uint32_t g, double 
             scene_chord(scene_whole_plane(scene, f), scene_whole_plane(scene, g), way) < crease);
 }
 
-/* Does each face lie within the crease angle of the first one, or of its back? */
+/* Does a face lie within the crease angle of the first one, or of its back? */
 static bool is_flat_with(const roberts_scene *scene, uint32_t first, uint32_t face, double crease)
 {
     return are_flat(scene, first, face, 1.0, crease) || are_flat(scene, first, face, -1.0, crease);
 }
 
-/* Do the two faces of edge `e` meet at less than the crease angle? first: the first face of its body. */
+/* Do the two faces of edge `e` meet at the crease angle or less? first: the first face of its body. */
 static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
 {
     const scene_surface *surface = scene->surface;

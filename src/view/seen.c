@@ -48,8 +48,8 @@ void seen_end(seen *s)
     *s = (seen){0};
 }
 
-/* Returns the squared distance of two unit normals at this angle, a little more than rounding can add to it: an edge
- * that bends by exactly the crease angle is left out. */
+/* Returns the squared distance of two unit normals at this angle, and a little more, so that rounding does not decide:
+ * an edge that bends by exactly the crease angle is left out, if that is not 0. */
 static double square_chord(double degrees)
 {
     double chord = 2.0 * angle_unit(degrees / 2.0).y;

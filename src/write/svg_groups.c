@@ -81,8 +81,10 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
     if (outermost)
         svg_id(w->out, w->s->options, name);
     svg_attribute(w->out, "class", name);
-    if (outermost)
-        svg_layer(w->out, w->s->options, w->bodies + strokes_class_number(w->s->options, g->line), name);
+    if (outermost) {
+        const bool own = strokes_pen(w->s->options, g->line)->number != 0;
+        svg_layer(w->out, w->s->options, (own ? 0 : w->bodies) + strokes_class_number(w->s->options, g->line), name);
+    }
     svg_pen(w->out, w->s->options, g->line);
 }
 

@@ -453,7 +453,6 @@ static const struct {
     {"--style wire:width=2,off --view top --page 100x100 --margin 0", "M 1 99 L 99 99 L 99 1 Z"},
 };
 
-/* A triangle, and a wire through its middle. */
 /* Draws with these pens off. Returns the layer of one class, or NULL if there is none; the caller frees it. */
 static char *layer_of(const char *model, const char *off, const char *class)
 {
@@ -492,6 +491,7 @@ static void pens_that_are_off_move_nothing(void **state)
     assert_int_equal(layers, 17);
 }
 
+/* A triangle, and a wire through its middle. */
 static void borders_and_wires(void **state)
 {
     (void)state;

@@ -284,7 +284,8 @@ static const struct {
     {"-o in", "--output: in is a folder; name a file in it\n"}, /* --batch does not read standard input */
     {"models/table.off --turntable 2 -o in", "--turntable needs a name with a place for the number: -o turn-%03d.svg"},
     {"--style outline=red", "\"outline=red\" is not CLASS:key=value,..., as outline:width=0.7,color=red"},
-    {"--style outline:red", "\"red\" is unknown; it can be width, color, colour, dash, pen, off, on, as in outline:width="},
+    {"--style outline:red",
+     "\"red\" is unknown; it can be width, color, colour, dash, pen, off, on, as in outline:width="},
     {"--style outline:color=red:width=2", "there is a comma between two values, as outline:width=0.7,color=red"},
     {"models/table.off out.svg", "out.svg: there is no such file to read; to draw into it: -o out.svg"},
     {"copy.off -f csv -o copy.off", "--output: copy.off is an input; the drawing would take its place"},
@@ -464,7 +465,7 @@ static void round_bodies_are_told(void **state)
         fprintf(file, "4 %d %d %d %d\n", i, (i + 1) % SIDES, SIDES + (i + 1) % SIDES, SIDES + i);
     assert_int_equal(fclose(file), 0);
     assert_int_equal(run("round.off -f null"), 0);
-    assert_string_equal(last.err, "roberts: round.off: note: edges flatter than 30 degrees are drawn, since the bodies "
+    assert_string_equal(last.err, "roberts: round.off: note: edges of 30 degrees and less are drawn, since the bodies "
                                   "are convex; --crease 30 leaves them out\n");
     assert_int_equal(run("round.off -f null --crease 30"), 0);
     assert_string_equal(last.err, "");

@@ -53,6 +53,26 @@ static void in_order(void **state)
     names_free(&n);
 }
 
+/* Semicolons and tabs, capitals, blanks, and rows that are filled up with empty fields. */
+static void spreadsheets(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n", "vertex\t1\tA\nedge\t7-2\ta, b\n",
+                                        "\"vertex\",\"1\",\"A\",,\n,,,,\n\"edge\",\"v7-v2\",\"a, b\",,\n"};
+    assert_int_equal(chdir(temporary), 0);
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        name_list n;
+        roberts_error error;
+        if (read_names(texts[i], &n, &error) != ROBERTS_OK)
+            fail_msg("%zu: %s", i, error.message);
+        assert_int_equal(n.count, 2);
+        assert_string_equal(n.item[0].text, "A");
+        assert_true(n.item[0].number == 1 && n.item[1].number == 2 && n.item[1].other == 7);
+        assert_string_equal(n.item[1].text, "a, b");
+        names_free(&n);
+    }
+}
+
 static void faults(void **state)
 {
     (void)state;
@@ -65,7 +85,9 @@ static void faults(void **state)
         {"vertex,1,A\nvertx,2,B\n", 2, "the kind is none of vertex, edge, face and body"},
         {"vertex 1 A\n", 1, "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a"},
         {"\n\nface,-1,A\n", 3, "the number is not a whole number from 0 on"},
-        {"edge,4,A\n", 1, "an edge is named by its vertices, as 4-17"},
+        {"edge,4,A\n", 1,
+         "an edge is named by its vertices, as 4-17 or v4-v17 (some spreadsheets take 4-7 for a date)"},
+        {"vertex,1,\"A\",\"B\"\n", 1, "more fields follow the name; a name with commas stands in quotation marks"},
         {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
         {"vertex,1,\"A\n", 1, "a field that begins with a quotation mark ends with one; two within it stand for one"},
         {"vertex,1,\"A\"B\n", 1,
@@ -93,6 +115,7 @@ static void faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(in_order, temporary_make, temporary_remove),
+                                       cmocka_unit_test_setup_teardown(spreadsheets, temporary_make, temporary_remove),
                                        cmocka_unit_test_setup_teardown(faults, temporary_make, temporary_remove)};
     return cmocka_run_group_tests_name("names", tests, NULL, NULL);
 }

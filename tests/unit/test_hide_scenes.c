@@ -947,6 +947,7 @@ static void flat_edges_by_table(void **state)
         {"bent, behind", 0.101, 0.1, false, {0, -1, 0}, 1},
         {"nothing is flatter than 0", 1e-4, 0, false, {0, 1, 0}, 1},
         {"a right angle, 89 wanted", 90, 89, false, {0, 1, 0}, 1},
+        {"a right angle, just as wanted", 90, 90, false, {0, 1, 0}, 0},
         {"a right angle, 91 wanted", 90, 91, false, {0, 1, 0}, 0},
         {"an acute angle, 170 wanted", 169, 170, false, {0, 1, 0}, 0},
         {"an acute angle, 168 wanted", 169, 168, false, {0, 1, 0}, 1},

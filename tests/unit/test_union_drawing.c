@@ -406,15 +406,13 @@ static void test_random_blocks(void **state)
     }
 }
 
-/* A single body is its own union, even if its faces cross and wind twice round its middle. */
+/* A single body is its own union, even if its faces cross and wind twice round its middle. But the sides of a pentagram
+ * bound nothing where they run through its middle, if that is filled below: the last body has such faces outside. */
 static void test_star_bodies(void **state)
 {
-    static const char *const file[] = {"great-dodecahedron",
-                                       "great-icosahedron",
-                                       "great-stellated-dodecahedron",
-                                       "small-stellated-dodecahedron",
-                                       "pentagrammic-crossed-antiprism",
-                                       "tetrahemihexahedron"};
+    static const char *const file[] = {"great-dodecahedron",           "great-icosahedron",
+                                       "great-stellated-dodecahedron", "small-stellated-dodecahedron",
+                                       "tetrahemihexahedron",          "pentagrammic-crossed-antiprism"};
     (void)state;
     for (size_t i = 0; i < sizeof file / sizeof *file; i++) {
         char path[100];
@@ -425,7 +423,8 @@ static void test_star_bodies(void **state)
         assert_int_equal(roberts_mesh_read_file(&mesh, path, NULL, NULL), ROBERTS_OK);
         roberts_drawing alone = draw_mesh(&mesh, &camera, 0.0, false), united = draw_mesh(&mesh, &camera, 0.0, true);
         assert_true(alone.count > 0);
-        check_covered(&alone, &united, &how, file[i]);
+        if (i + 1 < sizeof file / sizeof *file)
+            check_covered(&alone, &united, &how, file[i]);
         check_covered(&united, &alone, &how, file[i]);
         roberts_drawing_free(&alone);
         roberts_drawing_free(&united);
@@ -478,20 +477,25 @@ static void put_star(model *m, bool crossed, double z0, double z1, unsigned turn
     add_prism_face(m, high, count, turned >> 11 & 1);
 }
 
-/* Visible lengths by class: of the edges of boxes, and of the lines in which their faces cross others. */
-static void measure_boxes(const roberts_drawing *d, uint32_t boxes, double length[ROBERTS_BACK_OUTLINE + 1])
+/* Visible lengths by class: of the edges of boxes, and of the lines in which their faces cross others. The last one is
+ * that of all lines. */
+enum { ALL_LINES = ROBERTS_BACK_OUTLINE + 1, LENGTHS };
+
+static void measure_boxes(const roberts_drawing *d, uint32_t boxes, double length[LENGTHS])
 {
-    for (int i = 0; i <= ROBERTS_BACK_OUTLINE; i++)
+    for (int i = 0; i < LENGTHS; i++)
         length[i] = 0.0;
     for (size_t i = 0; i < d->count; i++) {
         const roberts_segment *g = &d->segment[i];
         const bool own = g->v0 != ROBERTS_NONE ? g->solid < boxes : d->crossing[g->edge].face[0] < 6 * boxes;
-        if (own && g->state == ROBERTS_VISIBLE)
-            length[g->line] += hypot(g->p1.x - g->p0.x, g->p1.y - g->p0.y);
+        const double visible = g->state == ROBERTS_VISIBLE ? hypot(g->p1.x - g->p0.x, g->p1.y - g->p0.y) : 0.0;
+        length[g->line] += own ? visible : 0.0;
+        length[ALL_LINES] += visible;
     }
 }
 
-/* The middle of a pentagram is filled, and so is what lies below it, whatever the winding of the faces. */
+/* The middle of a pentagram is filled, and so is what lies below it, whatever the winding of the faces. No line crosses
+ * it. */
 static void test_pentagrams(void **state)
 {
     rng r = {471};
@@ -502,7 +506,7 @@ static void test_pentagrams(void **state)
         const uint32_t boxes = (uint32_t)rng_int(&r, 1, 2);
         const double z0 = rng_int(&r, -3, 0), z1 = rng_int(&r, 1, 4);
         const unsigned turned = scene % 3 ? 0 : (unsigned)rng_int(&r, 0, 4095);
-        double length[2][ROBERTS_BACK_OUTLINE + 1];
+        double length[2][LENGTHS];
         model m[2] = {{.mesh = {0}}, {.mesh = {0}}};
         for (uint32_t b = 0; b < boxes; b++) { /* no face of a box lies in one of the star */
             const roberts_vec3 at = {rng_int(&r, -5, 3) + 0.3, rng_int(&r, -5, 3) + 0.4, rng_int(&r, -5, 3) + 0.5};
@@ -517,7 +521,7 @@ static void test_pentagrams(void **state)
             roberts_drawing_free(&drawing);
             model_free(&m[k]);
         }
-        for (int i = 0; i <= ROBERTS_BACK_OUTLINE; i++) {
+        for (int i = 0; i < LENGTHS; i++) {
             if (fabs(length[0][i] - length[1][i]) > 1e-7)
                 fail_msg("scene %d, class %d: %.9g instead of %.9g", scene, i, length[0][i], length[1][i]);
             all += length[0][i];

@@ -411,7 +411,7 @@ class _Drawable:
         scale             mm on paper for each model unit; default: as large as the margins allow
         pens              a dict of pens by class (outline, border, crease, intersection, wire, hidden, frame,
                           symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red,
-                          green, blue; 0 to 255), off
+                          green, blue; 0 to 255), off, number
         background        (red, green, blue)
         fill              white, model, body, or (red, green, blue)
         shaded            fills are darker where less light falls

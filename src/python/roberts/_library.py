@@ -119,7 +119,7 @@ class region_list(Structure):
 
 class pen(Structure):
     _fields_ = [("width_mm", c_double), ("dash_mm", c_double), ("gap_mm", c_double), ("red", c_ubyte),
-                ("green", c_ubyte), ("blue", c_ubyte), ("off", c_bool)]
+                ("green", c_ubyte), ("blue", c_ubyte), ("off", c_bool), ("number", c_ubyte)]
 
 
 class background(Structure):
