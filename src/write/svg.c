@@ -215,6 +215,9 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
             svg_id(out, s->options, class == LINE_TEXT ? "letters" : "hidden-letters");
             svg_layer(out, s->options, strokes_class_number(s->options, class),
                       class == LINE_TEXT ? "letters" : "hidden-letters");
+            if (strokes_are_grouped(s->options)) /* the pointer finds what lies below */
+                output_text(out, class == LINE_TEXT ? " class=\"letters\" pointer-events=\"none\""
+                                                    : " class=\"hidden-letters\" pointer-events=\"none\"");
             output_text(out, " font-family=\"sans-serif\" fill=\"");
             svg_color(out, pen->red, pen->green, pen->blue);
             output_text(out, "\">\n");

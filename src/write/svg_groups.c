@@ -81,6 +81,8 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
     if (outermost)
         svg_id(w->out, w->s->options, name);
     svg_attribute(w->out, "class", name);
+    if (g->line == LINE_TEXT || g->line == LINE_HIDDEN_TEXT)
+        svg_attribute(w->out, "pointer-events", "none"); /* the pointer finds what lies below */
     if (outermost) {
         const bool own = strokes_pen(w->s->options, g->line)->number != 0;
         svg_layer(w->out, w->s->options, (own ? 0 : w->bodies) + strokes_class_number(w->s->options, g->line), name);
