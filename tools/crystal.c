@@ -347,16 +347,28 @@ static size_t count_faces(const crystal *c)
     return faces;
 }
 
-/* The Miller indices of a face, with a space between them, or without one if each has a single digit. */
-static void write_indices(const crystal_face *face, bool spaced, FILE *file)
+/* The Miller indices of a face. `bars`: negative ones have bars over their digits, and no spaces stand between indices
+ * that have one digit each. */
+static void write_indices(const crystal_face *face, bool bars, FILE *file)
 {
-    const int h = face->hkl[0], k = face->hkl[1], i = -h - k, l = face->hkl[2];
-    const bool few = abs(h) < 10 && abs(k) < 10 && (!face->has_four || abs(i) < 10) && abs(l) < 10;
-    const char *space = spaced || !few ? " " : "";
-    fprintf(file, "%d%s%d%s", h, space, k, space);
-    if (face->has_four)
-        fprintf(file, "%d%s", i, space);
-    fprintf(file, "%d", l);
+    const int h = face->hkl[0], k = face->hkl[1], l = face->hkl[2];
+    const int all[] = {h, k, -h - k, l};
+    bool few = bars;
+    for (int i = 0; i < 4; i++)
+        few = few && (abs(all[i]) < 10 || (i == 2 && !face->has_four));
+    for (int i = 0; i < 4; i++) {
+        char text[16];
+        if (i == 2 && !face->has_four)
+            continue;
+        if (i > 0 && !few)
+            putc(' ', file);
+        snprintf(text, sizeof text, "%d", bars ? abs(all[i]) : all[i]);
+        for (const char *digit = text; *digit; digit++) {
+            putc(*digit, file);
+            if (bars && all[i] < 0)
+                fputs("\u0305", file); /* combining overline */
+        }
+    }
 }
 
 /* names: NULL, or what receives the indices of the faces. */
@@ -378,11 +390,11 @@ static void write_crystal(const crystal *c, size_t faces, FILE *names)
         if (face->has_color)
             printf(" %d %d %d", face->color[0], face->color[1], face->color[2]);
         fputs(" # ", stdout);
-        write_indices(face, true, stdout);
+        write_indices(face, false, stdout);
         putchar('\n');
         if (names) {
             fprintf(names, "face,%zu,(", written);
-            write_indices(face, false, names);
+            write_indices(face, true, names);
             fputs(")\n", names);
         }
         written++;

@@ -227,8 +227,11 @@ static bool compose(uint32_t code, composed *c)
     return compose_accented(code, c) || compose_small(code, c);
 }
 
+/* An overline, as of the indices of crystals, is drawn as a macron. */
 static accent combining_accent(uint32_t code)
 {
+    if (code == 0x305)
+        return MACRON;
     for (size_t i = 0; i < sizeof accented / sizeof accented[0]; i++)
         if (accented[i].combining == code)
             return accented[i].accent;
@@ -350,7 +353,7 @@ static void add_letter_strokes(writer *w, const char *pair, const roberts_vec2 z
 
 static void add_accent(writer *w, char letter, double middle, const composed *c)
 {
-    const bool is_capital = letter >= 'A' && letter <= 'Z', is_high = is_capital || strchr("bdfhklt", letter);
+    const bool is_high = (letter >= 'A' && letter <= 'Z') || strchr("bdfhklt0123456789", letter);
     const double top = is_high ? capital_top : small_top;
     double y = c->accent >= SLASH ? (top + base_line) / 2.0 : c->accent >= CEDILLA ? base_line : top;
     if (c->accent == BAR)

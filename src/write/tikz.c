@@ -69,11 +69,31 @@ static const char *tex_greek(int number)
     return name[number];
 }
 
+/* The command for an accent that follows its letter: LaTeX reads no combining characters. */
+static const char *tex_accent(uint32_t code)
+{
+    static const struct {
+        uint32_t code;
+        const char *name;
+    } names[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"}, {0x303, "\\~"},  {0x304, "\\="},
+                 {0x305, "\\="}, {0x306, "\\u"}, {0x307, "\\."}, {0x308, "\\\""}, {0x30a, "\\r"},
+                 {0x30b, "\\H"}, {0x30c, "\\v"}, {0x327, "\\c"}, {0x328, "\\k"}};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+        if (names[i].code == code)
+            return names[i].name;
+    return NULL;
+}
+
 void tikz_text_write(output *out, const char *text)
 {
-    size_t length, count;
+    size_t length, count, accent_length;
     for (; *text; text += length) {
         const uint32_t code = letters_decode(text, &length);
+        const char *accent = tex_accent(letters_decode(text + length, &accent_length));
+        if (accent) {
+            output_text(out, accent);
+            output_text(out, "{");
+        }
         const int greek = letters_greek_number(code), level = letters_level(code);
         const char *name = tex_name(code);
         if (name) {
@@ -90,6 +110,10 @@ void tikz_text_write(output *out, const char *text)
             output_text(out, "?");
         } else {
             output_bytes(out, text, length);
+        }
+        if (accent) {
+            output_text(out, "}");
+            length += accent_length;
         }
     }
 }

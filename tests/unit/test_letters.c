@@ -72,9 +72,10 @@ static void accents(void **state)
     static const struct {
         const char *text, *plain;
         int more;
-    } cases[] = {{"é", "e", 1},       {"É", "E", 1},  {"ü", "u", 2},  {"å", "a", 1}, {"Ç", "C", 1}, {"ž", "z", 1},
-                 {"ő", "o", 2},       {"ø", "o", 1},  {"Ł", "L", 1},  {"ı", "i", 0}, {"í", "i", 0}, {"ï", "i", 1},
-                 {"e\u0301", "e", 1}, {"ß", "ss", 0}, {"Æ", "AE", 0}, {"đ", "d", 1}, {"ș", "s", 1}};
+    } cases[] = {{"é", "e", 1},  {"É", "E", 1}, {"ü", "u", 2},       {"å", "a", 1},       {"Ç", "C", 1},
+                 {"ž", "z", 1},  {"ő", "o", 2}, {"ø", "o", 1},       {"Ł", "L", 1},       {"ı", "i", 0},
+                 {"í", "i", 0},  {"ï", "i", 1}, {"e\u0301", "e", 1}, {"1\u0305", "1", 1}, {"ß", "ss", 0},
+                 {"Æ", "AE", 0}, {"đ", "d", 1}, {"ș", "s", 1}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         if (strokes_of(cases[i].text) != strokes_of(cases[i].plain) + (size_t)cases[i].more)
             fail_msg("%s: %zu strokes, %s %zu", cases[i].text, strokes_of(cases[i].text), cases[i].plain,
@@ -84,14 +85,16 @@ static void accents(void **state)
     }
 }
 
-/* A mark over a capital is above it, one over a small letter below that height; a cedilla is below the line. */
+/* A mark over a capital or a digit is above it, one over a small letter below that height; a cedilla is below the line.
+ */
 static void accents_in_place(void **state)
 {
     (void)state;
     static const struct {
         const char *text;
         double top, bottom;
-    } cases[] = {{"E", 79.0, 100.0}, {"É", 73.0, 100.0}, {"e", 86.0, 100.0}, {"é", 80.0, 100.0}, {"ç", 86.0, 106.0}};
+    } cases[] = {{"E", 79.0, 100.0}, {"É", 73.0, 100.0}, {"e", 86.0, 100.0},      {"é", 80.0, 100.0},
+                 {"ç", 86.0, 106.0}, {"2", 79.0, 100.0}, {"2\u0305", 75.0, 100.0}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         roberts_vec2 min, max;
         polylines out = drawn(cases[i].text, 0.0, false);
