@@ -552,7 +552,8 @@ int main(int argc, char **argv)
         return 1;
     }
     write_crystal(&c, faces, names);
-    const bool named = !names || (!ferror(names) & (fclose(names) == 0));
+    bool named = !names || !ferror(names);
+    named = (!names || fclose(names) == 0) && named;
     if (!named)
         perror(argv[2]);
     return !named || ferror(stdout) || fflush(stdout) != 0;
