@@ -436,7 +436,8 @@ static void expect_lists(const objet *grid, const hide_fronts *fronts)
 /* A grid of this frame without fronts, which measures sides in its own units. */
 static objet grid_of(scan_frame frame)
 {
-    hide_fronts none = {0};
+    static const roberts_scene nothing;
+    hide_fronts none = {.scene = &nothing};
     objet grid;
     assert_int_equal(objet_build(&grid, &none, frame, 1), ROBERTS_OK);
     return grid;
