@@ -34,6 +34,12 @@ typedef struct page_point {
     int32_t x, y;
 } page_point;
 
+/* Returns a point of the page, given in its units, in mm. */
+static inline roberts_vec2 page_in_mm(roberts_vec2 p, double units_per_mm)
+{
+    return (roberts_vec2){p.x / units_per_mm, p.y / units_per_mm};
+}
+
 /* Rounds to the nearest whole unit, halves up. int32_t holds far more than a page. */
 static inline int32_t page_round(double units)
 {

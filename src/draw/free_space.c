@@ -133,7 +133,7 @@ bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
 
 static roberts_vec2 in_mm(page_point p, double units_per_mm)
 {
-    return (roberts_vec2){p.x / units_per_mm, p.y / units_per_mm};
+    return page_in_mm((roberts_vec2){p.x, p.y}, units_per_mm);
 }
 
 bool space_add_polyline(free_space *r, const polylines *lines, size_t i, double units_per_mm)

@@ -270,10 +270,8 @@ static void add_part(const piece *of, double from, double to, pieces *out)
 static bool add_free_parts(const strokes *s, const free_space *r, const piece *of, space_parts *covered, pieces *out,
                            size_t *room)
 {
-    const roberts_vec2 a = {of->a.x / s->units_per_mm, of->a.y / s->units_per_mm};
-    const roberts_vec2 b = {of->b.x / s->units_per_mm, of->b.y / s->units_per_mm};
     double from = 0.0;
-    if (!space_find_covered(r, a, b, covered) ||
+    if (!space_find_covered(r, page_in_mm(of->a, s->units_per_mm), page_in_mm(of->b, s->units_per_mm), covered) ||
         !array_reserve(&out->item, room, out->count + covered->count + 1, sizeof *out->item))
         return false;
     for (size_t i = 0; i < covered->count; i++) {

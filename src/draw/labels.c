@@ -492,9 +492,8 @@ static bool add_pieces_to_room(const strokes *s, const pieces *p, free_space *r)
 {
     for (size_t i = 0; i < p->count; i++) {
         const piece *own = &p->item[i];
-        const roberts_vec2 a = {own->a.x / s->units_per_mm, own->a.y / s->units_per_mm};
-        const roberts_vec2 b = {own->b.x / s->units_per_mm, own->b.y / s->units_per_mm};
-        if (own->line != PIECE_GONE && own->line != LINE_HATCH && !space_add_line(r, a, b))
+        if (own->line != PIECE_GONE && own->line != LINE_HATCH &&
+            !space_add_line(r, page_in_mm(own->a, s->units_per_mm), page_in_mm(own->b, s->units_per_mm)))
             return false;
     }
     return true;

@@ -48,8 +48,6 @@ roberts_status read_bad_position(reader *r, uint64_t v)
                      (unsigned long long)v, MESH_COORDINATE_MAX);
 }
 
-/* Warns of faces with fewer than 3 corners, if there are any. OFF has its own warning: there they may be points and
- * lines. */
 void read_warn_colors(const roberts_warnings *warnings, const char *name, size_t line, size_t count)
 {
     if (count)
@@ -57,6 +55,8 @@ void read_warn_colors(const roberts_warnings *warnings, const char *name, size_t
                      count == 1 ? "s" : "");
 }
 
+/* Warns of faces with fewer than 3 corners, if there are any. OFF has its own warning: there they may be points and
+ * lines. */
 static void read_warn_thin(const roberts_warnings *warnings, const char *name, size_t count)
 {
     if (count)

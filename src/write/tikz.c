@@ -19,36 +19,45 @@
 /* Characters that TeX reads as commands get names, Greek letters are in mathematics. All others stay as they are, in
  * UTF-8, which LaTeX reads since 2018. */
 
+/* A character, and what it is in TeX. */
+typedef struct tex_word {
+    uint32_t code;
+    const char *text;
+} tex_word;
+
 /* Characters that are special in TeX, or missing from old fonts. */
-static const char *tex_name(uint32_t code)
+static const tex_word names[] = {{'#', "\\#"},
+                                 {'$', "\\$"},
+                                 {'%', "\\%"},
+                                 {'&', "\\&"},
+                                 {'_', "\\_"},
+                                 {'{', "\\{"},
+                                 {'}', "\\}"},
+                                 {'\\', "\\textbackslash{}"},
+                                 {'^', "\\textasciicircum{}"},
+                                 {'~', "\\textasciitilde{}"},
+                                 {'<', "\\textless{}"},
+                                 {'>', "\\textgreater{}"},
+                                 {'|', "\\textbar{}"},
+                                 {'"', "''"},
+                                 {0xd7, "\\ensuremath{\\times}"},
+                                 {0xb0, "\\ensuremath{{}^\\circ}"},
+                                 {0xb1, "\\ensuremath{\\pm}"},
+                                 {0x2212, "\\ensuremath{-}"},
+                                 {0x2300, "\\O{}"},
+                                 {0x2220, "\\ensuremath{\\angle}"},
+                                 {0x22a5, "\\ensuremath{\\perp}"}};
+
+/* Commands for accents that follow their letter: LaTeX reads no combining characters. */
+static const tex_word accents[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"}, {0x303, "\\~"},  {0x304, "\\="},
+                                   {0x305, "\\="}, {0x306, "\\u"}, {0x307, "\\."}, {0x308, "\\\""}, {0x30a, "\\r"},
+                                   {0x30b, "\\H"}, {0x30c, "\\v"}, {0x327, "\\c"}, {0x328, "\\k"}};
+
+static const char *find_tex_word(const tex_word *word, size_t count, uint32_t code)
 {
-    static const struct {
-        uint32_t code;
-        const char *name;
-    } names[] = {{'#', "\\#"},
-                 {'$', "\\$"},
-                 {'%', "\\%"},
-                 {'&', "\\&"},
-                 {'_', "\\_"},
-                 {'{', "\\{"},
-                 {'}', "\\}"},
-                 {'\\', "\\textbackslash{}"},
-                 {'^', "\\textasciicircum{}"},
-                 {'~', "\\textasciitilde{}"},
-                 {'<', "\\textless{}"},
-                 {'>', "\\textgreater{}"},
-                 {'|', "\\textbar{}"},
-                 {'"', "''"},
-                 {0xd7, "\\ensuremath{\\times}"},
-                 {0xb0, "\\ensuremath{{}^\\circ}"},
-                 {0xb1, "\\ensuremath{\\pm}"},
-                 {0x2212, "\\ensuremath{-}"},
-                 {0x2300, "\\O{}"},
-                 {0x2220, "\\ensuremath{\\angle}"},
-                 {0x22a5, "\\ensuremath{\\perp}"}};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (names[i].code == code)
-            return names[i].name;
+    for (size_t i = 0; i < count; i++)
+        if (word[i].code == code)
+            return word[i].text;
     return NULL;
 }
 
@@ -69,33 +78,19 @@ static const char *tex_greek(int number)
     return name[number];
 }
 
-/* The command for an accent that follows its letter: LaTeX reads no combining characters. */
-static const char *tex_accent(uint32_t code)
-{
-    static const struct {
-        uint32_t code;
-        const char *name;
-    } names[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"}, {0x303, "\\~"},  {0x304, "\\="},
-                 {0x305, "\\="}, {0x306, "\\u"}, {0x307, "\\."}, {0x308, "\\\""}, {0x30a, "\\r"},
-                 {0x30b, "\\H"}, {0x30c, "\\v"}, {0x327, "\\c"}, {0x328, "\\k"}};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
-        if (names[i].code == code)
-            return names[i].name;
-    return NULL;
-}
-
 void tikz_text_write(output *out, const char *text)
 {
     size_t length, count, accent_length;
     for (; *text; text += length) {
         const uint32_t code = letters_decode(text, &length);
-        const char *accent = tex_accent(letters_decode(text + length, &accent_length));
+        const char *accent =
+            find_tex_word(accents, sizeof accents / sizeof accents[0], letters_decode(text + length, &accent_length));
         if (accent) {
             output_text(out, accent);
             output_text(out, "{");
         }
         const int greek = letters_greek_number(code), level = letters_level(code);
-        const char *name = tex_name(code);
+        const char *name = find_tex_word(names, sizeof names / sizeof names[0], code);
         if (name) {
             output_text(out, name);
         } else if (greek) {
