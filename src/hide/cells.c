@@ -29,15 +29,19 @@
 #define ENTRIES_FREE 4096.0
 /* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
+/* The same for bodies of more than PLAIN_VERTICES vertices, on average. Most of these are not convex; fewer of their
+ * cells are covered, and their lines cost more. */
+#define BOXES_PER_SMALL_COVER_CELL 0.055
+#define PLAIN_VERTICES 16.0
 /* The more boxes lie over one another, the more smaller cells gain. So cells shrink from this depth on. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* The most cells per box. For covers, CELLS_FREE more cells cost next to nothing. */
+/* The most cells per box; and per vertex for covers, where CELLS_FREE more cells cost next to nothing. */
 #define CELLS_PER_BOX 4.0
-#define COVER_CELLS_PER_BOX 32.0
+#define COVER_CELLS_PER_VERTEX 6.0
 #define CELLS_FREE 65536.0
 /* The most cells and entries per box, together, if the number of cells is asked for; ASKED_FREE do not count. At some
  * ten bytes each they take less than the scene. Where the lists have trees it is a hundred bytes, and they take several
@@ -213,7 +217,12 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth)
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }
 
-scan_frame cells_for_covers(const cells_boxes *b, int threads)
+static double most_cover_cells(size_t vertices)
+{
+    return COVER_CELLS_PER_VERTEX * (double)vertices + CELLS_FREE;
+}
+
+scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads)
 {
     double nx, ny;
     uint32_t count = b->count;
@@ -224,7 +233,8 @@ scan_frame cells_for_covers(const cells_boxes *b, int threads)
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
-    divide_window(&s, count, BOXES_PER_COVER_CELL * smaller, COVER_CELLS_PER_BOX * count + CELLS_FREE, &nx, &ny);
+    const double boxes = (double)vertices > PLAIN_VERTICES * count ? BOXES_PER_SMALL_COVER_CELL : BOXES_PER_COVER_CELL;
+    divide_window(&s, count, boxes * smaller, most_cover_cells(vertices), &nx, &ny);
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }
 
@@ -235,8 +245,8 @@ scan_frame cells_of_whole(const scene_whole *w, double margin)
     return with_warps(scan_frame_over(w->low, w->high, w->columns, w->rows, margin), w->warped ? w->warps : NULL);
 }
 
-bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count)
+bool cells_may_cover(uint32_t nx, uint32_t ny, size_t vertices)
 {
     return (nx == 0) == (ny == 0) && nx <= SIDE_MOST && ny <= SIDE_MOST &&
-           (double)nx * ny <= COVER_CELLS_PER_BOX * count + CELLS_FREE;
+           (double)nx * ny <= most_cover_cells(vertices);
 }

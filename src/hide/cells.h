@@ -20,15 +20,15 @@ typedef struct cells_boxes {
  * warps; the caller frees them (objet_build() takes them). */
 scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
 
-/* Returns the cells for covers, which are much smaller than a mean box. If few boxes lie over one another, covers do
- * not pay, and the frame has no columns. The number of threads does not change the result. Warps as above; cover_init()
- * takes them. */
-scan_frame cells_for_covers(const cells_boxes *b, int threads);
+/* Returns the cells for covers, which are much smaller than a mean box, and smaller still for bodies of many vertices.
+ * If few boxes lie over one another, covers do not pay, and the frame has no columns. vertices: of all bodies. The
+ * number of threads does not change the result. Warps as above; cover_init() takes them. */
+scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads);
 
 /* Returns the cells for covers of the scene to which a part belongs, as its plan keeps them. */
 scan_frame cells_of_whole(const scene_whole *w, double margin);
 
-/* Can cells_for_covers() return so many columns and rows, for `count` boxes? */
-bool cells_may_cover(uint32_t nx, uint32_t ny, uint32_t count);
+/* Can cells_for_covers() return so many columns and rows, for so many vertices? */
+bool cells_may_cover(uint32_t nx, uint32_t ny, size_t vertices);
 
 #endif

@@ -9,7 +9,8 @@
 #include "base/box.h"
 #include "base/lanes.h"
 #include "base/threads.h"
-#include "hide/fronts.h"
+#include "hide/front.h"
+#include "hide/objet.h"
 
 /* Cells that are filled at a time. Up to this many cells are all filled by one thread. */
 #define FILL 1024
@@ -17,6 +18,9 @@
 
 /* How far beside a box its cells may be read and written. */
 enum { CELLS_BESIDE = 4 };
+
+/* Faces cover cells together only in bodies of some faces, and of not too many cells for each. */
+enum { TOGETHER_FACES = 4, TOGETHER_CELLS = 64 };
 
 static bool fill_some(void *context, size_t first, size_t end)
 {
@@ -135,6 +139,175 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
         }
     }
 }
+
+/* ---- bodies that are not convex --------------------------------------------------------------------------------- */
+
+void cover_scratch_free(cover_scratch *w)
+{
+    scan_free(&w->scan);
+    free(w->depth);
+    free(w->taken);
+    *w = (cover_scratch){0};
+}
+
+/* The cells that the box of a body touches, column by column. */
+typedef struct body_cells {
+    objet_range in;
+    uint32_t rows;
+    float *depth; /* of the farthest face there. INFINITY: there is none. -INFINITY: there is a fold */
+} body_cells;
+
+/* Is a piece of a face certainly convex in the picture? It may dent inward within the tolerance, unless it is a
+ * triangle. Then the scan would touch cells in which no piece is. */
+static bool is_plainly_convex(const hide_fronts *fronts, const uint32_t *corner, uint32_t count, bool clockwise)
+{
+    const roberts_vec3 *P = fronts->P;
+    for (uint32_t i = 0; count > 3 && i < count; i++) {
+        const roberts_vec3 *A = &P[corner[i]], *B = &P[corner[i + 1 < count ? i + 1 : i + 1 - count]],
+                           *C = &P[corner[i + 2 < count ? i + 2 : i + 2 - count]];
+        double left = (B->x - A->x) * (C->y - B->y) - (B->y - A->y) * (C->x - B->x);
+        if (!((clockwise ? -left : left) > fronts->space.plain))
+            return false;
+    }
+    return true;
+}
+
+/* Marks the faces that count. */
+static void take_faces(const hide_fronts *fronts, uint32_t body, int late, unsigned char *taken)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    for (uint32_t face = own->face; face < own[1].face; face++) {
+        const uint32_t *start = scene->face_start + face;
+        const int facing = fronts->seen->facing[face];
+        taken[face - own->face] =
+            facing != VIEW_EDGE_ON && facing != late &&
+            is_plainly_convex(fronts, scene->corner + start[0], start[1] - start[0], facing == VIEW_BACK);
+    }
+}
+
+static void mark_folds(const hide_fronts *fronts, cover_scratch *w, uint32_t body, body_cells *cells)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    const scan_frame *f = &fronts->cover.frame;
+    const unsigned char *facing = fronts->seen->facing + own->face;
+    const scene_edge *edge = scene->edge + own->stored;
+    for (uint32_t e = own->edge; e < own[1].edge; e++, edge++) {
+        const uint8_t is = scene->surface->edge_is[e];
+        const bool left = w->taken[edge->f[0]], right = edge->f[1] != ROBERTS_NONE && w->taken[edge->f[1]];
+        if (!(is & EDGE_MANY) && (left && right ? seen_joins_faces(facing, edge, is) : !left && !right))
+            continue;
+        const uint32_t end[2] = {own->vertex + edge->v[0], own->vertex + edge->v[1]};
+        scan_polygon(&w->scan, f, fronts->P, end, 2);
+        for (uint32_t i = w->scan.first; i <= w->scan.last; i++) {
+            uint32_t first, last;
+            scan_touched(&w->scan, f, i, &first, &last);
+            float *cell = cells->depth + (size_t)(i - cells->in.left) * cells->rows;
+            for (uint32_t j = first; j <= last; j++)
+                cell[j - cells->in.low] = -INFINITY;
+        }
+    }
+}
+
+/* Lowers the depth of the cells that the face touches to that of the face. */
+static void lower_cells(const hide_fronts *fronts, scan *s, const cover_front *front, body_cells *cells)
+{
+    const scan_frame *f = &fronts->cover.frame;
+    scan_polygon(s, f, fronts->P, front->corner, front->count);
+    for (uint32_t i = s->first; i <= s->last; i++) {
+        uint32_t first, last;
+        scan_touched(s, f, i, &first, &last);
+        float *cell = cells->depth + (size_t)(i - cells->in.left) * cells->rows;
+        roberts_vec2 low = {scan_left(f, i), scan_lower(f, first)}, high = {scan_left(f, i + 1.0), low.y};
+        for (uint32_t j = first; j <= last; j++) {
+            high.y = scan_lower(f, j + 1.0);
+            double own = greater(front->depth, depth_over(low, high, front->face, 1));
+            float *at = &cell[j - cells->in.low], z = hide_float_below(own - front->slack);
+            *at = z < *at ? z : *at;
+            low.y = high.y;
+        }
+    }
+}
+
+/* Other threads may be writing cells at the border of the body's box. A fold meets those. */
+static void raise_cells(cover *c, const body_cells *cells)
+{
+    for (uint32_t i = cells->in.left; i <= cells->in.right; i++)
+        for (uint32_t j = 0; j < cells->rows; j++) {
+            const float depth = cells->depth[(size_t)(i - cells->in.left) * cells->rows + j];
+            const size_t cell = (size_t)i * c->frame.ny + cells->in.low + j;
+            if (depth > -INFINITY && depth < INFINITY)
+                raise_cell(&c->depth[cell], &c->by[cell], depth, ROBERTS_NONE);
+        }
+}
+
+/* Finds the cells of a body whose faces may cover cells together, and the faces that count. *together: there are such
+ * cells. False: no memory. */
+static bool begin_cells(const hide_fronts *fronts, cover_scratch *w, uint32_t body, int late, body_cells *cells,
+                        bool *together)
+{
+    const scene_solid *own = &fronts->scene->solid[body];
+    const scan_frame *f = &fronts->cover.frame;
+    const uint32_t faces = own[1].face - own->face;
+    *cells = (body_cells){.in = objet_range_of(f, &fronts->box[body], f->margin)};
+    const objet_range *in = &cells->in;
+    cells->rows = in->high - in->low + 1;
+    const size_t count = (size_t)(in->right - in->left + 1) * cells->rows;
+    /* a border that the near plane has made is no edge */
+    *together = !fronts->seen->clip.clipped && faces >= TOGETHER_FACES && count <= (size_t)TOGETHER_CELLS * faces &&
+                in->right - in->left >= 2 && in->high - in->low >= 2;
+    if (!*together)
+        return true;
+    if (!array_reserve(&w->depth, &w->depth_room, count, sizeof *w->depth) ||
+        !array_reserve(&w->taken, &w->taken_room, faces, sizeof *w->taken))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        w->depth[i] = INFINITY;
+    cells->depth = w->depth;
+    take_faces(fronts, body, late, w->taken);
+    mark_folds(fronts, w, body, cells);
+    return true;
+}
+
+bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int late)
+{
+    const scene_solid *own = &fronts->scene->solid[body];
+    const scan_frame *f = &fronts->cover.frame;
+    body_cells cells;
+    bool together;
+    if (!begin_cells(fronts, w, body, late, &cells, &together))
+        return false;
+    for (uint32_t face = own->face; face < own[1].face; face++) {
+        if (fronts->seen->facing[face] == VIEW_EDGE_ON)
+            continue;
+        const hide_box box = front_box_of_face(fronts, face);
+        const bool wide = scan_columns(f, (double)box.x0, (double)box.x1) >= 1.0 &&
+                          scan_rows(f, (double)box.y0, (double)box.y1) >= 1.0; /* it may hold a cell */
+        const bool taken = together && w->taken[face - own->face];
+        if (!wide && !taken)
+            continue;
+        hide_single single;
+        hide_make_face(fronts, body, face, &single);
+        const hide_face *F = &single.face;
+        const cover_front front = {.corner = F->corner,
+                                   .count = F->count,
+                                   .by = ROBERTS_NONE,
+                                   .face = F,
+                                   .face_count = 1,
+                                   .depth = hide_farthest(fronts, F->corner, F->count),
+                                   .slack = 2.0 * (F->touch + hide_margin(&fronts->space)) / -F->F.c};
+        if (wide)
+            cover_add(&fronts->cover, &w->scan, fronts->P, &front);
+        if (taken)
+            lower_cells(fronts, &w->scan, &front, &cells);
+    }
+    if (together)
+        raise_cells(&fronts->cover, &cells);
+    return true;
+}
+
+/* ---- what covers hide -------------------------------------------------------------------------------------------- */
 
 static inline bool four_nearer(const float *cell, four z)
 {

@@ -2,14 +2,15 @@
  *
  * Source: the lecture's "la face la plus proche qui recouvre le pave". Here not only a face may cover a cell, but also
  * the whole front of a solid, if its outline holds the cell. Each cell keeps its nearest cover. Covers are compared by
- * their farthest depth over the cell: everything that is nowhere nearer than that lies behind the cover. A face of
- * a body that is not convex covers cells by itself.
+ * their farthest depth over the cell: everything that is nowhere nearer than that lies behind the cover. The faces of
+ * a body that is not convex cover cells one by one, and together: see cover_add_body().
  *
  * Covers have cells of their own, finer than those of Objet[i][j] (see cells.h), because a front does not cover the
  * cells that its outline crosses. */
 #ifndef ROBERTS_HIDE_COVER_H
 #define ROBERTS_HIDE_COVER_H
 
+#include "base/threads.h"
 #include "hide/scan.h"
 #include "hide/types.h"
 
@@ -45,6 +46,25 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
 bool cover_hides(const cover *c, const hide_box *box);
 
 struct hide_fronts;
+
+/* Memory of one thread, zeroed except for the scan, which has as many columns as the frame. */
+typedef struct cover_scratch {
+    scan scan;
+    float *depth;         /* [cells of a body's box] of the farthest face in the cell */
+    unsigned char *taken; /* [faces of a body] 1: the face counts */
+    size_t depth_room, taken_room;
+    char apart[THREADS_APART];
+} cover_scratch;
+
+void cover_scratch_free(cover_scratch *w);
+
+/* Adds the faces of a body that is not convex. It is mapped, and the facing of its faces is known. late: the facing of
+ * faces that lie behind the others, if there is one; else VIEW_EDGE_ON.
+ *
+ * Faces smaller than a cell cover no cell alone. But suppose that no fold of the body meets a cell (see layers.h). Then
+ * equally many faces lie over all points of the cell, so if one face touches it, faces cover it together. Faces that
+ * are late do not count here, and an edge between such a face and another one is a fold. False: no memory. */
+bool cover_add_body(struct hide_fronts *fronts, cover_scratch *w, uint32_t body, int late);
 
 /* Do the fronts added so far certainly hide the solid? box: that of the solid. The solid need not be mapped. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid);

@@ -310,34 +310,6 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     return true;
 }
 
-static double farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
-{
-    double depth = INFINITY;
-    for (uint32_t i = 0; i < corners; i++)
-        depth = lesser(depth, fronts->P[corner[i]].z);
-    return depth;
-}
-
-/* Enters a face into the covers, unless its box is too small to hold a cell. Its depth is taken cell by cell. */
-static void cover_with_face(hide_fronts *fronts, scan *s, const hide_front *front, const hide_box *box)
-{
-    const scan_frame *frame = &fronts->cover.frame;
-    if (!fronts->cover.depth || scan_columns(frame, (double)box->x0, (double)box->x1) < 1.0 ||
-        scan_rows(frame, (double)box->y0, (double)box->y1) < 1.0)
-        return;
-    hide_single single;
-    hide_make_face(fronts, front->solid, front->piece, &single);
-    const hide_face *f = &single.face;
-    cover_add(&fronts->cover, s, fronts->P,
-              &(cover_front){.corner = f->corner,
-                             .count = f->count,
-                             .by = ROBERTS_NONE,
-                             .face = f,
-                             .face_count = 1,
-                             .depth = farthest(fronts, f->corner, f->count),
-                             .slack = 2.0 * (f->touch + hide_margin(&fronts->space)) / -f->F.c});
-}
-
 /* Rounds as hide_box_around() does. */
 BITS_INLINE hide_box box_of_face_inline(const hide_fronts *fronts, uint32_t face)
 {
@@ -386,8 +358,8 @@ static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
 }
 
 /* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces wait if
- * they turn the other side to the viewer than its nearest face. */
-static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile, uint32_t body)
+ * they turn the other side to the viewer than its nearest face. False: no memory. */
+static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;
     uint32_t first = scene->solid[body].face, end = scene->solid[body + 1].face, to = tile->surface;
@@ -409,13 +381,11 @@ static BITS_RARE void add_surface(hide_fronts *fronts, scan *s, front_tile *tile
         fronts->late[body] = late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
     for (uint32_t face = first; face < end; face++) {
         int facing = fronts->seen->facing[face];
-        if (facing == VIEW_EDGE_ON || (facing == late && !fronts->cover.depth))
-            continue;
-        set_face(fronts, to, body, face);
-        cover_with_face(fronts, s, &fronts->front[to], &fronts->front_box[to]);
-        to += facing != late;
+        if (facing != VIEW_EDGE_ON && facing != late)
+            set_face(fronts, to++, body, face);
     }
     tile->surface = to;
+    return !fronts->cover.depth || cover_add_body(fronts, w, body, late);
 }
 
 void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to)
@@ -481,10 +451,8 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     const hide_box *box = &fronts->box[solid];
     uint32_t *outline = fronts->outline + tile->outline;
     seen_map_body(fronts->seen, solid);
-    if (!scene_is_convex(scene, solid)) {
-        add_surface(fronts, &scratch->scan, tile, solid);
-        return true;
-    }
+    if (!scene_is_convex(scene, solid))
+        return add_surface(fronts, &scratch->cover, tile, solid);
     front_faces found = find_faces(fronts, tile, solid);
     uint32_t cycle = outline_cycle(fronts, solid, scratch->next, outline), corners = cycle;
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
@@ -502,7 +470,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
      * A point that is deeper than that corner by more than `slack` is behind every face by more than `touch`. So it is
      * certainly hidden wherever it is inside the outline. */
     double slack = 2.0 * (found.touch + hide_margin(&fronts->space)) / found.steepest;
-    double depth = corners ? farthest(fronts, outline, corners) : -INFINITY;
+    double depth = corners ? hide_farthest(fronts, outline, corners) : -INFINITY;
     hide_whole_front front = {.reach = reach,
                               .face = tile->face,
                               .outline = tile->outline,
@@ -511,7 +479,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
                               .depth = hide_float_below(depth - slack),
                               .face_count = found.count};
     if (corners && fronts->cover.depth)
-        cover_add(&fronts->cover, &scratch->scan, fronts->P,
+        cover_add(&fronts->cover, &scratch->cover.scan, fronts->P,
                   &(cover_front){.corner = outline,
                                  .count = cycle,
                                  .by = whole ? tile->whole : ROBERTS_NONE,

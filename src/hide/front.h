@@ -9,9 +9,8 @@
 
 /* Memory of one thread. */
 typedef struct front_scratch {
-    scan scan;
     uint32_t *next; /* [vertices of a solid] the next corner of the outline */
-    char apart[THREADS_APART];
+    cover_scratch cover;
 } front_scratch;
 
 /* Maps a body of the tile and adds its fronts. False: no memory. */

@@ -348,7 +348,7 @@ static bool alloc_scratch(build *b)
     b->scratch = alloc_zeroed((size_t)b->threads, sizeof *b->scratch);
     for (int i = 0; b->scratch && i < b->threads; i++) {
         b->scratch[i].next = alloc_array((size_t)most + THREADS_APART, sizeof *b->scratch[i].next);
-        if (!b->scratch[i].next || !scan_init(&b->scratch[i].scan, fronts->cover.frame.nx))
+        if (!b->scratch[i].next || !scan_init(&b->scratch[i].cover.scan, fronts->cover.frame.nx))
             return false;
     }
     return b->scratch != NULL;
@@ -358,7 +358,7 @@ static void free_scratch(build *b)
 {
     for (int i = 0; b->scratch && i < b->threads; i++) {
         free(b->scratch[i].next);
-        scan_free(&b->scratch[i].scan);
+        cover_scratch_free(&b->scratch[i].cover);
     }
     free(b->scratch);
 }
@@ -563,7 +563,7 @@ static scan_frame cover_frame(const hide_fronts *fronts, int threads)
     if (whole)
         return cells_of_whole(whole, margin);
     return cells_for_covers(&(cells_boxes){fronts->box, fronts->scene->solid_count, fronts->low, fronts->high, margin},
-                            threads);
+                            fronts->scene->vertex_count, threads);
 }
 
 static bool begin_covers(hide_fronts *fronts, scan_frame frame, int threads)

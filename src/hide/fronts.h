@@ -107,6 +107,15 @@ static inline bool hide_is_face(const hide_front *front)
     return front->kind >= HIDE_SOLID_FACE;
 }
 
+/* Returns the depth of the farthest of these vertices. */
+static inline double hide_farthest(const hide_fronts *fronts, const uint32_t *corner, uint32_t corners)
+{
+    double depth = INFINITY;
+    for (uint32_t i = 0; i < corners; i++)
+        depth = lesser(depth, fronts->P[corner[i]].z);
+    return depth;
+}
+
 /* Returns the key of a front: it does not hide lines that list this key. */
 static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *front)
 {

@@ -444,7 +444,8 @@ static bool count_cells(planner *pl, double margin)
         box[i] = (hide_box){at->low[0], at->high[0], at->low[1], at->high[1], 0.0f, 0.0f};
     }
     if (box) {
-        const scan_frame frame = cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin}, 1);
+        const scan_frame frame =
+            cells_for_covers(&(cells_boxes){box, count, whole->low, whole->high, margin}, pl->p->facts.weight, 1);
         whole->columns = frame.nx;
         whole->rows = frame.ny;
         whole->warped = frame.warps != NULL;
@@ -642,8 +643,7 @@ static bool is_sound(const plan_facts *facts, uint64_t end)
            facts->places >= PLAN_BEGIN && facts->places <= facts->starts && facts->starts <= facts->names &&
            facts->names <= end && facts->starts - facts->places == facts->bodies * sizeof(plan_place) &&
            facts->names - facts->starts >= facts->bodies * sizeof(uint32_t) && facts->inputs > 0 &&
-           cells_may_cover(facts->whole.columns, facts->whole.rows, (uint32_t)facts->bodies) &&
-           facts->whole.warped <= 1 &&
+           cells_may_cover(facts->whole.columns, facts->whole.rows, facts->weight) && facts->whole.warped <= 1 &&
            (!facts->whole.warped || (warp_is_sound(&facts->whole.warps[0]) && warp_is_sound(&facts->whole.warps[1])));
 }
 

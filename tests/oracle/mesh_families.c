@@ -320,6 +320,59 @@ static void books(workshop *w)
     }
 }
 
+/* An octahedron with a point over each face, perhaps inside it: a star, or a dented body. mixed: some faces are wound
+ * the other way. */
+static void star_at(workshop *w, const int at[3], bool mixed)
+{
+    const int r = any(w, 4, 9), out = any(w, 1, r);
+    uint32_t end[3][2];
+    for (int axis = 0; axis < 3; axis++)
+        for (int side = 0; side < 2; side++) {
+            int p[3] = {at[0] + any(w, -1, 1), at[1] + any(w, -1, 1), at[2] + any(w, -1, 1)};
+            p[axis] += side ? r : -r;
+            end[axis][side] = vertex(w, p[0], p[1], p[2]);
+        }
+    for (int k = 0; k < 8; k++) {
+        const int x = k & 1, y = k >> 1 & 1, z = k >> 2;
+        const bool even = (x + y + z) % 2 == 0;
+        uint32_t top = vertex(w, at[0] + (x ? out : -out), at[1] + (y ? out : -out), at[2] + (z ? out : -out));
+        const uint32_t c[3] = {end[0][x], end[1][y], end[2][z]};
+        for (int i = 0; i < 3; i++) {
+            bool turned = even ^ (mixed && any(w, 0, 3) == 0);
+            triangle(w, c[turned ? (i + 1) % 3 : i], c[turned ? i : (i + 1) % 3], top);
+        }
+    }
+}
+
+/* A sheet with folds and holes. */
+static void sheet_at(workshop *w, const int at[3])
+{
+    uint32_t v[4][4];
+    for (int i = 0; i < 4; i++)
+        for (int k = 0; k < 4; k++)
+            v[i][k] =
+                vertex(w, at[0] + 5 * i - 8 + any(w, -3, 3), at[1] + 5 * k - 8 + any(w, -3, 3), at[2] + any(w, -2, 2));
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            if (any(w, 0, 8) == 0)
+                continue;
+            triangle(w, v[i][k], v[i + 1][k], v[i + 1][k + 1]);
+            triangle(w, v[i][k], v[i + 1][k + 1], v[i][k + 1]);
+        }
+}
+
+/* Bodies heaped over one another, so that covers hide many of them: see cover_add_body(). */
+static void heaps(workshop *w)
+{
+    for (int i = any(w, 6, 12); i > 0; i--) {
+        int at[3] = {any(w, -5, 5), any(w, -5, 5), any(w, -20, 20)}, kind = any(w, 0, 3);
+        if (kind == 0)
+            sheet_at(w, at);
+        else
+            star_at(w, at, kind == 1);
+    }
+}
+
 /* ---- faces of any shape, in planes through whole points ---- */
 
 /* A star polygon, a concave one, or a random one that crosses itself; perhaps with a point over it. */
@@ -389,6 +442,7 @@ static const mesh_family families[] = {
     {"soup", soup},
     {"knots", knots},
     {"books", books},
+    {"heaps", heaps},
     {"stars", stars},
     {"slits", slits},
     {"overlaps", overlaps},

@@ -132,9 +132,13 @@ static void drop_ring(roberts_region_list *list)
     list->region[list->count - 1].ring_count--;
 }
 
+/* Of the largest region: a sliver's area may be less than what the judge allows. */
 static void state_area(roberts_region_list *list)
 {
-    list->region[0].area *= 1 + 1e-6;
+    size_t largest = 0;
+    for (size_t i = 1; i < list->count; i++)
+        largest = list->region[i].area > list->region[largest].area ? i : largest;
+    list->region[largest].area *= 1 + 1e-6;
 }
 
 static void turn_ring(roberts_region_list *list)

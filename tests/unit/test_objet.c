@@ -907,7 +907,7 @@ static void cells_by_table(void **state)
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         make_boxes(box, table[i].huge, table[i].w, table[i].h, &r);
         scan_frame f = cells_for_lists(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 0, &depth);
-        scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 1);
+        scan_frame c = cells_for_covers(&(cells_boxes){box, BOXES, window_low, window_high, MARGIN}, 8 * BOXES, 1);
         double listed = entries(&f, box), cells = (double)scan_cells(&f), covers = (double)scan_cells(&c);
         free(f.warps);
         free(c.warps);
@@ -956,15 +956,15 @@ static void cells_where_boxes_crowd(void **state)
     assert_non_null(f.warps);
     assert_true(is_narrow_at(&f, 1.1) && entries(&f, box) < 12.0 * BOXES);
     free(f.warps);
-    f = cells_for_covers(&boxes, 1); /* no depth anywhere */
+    f = cells_for_covers(&boxes, 8 * boxes.count, 1); /* no depth anywhere */
     assert_int_equal(scan_cells(&f), 0);
     assert_null(f.warps);
     assert_null(cells_for_lists(&boxes, 30, &depth).warps);
     make_boxes(box, 0, 0.03, 0.05, &r);
-    f = cells_for_covers(&boxes, 1);
+    f = cells_for_covers(&boxes, 8 * boxes.count, 1);
     assert_true(scan_cells(&f) > BOXES && !f.warps);
     crowd_boxes(box);
-    f = cells_for_covers(&boxes, 1);
+    f = cells_for_covers(&boxes, 8 * boxes.count, 1);
     assert_non_null(f.warps);
     assert_true(is_narrow_at(&f, 1.1) && scan_cells(&f) > BOXES && scan_cells(&f) < 64.0 * BOXES);
     free(f.warps);
@@ -987,7 +987,7 @@ static void cells_given_or_few(void **state)
     assert_true(f.nx == 1 && f.ny == 1);
     f = cells_for_lists(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 0, &depth); /* no width */
     assert_true(f.nx >= 1 && f.ny >= 1 && f.dx > 0 && f.dy > 0);
-    f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 1);
+    f = cells_for_covers(&(cells_boxes){box, 2, window_low, upright, MARGIN}, 16, 1);
     assert_int_equal(scan_cells(&f), 0);
     double area = (window_high.x - window_low.x) * (window_high.y - window_low.y);
     cells_for_lists(&(cells_boxes){box, 2, window_low, window_high, MARGIN}, 0, &depth);
@@ -1003,10 +1003,11 @@ static void cells_by_threads(void **state)
     assert_non_null(box);
     for (int i = 0; i < 4; i++)
         make_boxes(box + i * BOXES, 20, 0.03, 0.05, &r);
-    scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, 1);
+    scan_frame one = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, 32 * BOXES, 1);
     assert_true(one.nx > 100);
     for (int threads = 2; threads < 5; threads++) {
-        scan_frame f = cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, threads);
+        scan_frame f =
+            cells_for_covers(&(cells_boxes){box, 4 * BOXES, window_low, window_high, MARGIN}, 32 * BOXES, threads);
         assert_memory_equal(&f, &one, sizeof f);
     }
     free(box);
