@@ -39,9 +39,13 @@
 #define COVER_SMALLEST 0.3
 /* Mean number of boxes over a point of the picture from which covers pay. In flat scenes they cost a little. */
 #define COVER_DEPTH 2.5
-/* The most cells per box; and per vertex for covers, where CELLS_FREE more cells cost next to nothing. */
+/* The same for the faces of one body. (A triangle takes half of its box.) */
+#define OWN_COVER_DEPTH 6.0
+/* The most cells per box; and per vertex for covers, where CELLS_FREE more cells cost next to nothing. The most per
+ * face for covers of one body. */
 #define CELLS_PER_BOX 4.0
 #define COVER_CELLS_PER_VERTEX 6.0
+#define OWN_COVER_CELLS_PER_FACE 6.0
 #define CELLS_FREE 65536.0
 /* The most cells and entries per box, together, if the number of cells is asked for; ASKED_FREE do not count. At some
  * ten bytes each they take less than the scene. Where the lists have trees it is a hundred bytes, and they take several
@@ -236,6 +240,16 @@ scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads)
     const double boxes = (double)vertices > PLAIN_VERTICES * count ? BOXES_PER_SMALL_COVER_CELL : BOXES_PER_COVER_CELL;
     divide_window(&s, count, boxes * smaller, most_cover_cells(vertices), &nx, &ny);
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
+}
+
+scan_frame cells_for_own_covers(const cells_boxes *b)
+{
+    double nx, ny;
+    const sizes s = measure_boxes(b, NULL, 1);
+    if (!(s.area > OWN_COVER_DEPTH))
+        return (scan_frame){0};
+    divide_window(&s, b->count, BOXES_PER_COVER_CELL, OWN_COVER_CELLS_PER_FACE * b->count, &nx, &ny);
+    return scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin);
 }
 
 scan_frame cells_of_whole(const scene_whole *w, double margin)

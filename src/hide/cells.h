@@ -25,6 +25,10 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
  * number of threads does not change the result. Warps as above; cover_init() takes them. */
 scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads);
 
+/* Returns the cells for covers that hide faces of one body: the boxes are those of its faces. If few of them lie over
+ * one another, the frame has no columns. */
+scan_frame cells_for_own_covers(const cells_boxes *b);
+
 /* Returns the cells for covers of the scene to which a part belongs, as its plan keeps them. */
 scan_frame cells_of_whole(const scene_whole *w, double margin);
 

@@ -9,6 +9,7 @@
 #include "base/box.h"
 #include "base/lanes.h"
 #include "base/threads.h"
+#include "hide/cells.h"
 #include "hide/front.h"
 #include "hide/objet.h"
 
@@ -21,6 +22,9 @@ enum { CELLS_BESIDE = 4 };
 
 /* Faces cover cells together only in bodies of some faces, and of not too many cells for each. */
 enum { TOGETHER_FACES = 4, TOGETHER_CELLS = 64 };
+
+/* Bodies of fewer faces have no covers of their own. */
+enum { OWN_FACES = 64 };
 
 static bool fill_some(void *context, size_t first, size_t end)
 {
@@ -270,10 +274,30 @@ static bool begin_cells(const hide_fronts *fronts, cover_scratch *w, uint32_t bo
     return true;
 }
 
+/* Returns a face as a cover. */
+static cover_front cover_of_face(const hide_fronts *fronts, uint32_t body, uint32_t face, hide_single *single)
+{
+    hide_make_face(fronts, body, face, single);
+    const hide_face *F = &single->face;
+    return (cover_front){.corner = F->corner,
+                         .count = F->count,
+                         .by = ROBERTS_NONE,
+                         .face = F,
+                         .face_count = 1,
+                         .depth = hide_farthest(fronts, F->corner, F->count),
+                         .slack = 2.0 * (F->touch + hide_margin(&fronts->space)) / -F->F.c};
+}
+
+/* May the box hold a cell? */
+static inline bool may_hold_cell(const scan_frame *f, const hide_box *box)
+{
+    return scan_columns(f, (double)box->x0, (double)box->x1) >= 1.0 &&
+           scan_rows(f, (double)box->y0, (double)box->y1) >= 1.0;
+}
+
 bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int late)
 {
     const scene_solid *own = &fronts->scene->solid[body];
-    const scan_frame *f = &fronts->cover.frame;
     body_cells cells;
     bool together;
     if (!begin_cells(fronts, w, body, late, &cells, &together))
@@ -282,21 +306,11 @@ bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int la
         if (fronts->seen->facing[face] == VIEW_EDGE_ON)
             continue;
         const hide_box box = front_box_of_face(fronts, face);
-        const bool wide = scan_columns(f, (double)box.x0, (double)box.x1) >= 1.0 &&
-                          scan_rows(f, (double)box.y0, (double)box.y1) >= 1.0; /* it may hold a cell */
-        const bool taken = together && w->taken[face - own->face];
+        const bool wide = may_hold_cell(&fronts->cover.frame, &box), taken = together && w->taken[face - own->face];
         if (!wide && !taken)
             continue;
         hide_single single;
-        hide_make_face(fronts, body, face, &single);
-        const hide_face *F = &single.face;
-        const cover_front front = {.corner = F->corner,
-                                   .count = F->count,
-                                   .by = ROBERTS_NONE,
-                                   .face = F,
-                                   .face_count = 1,
-                                   .depth = hide_farthest(fronts, F->corner, F->count),
-                                   .slack = 2.0 * (F->touch + hide_margin(&fronts->space)) / -F->F.c};
+        const cover_front front = cover_of_face(fronts, body, face, &single);
         if (wide)
             cover_add(&fronts->cover, &w->scan, fronts->P, &front);
         if (taken)
@@ -305,6 +319,34 @@ bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int la
     if (together)
         raise_cells(&fronts->cover, &cells);
     return true;
+}
+
+bool cover_add_own(hide_fronts *fronts, uint32_t body, uint32_t first, uint32_t end)
+{
+    if (!fronts->own || end - first < OWN_FACES)
+        return true;
+    const hide_box *box = &fronts->box[body];
+    const scan_frame frame = cells_for_own_covers(&(cells_boxes){fronts->front_box + first,
+                                                                 end - first,
+                                                                 {(double)box->x0, (double)box->y0},
+                                                                 {(double)box->x1, (double)box->y1},
+                                                                 hide_margin(&fronts->space)});
+    if (!frame.nx)
+        return true;
+    scan s = {0};
+    cover *own = fronts->own[body] = alloc_zeroed(1, sizeof *own);
+    const bool enough = own && cover_init(own, frame, 1) && scan_init(&s, frame.nx);
+    for (uint32_t k = first; enough && k < end; k++) {
+        hide_single single;
+        if (!may_hold_cell(&frame, &fronts->front_box[k]))
+            continue;
+        const cover_front front = cover_of_face(fronts, body, fronts->front[k].piece, &single);
+        cover_add(own, &s, fronts->P, &front);
+    }
+    for (uint32_t k = first; enough && k < end; k++)
+        fronts->front[k].listed = !cover_hides(own, &fronts->front_box[k]);
+    scan_free(&s);
+    return enough;
 }
 
 /* ---- what covers hide -------------------------------------------------------------------------------------------- */

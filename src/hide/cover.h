@@ -66,6 +66,10 @@ void cover_scratch_free(cover_scratch *w);
  * are late do not count here, and an edge between such a face and another one is a fold. False: no memory. */
 bool cover_add_body(struct hide_fronts *fronts, cover_scratch *w, uint32_t body, int late);
 
+/* Makes covers of the faces of one such body, which are the fronts first..end-1, if they lie over one another many
+ * times (hide_fronts.own). Fronts that these hide are not listed. False: no memory. */
+bool cover_add_own(struct hide_fronts *fronts, uint32_t body, uint32_t first, uint32_t end);
+
 /* Do the fronts added so far certainly hide the solid? box: that of the solid. The solid need not be mapped. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid);
 

@@ -384,8 +384,10 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_t
         if (facing != VIEW_EDGE_ON && facing != late)
             set_face(fronts, to++, body, face);
     }
+    const uint32_t first_front = tile->surface;
     tile->surface = to;
-    return !fronts->cover.depth || cover_add_body(fronts, w, body, late);
+    return (!fronts->cover.depth || cover_add_body(fronts, w, body, late)) &&
+           cover_add_own(fronts, body, first_front, to);
 }
 
 void hide_make_face(const hide_fronts *fronts, uint32_t solid, uint32_t piece, hide_single *to)

@@ -29,6 +29,7 @@ typedef struct build {
     front_scratch *scratch; /* [threads] */
     int threads;
     bool looked_up; /* hide_seen_at() will be called */
+    bool cull;      /* what is hidden is left out */
     bool may_wait;  /* see hide_fronts.late */
 } build;
 
@@ -530,6 +531,8 @@ static bool alloc_fronts(build *b)
     fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
     fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
     fronts->outline = alloc_sparse(scene->vertex_count, sizeof *fronts->outline);
+    if (b->cull && scene->surface && !(fronts->own = alloc_zeroed(scene->solid_count, sizeof *fronts->own)))
+        return false;
     if (b->may_wait && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
         return false;
     return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
@@ -579,6 +582,7 @@ bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hid
     build b = {.fronts = fronts,
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
                .looked_up = looked_up,
+               .cull = cull,
                .may_wait = cull && mesh && !looked_up};
     *fronts = (hide_fronts){.seen = s, .scene = scene};
     scan_frame frame = {0};
@@ -617,5 +621,11 @@ void hide_fronts_free(hide_fronts *fronts)
     runs_table_free(&fronts->outline_runs);
     bundle_table_free(&fronts->bundles);
     cover_free(&fronts->cover);
+    for (uint32_t s = 0; fronts->own && s < fronts->scene->solid_count; s++)
+        if (fronts->own[s]) {
+            cover_free(fronts->own[s]);
+            free(fronts->own[s]);
+        }
+    free(fronts->own);
     *fronts = (hide_fronts){0};
 }

@@ -27,7 +27,7 @@ typedef struct hide_front {
     uint32_t solid;
     uint32_t piece; /* a single face: its number in the scene */
     uint8_t kind;   /* hide_kind */
-    bool listed;    /* false: a copy of another front */
+    bool listed;    /* false: a copy of another front, or hidden by faces of its own body */
 } hide_front;
 
 /* Additional data of a whole front. */
@@ -70,6 +70,7 @@ typedef struct hide_fronts {
     bundle_table bundles;
     runs_table face_runs, outline_runs; /* of faces and of outlines with very many corners */
     cover cover;
+    cover **own;                      /* [solid_count] covers that hide faces and lines of their own body; or NULL */
     uint32_t most_corners;            /* of a face or an outline */
     size_t face_count, back, edge_on; /* faces of bodies that are not culled, by their facing */
     size_t culled_count;              /* bodies that are hidden; not those that the near plane has removed */
@@ -105,6 +106,12 @@ BITS_INLINE void hide_fronts_fetch(const hide_fronts *fronts, uint32_t solid)
 static inline bool hide_is_face(const hide_front *front)
 {
     return front->kind >= HIDE_SOLID_FACE;
+}
+
+/* Returns the covers that hide faces and lines of their own body, or NULL. */
+static inline const cover *hide_own_cover(const hide_fronts *fronts, uint32_t body)
+{
+    return fronts->own ? fronts->own[body] : NULL;
 }
 
 /* Returns the depth of the farthest of these vertices. */

@@ -87,7 +87,7 @@ static bool fold_edges(const layers *l, objet_walk *walk, uint32_t first, uint32
     return true;
 }
 
-/* Records those fronts that are not triangles of a surface as folds. */
+/* Records those fronts that are not triangles of a surface, or that covers hide, as folds. */
 static bool fold_fronts(void *context, size_t first, size_t end)
 {
     const layers *l = context;
@@ -96,7 +96,7 @@ static bool fold_fronts(void *context, size_t first, size_t end)
     for (uint32_t k = (uint32_t)first; k < end; k++) {
         const hide_front *front = &fronts->front[k];
         bool sheet = front->kind == HIDE_SURFACE_FACE && start[front->piece + 1] - start[front->piece] == 3;
-        if (!sheet && front->listed)
+        if (front->kind == HIDE_SURFACE_FACE ? !sheet || !front->listed : front->listed)
             fold_box(l, &fronts->front_box[k], hide_loose(fronts, k));
     }
     return true;
@@ -198,16 +198,18 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
  * so they hide nothing that it does not hide, and no line in which they cross another face is seen. They never become
  * fronts. */
 
-/* Is the box nowhere hidden by a sheet in some cell that it touches? Where it is hidden, its depth becomes that of a
- * fold: lines are not in the sheet if they are as deep. */
-static bool is_before_sheets(const layers *l, const hide_box *box)
+/* Is the box, that of a face of the body, hidden neither by the body's own covers nor everywhere by sheets? Where it is
+ * hidden, its depth becomes that of a fold: lines are not in the sheet if they are as deep. */
+static bool is_before_sheets(const layers *l, uint32_t body, const hide_box *box)
 {
     const scan_frame *s = &l->grid->frame;
+    const cover *own = hide_own_cover(l->fronts, body);
+    const bool covered = own && cover_hides(own, box);
     objet_range in = objet_range_of(s, box, s->margin);
     bool before = false;
     for (uint32_t i = in.left; i <= in.right; i++)
         for (uint32_t j = in.low; j <= in.high; j++)
-            if (box->z1 < l->grid->sheet.depth[(size_t)i * s->ny + j])
+            if (covered || box->z1 < l->grid->sheet.depth[(size_t)i * s->ny + j])
                 fold_cell(l, i, j, box->z1);
             else
                 before = true;
@@ -226,7 +228,7 @@ static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t 
             if (late == VIEW_UNKNOWN || facing[face] != late)
                 continue;
             hide_box box = front_box_of_face(l->fronts, face);
-            if (!is_before_sheets(l, &box))
+            if (!is_before_sheets(l, body, &box))
                 continue;
             if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
                 return false;

@@ -266,10 +266,12 @@ static bool has_segments(const hide_job *job, uint32_t body)
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Does AB lie completely behind covers or sheets? Neither is tested if hidden lines are wanted. */
-BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
+/* Does AB, a line of the body, lie completely behind covers or sheets? Neither is tested if hidden lines are wanted. */
+BITS_INLINE bool is_covered(const hide_job *job, uint32_t body, roberts_vec3 A, roberts_vec3 B)
 {
-    return !job->options->keep_hidden && covers_hide_edge(&job->fronts.cover, &job->grid.sheet, A, B);
+    const cover *own = hide_own_cover(&job->fronts, body);
+    return !job->options->keep_hidden &&
+           (covers_hide_edge(&job->fronts.cover, &job->grid.sheet, A, B) || (own && cover_hides_edge(own, A, B)));
 }
 
 /* Takes the next lines of a walk, at most `most`. Lines behind covers are dropped at once; there are covers only if
@@ -277,7 +279,7 @@ BITS_INLINE bool is_covered(const hide_job *job, roberts_vec3 A, roberts_vec3 B)
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const roberts_vec3 *P = job->fronts.P;
-    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth;
+    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth || job->fronts.own;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
@@ -289,7 +291,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (covers && is_covered(job, P[is->v[0]], P[is->v[1]])) {
+        if (covers && is_covered(job, walk->body, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
@@ -369,9 +371,10 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
     return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
 }
 
-/* Takes a group of lines that are no edges, from *next up to `end`, and moves *next on. False: no memory. */
-static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, uint32_t end)
+/* Takes a group of lines of a body that are no edges, from *next on, and moves *next on. False: no memory. */
+static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uint32_t *next)
 {
+    const uint32_t end = job->seen.further.first[body + 1];
     hide_worker_begin(w, ROBERTS_NONE);
     if (!hide_worker_reserve(w, HIDE_GROUP))
         return false;
@@ -380,7 +383,7 @@ static bool take_further(const hide_job *job, hide_worker *w, uint32_t *next, ui
         line->is = job->seen.further.line[*next];
         w->drawn++;
         hide_worker_add(w, line);
-        if (is_covered(job, line->e.A, line->e.B)) {
+        if (is_covered(job, body, line->e.A, line->e.B)) {
             w->sides.tally.covered++;
             w->line_count--;
         }
@@ -392,8 +395,7 @@ static bool find_further(const hide_job *job, hide_worker *w, hide_chunk *out, u
 {
     const uint32_t *first = job->seen.further.first;
     for (uint32_t next = first[body]; next < first[body + 1];)
-        if (!take_further(job, w, &next, first[body + 1]) || !hide_lines(job, w) ||
-            !add_body_segments(job, w, out, body))
+        if (!take_further(job, w, body, &next) || !hide_lines(job, w) || !add_body_segments(job, w, out, body))
             return false;
     return true;
 }
@@ -447,7 +449,7 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
             if (!crossings_unite(c, &job->seen, k, &line->is))
                 continue;
             hide_worker_add(w, line);
-            if (is_covered(job, line->e.A, line->e.B)) {
+            if (is_covered(job, c->item[k].body[0], line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
                 w->line_count--;
             } else if (crossings_is_back(c, &job->seen, k) &&

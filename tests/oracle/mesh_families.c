@@ -373,6 +373,25 @@ static void heaps(workshop *w)
     }
 }
 
+/* One sheet folded many times, so that its own faces hide nearly all of it: see cover_add_own(). */
+static void pleats(workshop *w)
+{
+    enum { PLEATS = 9, ROWS = 4, ACROSS = 5, SIZE = 40 };
+    uint32_t v[PLEATS * ROWS][ACROSS];
+    const int loose = any(w, 0, 3);
+    for (int i = 0; i < PLEATS * ROWS; i++) {
+        const int pleat = i / ROWS, half = SIZE / 2 - pleat, along = i % ROWS, x = 2 * half * along / (ROWS - 1) - half;
+        for (int k = 0; k < ACROSS; k++)
+            v[i][k] = vertex(w, (pleat % 2 ? -x : x) + any(w, -loose, loose),
+                             2 * half * k / (ACROSS - 1) - half + any(w, -loose, loose), -4 * pleat + any(w, 0, loose));
+    }
+    for (int i = 0; i + 1 < PLEATS * ROWS; i++)
+        for (int k = 0; k + 1 < ACROSS; k++) {
+            triangle(w, v[i][k], v[i + 1][k], v[i][k + 1]);
+            triangle(w, v[i + 1][k], v[i + 1][k + 1], v[i][k + 1]);
+        }
+}
+
 /* ---- faces of any shape, in planes through whole points ---- */
 
 /* A star polygon, a concave one, or a random one that crosses itself; perhaps with a point over it. */
@@ -443,6 +462,7 @@ static const mesh_family families[] = {
     {"knots", knots},
     {"books", books},
     {"heaps", heaps},
+    {"pleats", pleats},
     {"stars", stars},
     {"slits", slits},
     {"overlaps", overlaps},
