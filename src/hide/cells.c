@@ -29,10 +29,11 @@
 #define ENTRIES_FREE 4096.0
 /* Width of a cover's cell in mean boxes. It is small because a cell that an outline crosses is not covered. */
 #define BOXES_PER_COVER_CELL 0.11
-/* The same for bodies of more than PLAIN_VERTICES vertices, on average. Most of these are not convex; fewer of their
- * cells are covered, and their lines cost more. */
+/* The same for bodies of more than MANY_VERTICES vertices, on average. Most of these are not convex; fewer of their
+ * cells are covered, and their lines cost more. And for loose triangles, which fill half of their boxes. */
 #define BOXES_PER_SMALL_COVER_CELL 0.055
-#define PLAIN_VERTICES 16.0
+#define MANY_VERTICES 16.0
+#define LOOSE_VERTICES 3.0
 /* The more boxes lie over one another, the more smaller cells gain. So cells shrink from this depth on. */
 #define COVER_DEPTH_OF_SMALLER 40.0
 #define COVER_SHRINKING 0.3
@@ -237,7 +238,8 @@ scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads)
         return (scan_frame){0};
     double smaller = s.area > COVER_DEPTH_OF_SMALLER ? pow(COVER_DEPTH_OF_SMALLER / s.area, COVER_SHRINKING) : 1.0;
     smaller = greater(smaller, COVER_SMALLEST); /* each front writes all cells that it covers */
-    const double boxes = (double)vertices > PLAIN_VERTICES * count ? BOXES_PER_SMALL_COVER_CELL : BOXES_PER_COVER_CELL;
+    const bool small = (double)vertices > MANY_VERTICES * count || (double)vertices <= LOOSE_VERTICES * count;
+    const double boxes = small ? BOXES_PER_SMALL_COVER_CELL : BOXES_PER_COVER_CELL;
     divide_window(&s, count, boxes * smaller, most_cover_cells(vertices), &nx, &ny);
     return with_warps(scan_frame_over(b->low, b->high, whole(nx), whole(ny), b->margin), warped ? warps : NULL);
 }

@@ -246,6 +246,16 @@ static void raise_cells(cover *c, const body_cells *cells)
         }
 }
 
+/* May the near plane have cut the body? A border that it has made is no edge, and ends in new vertices. */
+static bool may_be_cut(const hide_fronts *fronts, uint32_t body)
+{
+    const scene_solid *own = &fronts->scene->solid[body];
+    for (uint32_t v = own->vertex; fronts->seen->clip.clipped && v < own[1].vertex; v++)
+        if (scene_vertex_number(fronts->scene, v) == ROBERTS_NONE)
+            return true;
+    return false;
+}
+
 /* Finds the cells of a body whose faces may cover cells together, and the faces that count. *together: there are such
  * cells. False: no memory. */
 static bool begin_cells(const hide_fronts *fronts, cover_scratch *w, uint32_t body, int late, body_cells *cells,
@@ -258,9 +268,8 @@ static bool begin_cells(const hide_fronts *fronts, cover_scratch *w, uint32_t bo
     const objet_range *in = &cells->in;
     cells->rows = in->high - in->low + 1;
     const size_t count = (size_t)(in->right - in->left + 1) * cells->rows;
-    /* a border that the near plane has made is no edge */
-    *together = !fronts->seen->clip.clipped && faces >= TOGETHER_FACES && count <= (size_t)TOGETHER_CELLS * faces &&
-                in->right - in->left >= 2 && in->high - in->low >= 2;
+    *together = faces >= TOGETHER_FACES && count <= (size_t)TOGETHER_CELLS * faces && in->right - in->left >= 2 &&
+                in->high - in->low >= 2 && !may_be_cut(fronts, body);
     if (!*together)
         return true;
     if (!array_reserve(&w->depth, &w->depth_room, count, sizeof *w->depth) ||

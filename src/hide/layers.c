@@ -108,9 +108,30 @@ static bool fold_some(void *context, size_t first, size_t end)
     return fold_edges(l, &l->walk[thread_self()], (uint32_t)first, (uint32_t)end);
 }
 
+/* Records the borders of the faces first..end-1 that the near plane has made: no edges, but sides between new vertices.
+ * False: no memory. */
+static bool fold_cuts(void *context, size_t first, size_t end)
+{
+    const layers *l = context;
+    const roberts_scene *scene = l->fronts->scene;
+    for (size_t face = first; face < end; face++) {
+        const uint32_t *corner = scene->corner + scene->face_start[face],
+                       *last = scene->corner + scene->face_start[face + 1];
+        for (uint32_t from = last[-1]; corner < last; from = *corner++)
+            if (scene_vertex_number(scene, from) == ROBERTS_NONE &&
+                scene_vertex_number(scene, *corner) == ROBERTS_NONE &&
+                !fold_edge(l, &l->walk[thread_self()], from, *corner))
+                return false;
+    }
+    return true;
+}
+
 static bool fold_all(const layers *l)
 {
-    return threads_each(l->threads, l->fronts->scene->edge_count, EDGES_AT_ONCE, fold_some, (void *)l);
+    const roberts_scene *scene = l->fronts->scene;
+    return threads_each(l->threads, scene->edge_count, EDGES_AT_ONCE, fold_some, (void *)l) &&
+           (!l->fronts->seen->clip.clipped ||
+            threads_each(l->threads, scene->face_count, EDGES_AT_ONCE, fold_cuts, (void *)l));
 }
 
 /* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to decide, or this is no
@@ -275,9 +296,11 @@ void layers_end_late(const layers *l)
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
 /* Do corners of faces and ends of edges have the same numbers, and does no vertex lie on a side of a face? */
-static bool has_plain_edges(const scene_surface *surface)
+static bool has_plain_edges(const seen *s)
 {
-    return !surface->plane_of && surface->part_count == 0 && surface->many_count == 0;
+    const scene_surface *surface = s->scene->surface;
+    const bool pieces = s->clip.clipped ? s->clip.pieces : surface->plane_of != NULL;
+    return !pieces && surface->part_count == 0 && surface->many_count == 0;
 }
 
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
@@ -285,8 +308,8 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
     const roberts_scene *scene = fronts->scene;
     size_t cells = scan_cells(&grid->frame);
     *l = (layers){.grid = grid, .fronts = fronts};
-    if (!scene || !scene->surface || fronts->seen->clip.clipped)
-        return true; /* a border that the near plane has made is no edge */
+    if (!scene || !scene->surface)
+        return true;
     l->threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD);
     l->fold = alloc_zeroed(cells, sizeof *l->fold);
     l->walk = alloc_zeroed((size_t)l->threads, sizeof *l->walk);
@@ -294,7 +317,7 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
     grid->below = alloc_array(cells, sizeof *grid->below);
     grid->sheet.frame = grid->frame;
     grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
-    bool stars = !fronts->seen->rules.hidden && has_plain_edges(scene->surface);
+    bool stars = !fronts->seen->rules.hidden && has_plain_edges(fronts->seen);
     grid->star = stars ? alloc_zeroed(scene->vertex_count, sizeof *grid->star) : NULL;
     if (!l->fold || !l->walk || (stars && !grid->star) || !grid->apart || !grid->below || !grid->sheet.depth ||
         !fold_all(l))

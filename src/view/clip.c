@@ -406,6 +406,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
         return ROBERTS_OK;
     }
     clip->clipped = true;
+    clip->pieces = scene->surface && scene->surface->plane_of;
     clip->origin = alloc_array(scene->edge_count, sizeof *clip->origin);
     c.vertex = alloc_array(scene->vertex_count, sizeof *c.vertex);
     c.cut = alloc_array(scene->edge_count, sizeof *c.cut);
