@@ -81,19 +81,28 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front)
     return edge < end;
 }
 
-static void box_solid(const crossing_filter *p, uint32_t front)
+static hide_bounds box_of_model(const roberts_scene *scene, uint32_t body)
 {
-    const roberts_scene *scene = p->fronts->scene;
-    const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
-    hide_bounds own = hide_no_bounds;
-    box_add_all(&own.low, &own.high, scene->point + s->vertex, s[1].vertex - s->vertex);
-    p->model[front] = (model_box){own, FLAT_UNKNOWN};
+    const scene_solid *own = &scene->solid[body];
+    hide_bounds box = hide_no_bounds;
+    box_add_all(&box.low, &box.high, scene->point + own->vertex, own[1].vertex - own->vertex);
+    return box;
 }
 
 static bool box_solids(void *context, size_t first, size_t end)
 {
+    const crossing_filter *p = context;
     for (size_t k = first; k < end; k++)
-        box_solid(context, (uint32_t)k);
+        p->model[k] = (model_box){box_of_model(p->fronts->scene, p->fronts->front[k].solid), FLAT_UNKNOWN};
+    return true;
+}
+
+static bool box_bodies(void *context, size_t first, size_t end)
+{
+    const crossing_filter *p = context;
+    for (size_t body = first; body < end; body++)
+        if (!p->fronts->culled[body])
+            p->body[body] = box_of_model(p->fronts->scene, (uint32_t)body);
     return true;
 }
 
@@ -123,28 +132,34 @@ static double touching_distance(const hide_fronts *fronts)
     return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
-/* If points have low parts, boxes of their high parts prove nothing. */
+/* If points have low parts, boxes of their high parts do not prove that solids touch. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
+    const uint32_t bodies = fronts->scene->solid_count;
+    const bool singles = bodies > 1 && fronts->front_count > fronts->whole_count;
     *p = (crossing_filter){.fronts = fronts,
                            .star = grid->star,
                            .alone = threads == 1,
                            .whole = fronts->scene->low ? 0 : fronts->whole_count};
-    p->touching = p->whole > 0 ? touching_distance(fronts) : 0.0;
+    p->touching = p->whole > 0 || singles ? touching_distance(fronts) : 0.0;
     p->model = alloc_array(p->whole, sizeof *p->model);
-    if (!p->model)
+    p->body = singles ? alloc_array(bodies, sizeof *p->body) : NULL;
+    if (!p->model || (singles && !p->body))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
+    if (singles)
+        threads_each(threads, bodies, 0, box_bodies, p);
     if (!p->star)
         return true;
     threads_each(threads, fronts->front_count - fronts->whole_count, 0, mark_fronts, p);
-    threads_each(threads, fronts->scene->solid_count, 16, mark_all_late, p);
+    threads_each(threads, bodies, 16, mark_all_late, p);
     return true;
 }
 
 void filter_end(crossing_filter *p)
 {
     free(p->model);
+    free(p->body);
     *p = (crossing_filter){0};
 }
 

@@ -19,8 +19,9 @@ typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 typedef struct crossing_filter {
     const hide_fronts *fronts;
     model_box *model;   /* [whole] */
+    hide_bounds *body;  /* [solid_count] boxes of bodies along the axes of the model; NULL: not known */
     uint32_t whole;     /* number of whole solids, which come before single faces */
-    double touching;    /* model units; whole solids farther apart do not touch */
+    double touching;    /* model units; bodies farther apart do not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
     bool alone;         /* there is one thread */
 } crossing_filter;
@@ -45,17 +46,25 @@ static inline bool filter_flat(const crossing_filter *p, uint32_t front)
     return known == FLAT_UNKNOWN ? filter_find_flat(p, front) : known == FLAT_SOMEWHERE;
 }
 
-/* Do the boxes of two whole solids in the model keep them apart? Boxes that touch do, unless a flat edge of one solid
- * may lie in a face of the other. */
-static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b)
+/* Returns how far two boxes are apart along one of the axes; negative if they overlap. */
+static inline double filter_gap(const hide_bounds *f, const hide_bounds *g)
 {
-    if (a >= p->whole || b >= p->whole)
-        return false;
-    const hide_bounds *f = &p->model[a].is, *g = &p->model[b].is;
     double x = greater(f->low.x - g->high.x, g->low.x - f->high.x);
     double y = greater(f->low.y - g->high.y, g->low.y - f->high.y);
-    double z = greater(f->low.z - g->high.z, g->low.z - f->high.z), gap = greater(greater(x, y), z);
-    return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
+    double z = greater(f->low.z - g->high.z, g->low.z - f->high.z);
+    return greater(greater(x, y), z);
+}
+
+/* Do the boxes of two bodies in the model keep them apart? Boxes of whole solids that touch do, unless a flat edge of
+ * one solid may lie in a face of the other. */
+static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b)
+{
+    if (a < p->whole && b < p->whole) {
+        const double gap = filter_gap(&p->model[a].is, &p->model[b].is);
+        return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
+    }
+    const uint32_t f = p->fronts->front[a].solid, g = p->fronts->front[b].solid;
+    return p->body && f != g && filter_gap(&p->body[f], &p->body[g]) > p->touching;
 }
 
 #endif
