@@ -64,7 +64,7 @@ static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b
         return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
     }
     const uint32_t f = p->fronts->front[a].solid, g = p->fronts->front[b].solid;
-    return p->body && f != g && filter_gap(&p->body[f], &p->body[g]) > p->touching;
+    return p->body && filter_gap(&p->body[f], &p->body[g]) > p->touching;
 }
 
 #endif
