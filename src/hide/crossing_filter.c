@@ -136,18 +136,18 @@ static double touching_distance(const hide_fronts *fronts)
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     const uint32_t bodies = fronts->scene->solid_count;
-    const bool singles = bodies > 1 && fronts->front_count > fronts->whole_count;
+    const bool singles = fronts->front_count > fronts->whole_count, boxed = singles && bodies > 1;
     *p = (crossing_filter){.fronts = fronts,
                            .star = grid->star,
                            .alone = threads == 1,
                            .whole = fronts->scene->low ? 0 : fronts->whole_count};
     p->touching = p->whole > 0 || singles ? touching_distance(fronts) : 0.0;
     p->model = alloc_array(p->whole, sizeof *p->model);
-    p->body = singles ? alloc_array(bodies, sizeof *p->body) : NULL;
-    if (!p->model || (singles && !p->body))
+    p->body = boxed ? alloc_array(bodies, sizeof *p->body) : NULL;
+    if (!p->model || (boxed && !p->body))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
-    if (singles)
+    if (boxed)
         threads_each(threads, bodies, 0, box_bodies, p);
     if (!p->star)
         return true;
@@ -161,6 +161,25 @@ void filter_end(crossing_filter *p)
     free(p->model);
     free(p->body);
     *p = (crossing_filter){0};
+}
+
+static hide_bounds box_of_piece(const roberts_scene *scene, uint32_t piece)
+{
+    hide_bounds box = hide_no_bounds;
+    for (uint32_t c = scene->face_start[piece]; c < scene->face_start[piece + 1]; c++)
+        box_add(&box.low, &box.high, scene->point[scene->corner[c]]);
+    return box;
+}
+
+bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
+{
+    const hide_front *f = &p->fronts->front[a], *g = &p->fronts->front[b];
+    if (p->body && filter_gap(&p->body[f->solid], &p->body[g->solid]) > p->touching)
+        return true;
+    if (!p->fronts->seen->view.perspective || !hide_is_face(f) || !hide_is_face(g))
+        return false;
+    const hide_bounds F = box_of_piece(p->fronts->scene, f->piece), G = box_of_piece(p->fronts->scene, g->piece);
+    return filter_gap(&F, &G) > p->touching;
 }
 
 /* ---- two faces --------------------------------------------------------------------------------------------------- */

@@ -55,16 +55,18 @@ static inline double filter_gap(const hide_bounds *f, const hide_bounds *g)
     return greater(greater(x, y), z);
 }
 
-/* Do the boxes of two bodies in the model keep them apart? Boxes of whole solids that touch do, unless a flat edge of
- * one solid may lie in a face of the other. */
+/* The same as filter_apart() for two fronts of which one at least is no whole solid. In perspective, the boxes of faces
+ * count too: the pictures of faces beside the eye are large, and overlap. */
+bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b);
+
+/* Do boxes in the model keep two fronts apart? Boxes of whole solids that touch do, unless a flat edge of one solid may
+ * lie in a face of the other. */
 static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 {
-    if (a < p->whole && b < p->whole) {
-        const double gap = filter_gap(&p->model[a].is, &p->model[b].is);
-        return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
-    }
-    const uint32_t f = p->fronts->front[a].solid, g = p->fronts->front[b].solid;
-    return p->body && filter_gap(&p->body[f], &p->body[g]) > p->touching;
+    if (a >= p->whole || b >= p->whole)
+        return filter_singles_apart(p, a, b);
+    const double gap = filter_gap(&p->model[a].is, &p->model[b].is);
+    return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
 }
 
 #endif
