@@ -93,10 +93,12 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
-/* The same for pieces of which nothing is known yet. */
+/* The same for pieces of which nothing is known yet. Nothing crosses a cap: everything ends at the near plane. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
+    if (seen_is_cap(t->rules.scene, pair->piece[0]) || seen_is_cap(t->rules.scene, pair->piece[1]))
+        return true;
     if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
     /* For a face in several pieces, the first one is enough: meet_pairs() looks at the rest, once. */
@@ -177,7 +179,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_copies(t, list[i].front, list[k].front);
-    if (filter_faces(fronts, list[i].front, list[k].front))
+    if (seen_is_cap(fronts->scene, f->piece) || seen_is_cap(fronts->scene, g->piece) ||
+        filter_faces(fronts, list[i].front, list[k].front))
         return true;
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }

@@ -283,6 +283,14 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
+/* Is the face part of a cap, by which a body is closed where the near plane cuts it? Besides caps, only faces of hulls
+ * have no number, and their corners are in the input. */
+static inline bool seen_is_cap(const roberts_scene *scene, uint32_t face)
+{
+    return scene_face_number(scene, face) == ROBERTS_NONE &&
+           scene_vertex_number(scene, scene->corner[scene->face_start[face]]) == ROBERTS_NONE;
+}
+
 /* Does an edge of a body that is not convex have one face on its left in the picture and one on its right? facing: of
  * the faces of its body. is: its entry of scene_surface.edge_is. */
 static inline bool seen_joins_faces(const unsigned char *facing, const scene_edge *edge, uint8_t is)
