@@ -248,7 +248,7 @@ size_t roberts_scene_piece_count(const roberts_scene *scene);
 /** What a body is. */
 typedef enum roberts_body_kind {
     ROBERTS_CONVEX, /**< a closed convex solid */
-    ROBERTS_CLOSED, /**< each edge has two faces */
+    ROBERTS_CLOSED, /**< each edge has two faces, or another even number of them */
     ROBERTS_OPEN,   /**< anything else: sheets, loose faces, wires, edges of one face or of three or more */
 } roberts_body_kind;
 

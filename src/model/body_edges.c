@@ -126,19 +126,25 @@ static bool store_part(body_edges *list, scene_surface *to, const surface_edge *
     return true;
 }
 
-/* Do the edge's pieces belong to exactly two faces? */
-static bool is_two_faced(const surface *s, const surface_edge *e)
+enum { EVEN_MOST = 16 }; /* faces at an edge; to count more would take long */
+
+/* Do the edge's pieces belong to an even number of faces? More than EVEN_MOST count as odd. */
+static bool is_even(const surface *s, const surface_edge *e)
 {
+    uint32_t face[EVEN_MOST], count = 0;
     if (e->piece[1] == ROBERTS_NONE)
         return false;
-    uint32_t first = s->face[piece_of(e->piece[0])], other = first;
     for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++) {
-        uint32_t own = s->face[piece_of(s->many[k])];
-        if (own != first && other != first && own != other)
+        const uint32_t own = s->face[piece_of(s->many[k])];
+        uint32_t i = 0;
+        while (i < count && face[i] != own)
+            i++;
+        if (i == EVEN_MOST)
             return false;
-        other = own != first ? own : other;
+        face[i] = own;
+        count += i == count;
     }
-    return e->many == ROBERTS_NONE || other != first;
+    return count % 2 == 0;
 }
 
 /* Does the edge run opposite to the file's edge of which it is a part? */
@@ -177,7 +183,7 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b)
             (is & EDGE_PART && !store_part(list, to, e, edge)))
             return false;
         to->edge_is[edge] = is;
-        closed = closed && is_two_faced(s, e);
+        closed = closed && is_even(s, e);
     }
     to->kind[b] = closed ? ROBERTS_CLOSED : ROBERTS_OPEN;
     return true;

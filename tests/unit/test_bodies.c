@@ -162,6 +162,36 @@ static void lines_have_their_classes(void **state)
     }
 }
 
+/* Five cubes as one body; two of them touch in an edge, at which four faces meet. The last face can be left out. */
+#define CUBES                                                                                                          \
+    "0 0 1\n0 1 1\n0 1 0\n0 0 0\n1 0 0\n1 1 0\n1 1 1\n1 0 1\n0 0 2\n0 1 2\n1 0 2\n1 1 2\n2 0 1\n2 1 1\n2 1 2\n2 0 2\n" \
+    "1 2 1\n1 2 0\n2 1 0\n2 2 0\n2 2 1\n1 2 2\n2 2 2\n4 0 1 2 3\n4 4 5 6 7\n4 4 7 0 3\n4 2 1 6 5\n4 2 5 4 3\n"         \
+    "4 8 9 1 0\n4 7 10 8 0\n4 1 9 11 6\n4 8 10 11 9\n4 12 13 14 15\n4 12 15 10 7\n4 6 13 12 7\n4 10 15 14 11\n"        \
+    "4 6 16 17 5\n4 18 19 20 13\n4 18 13 6 5\n4 17 16 20 19\n4 17 19 18 5\n4 11 21 16 6\n4 13 20 22 14\n4 16 21 22 "   \
+    "20\n"
+
+/* A body is closed if each edge has an even number of faces. Then the near plane leaves a cap, which hides its inside.
+ */
+static void four_faces_at_an_edge(void **state)
+{
+    const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .eye = {3, -3, 2.5}, .near_distance = 3.9};
+    const char *text[] = {"OFF\n23 22 0\n" CUBES "4 11 14 22 21\n", "OFF\n23 21 0\n" CUBES};
+    const roberts_body_kind kind[] = {ROBERTS_CLOSED, ROBERTS_OPEN};
+    size_t count[2];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        roberts_scene *scene = scene_of(text[i], NULL);
+        assert_int_equal(roberts_scene_solid_count(scene), 1);
+        assert_int_equal(roberts_scene_body_kind(scene, 0), kind[i]);
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
+        count[i] = drawing.count;
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+    assert_true(count[0] < count[1]); /* one can look into the open one */
+}
+
 /* An L-block made of triangles, wound as they come, all reversed, or every other one reversed. */
 static const char *block(int winding)
 {
@@ -295,7 +325,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(winding_decides_nothing),
         cmocka_unit_test(the_fill_rule_decides),    cmocka_unit_test(solids_are_asked_for),
-        cmocka_unit_test(what_is_left_out_is_said),
+        cmocka_unit_test(what_is_left_out_is_said), cmocka_unit_test(four_faces_at_an_edge),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }

@@ -475,12 +475,39 @@ static void a_cell_without_edges_loses_no_line(void **state)
     }
 }
 
+/* A face ends where the near plane cuts it, and so at the cap there. That is no line. */
+static void nothing_crosses_a_cap(void **state)
+{
+    roberts_error error;
+    size_t lines = 0;
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        roberts_mesh mesh = {0};
+        if (roberts_mesh_read_file(&mesh, "models/star/great-dodecahemidodecahedron.off", NULL, &error) != ROBERTS_OK)
+            fail_msg("%s", error.message);
+        roberts_scene *scene = scene_of_mesh(&mesh, NULL);
+        const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE,
+                                       .eye = {sin(i), 0.02 * i - 0.6, 1.3 * cos(i)},
+                                       .near_distance = i % 2 ? 0.6 : 0.0};
+        roberts_hide_options options = roberts_hide_options_default();
+        options.keep_hidden = i % 3 == 0;
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
+        lines += drawing.crossing_count;
+        for (size_t k = 0; k < drawing.crossing_count; k++)
+            assert_true(drawing.crossing[k].face[0] != ROBERTS_NONE && drawing.crossing[k].face[1] != ROBERTS_NONE);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+    assert_true(lines > 1000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs_cross_where_they_should),      cmocka_unit_test(triangles_cross_as_whole_numbers_say),
         cmocka_unit_test(ends_agree_on_both_sides_of_a_side), cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
-        cmocka_unit_test(a_cell_without_edges_loses_no_line),
+        cmocka_unit_test(a_cell_without_edges_loses_no_line), cmocka_unit_test(nothing_crosses_a_cap),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
