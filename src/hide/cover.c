@@ -234,7 +234,7 @@ static void lower_cells(const hide_fronts *fronts, scan *s, const cover_front *f
     }
 }
 
-/* Other threads may be writing cells at the border of the body's box. A fold meets those. */
+/* Enters what is found into the covers. A fold meets all cells at the border of the body's box. */
 static void raise_cells(cover *c, const body_cells *cells)
 {
     for (uint32_t i = cells->in.left; i <= cells->in.right; i++)
@@ -269,7 +269,7 @@ static bool begin_cells(const hide_fronts *fronts, cover_scratch *w, uint32_t bo
     cells->rows = in->high - in->low + 1;
     const size_t count = (size_t)(in->right - in->left + 1) * cells->rows;
     *together = faces >= TOGETHER_FACES && count <= (size_t)TOGETHER_CELLS * faces && in->right - in->left >= 2 &&
-                in->high - in->low >= 2 && !may_be_cut(fronts, body);
+                in->high - in->low >= 2 && seen_has_plain_edges(fronts->seen) && !may_be_cut(fronts, body);
     if (!*together)
         return true;
     if (!array_reserve(&w->depth, &w->depth_room, count, sizeof *w->depth) ||
@@ -304,6 +304,13 @@ static inline bool may_hold_cell(const scan_frame *f, const hide_box *box)
            scan_rows(f, (double)box->y0, (double)box->y1) >= 1.0;
 }
 
+/* Adds a face, unless it may dent inward: the scan takes it for convex. */
+static void add_face(const hide_fronts *fronts, cover *c, scan *s, const cover_front *front)
+{
+    if (is_plainly_convex(fronts, front->corner, front->count, false))
+        cover_add(c, s, fronts->P, front);
+}
+
 bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int late)
 {
     const scene_solid *own = &fronts->scene->solid[body];
@@ -321,7 +328,7 @@ bool cover_add_body(hide_fronts *fronts, cover_scratch *w, uint32_t body, int la
         hide_single single;
         const cover_front front = cover_of_face(fronts, body, face, &single);
         if (wide)
-            cover_add(&fronts->cover, &w->scan, fronts->P, &front);
+            add_face(fronts, &fronts->cover, &w->scan, &front);
         if (taken)
             lower_cells(fronts, &w->scan, &front, &cells);
     }
@@ -350,7 +357,7 @@ bool cover_add_own(hide_fronts *fronts, uint32_t body, uint32_t first, uint32_t 
         if (!may_hold_cell(&frame, &fronts->front_box[k]))
             continue;
         const cover_front front = cover_of_face(fronts, body, fronts->front[k].piece, &single);
-        cover_add(own, &s, fronts->P, &front);
+        add_face(fronts, own, &s, &front);
     }
     for (uint32_t k = first; enough && k < end; k++)
         fronts->front[k].listed = !cover_hides(own, &fronts->front_box[k]);

@@ -132,7 +132,7 @@ static double touching_distance(const hide_fronts *fronts)
     return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
-/* If points have low parts, boxes of their high parts do not prove that solids touch. */
+/* If points have low parts, solids whose boxes of high parts just touch may overlap. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     const uint32_t bodies = fronts->scene->solid_count;

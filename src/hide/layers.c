@@ -108,19 +108,29 @@ static bool fold_some(void *context, size_t first, size_t end)
     return fold_edges(l, &l->walk[thread_self()], (uint32_t)first, (uint32_t)end);
 }
 
-/* Records the borders of the faces first..end-1 that the near plane has made: no edges, but sides between new vertices.
- * False: no memory. */
+/* Records the borders of a face that the near plane has made: no edges, but sides between new vertices. */
+static bool fold_cuts_of(const layers *l, objet_walk *walk, size_t face)
+{
+    const roberts_scene *scene = l->fronts->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[face],
+                   *last = scene->corner + scene->face_start[face + 1];
+    for (uint32_t from = last[-1]; corner < last; from = *corner++)
+        if (scene_vertex_number(scene, from) == ROBERTS_NONE && scene_vertex_number(scene, *corner) == ROBERTS_NONE &&
+            !fold_edge(l, walk, from, *corner))
+            return false;
+    return true;
+}
+
+/* The same for the bodies first..end-1. Convex and culled bodies have no sheets. False: no memory. */
 static bool fold_cuts(void *context, size_t first, size_t end)
 {
     const layers *l = context;
     const roberts_scene *scene = l->fronts->scene;
-    for (size_t face = first; face < end; face++) {
-        const uint32_t *corner = scene->corner + scene->face_start[face],
-                       *last = scene->corner + scene->face_start[face + 1];
-        for (uint32_t from = last[-1]; corner < last; from = *corner++)
-            if (scene_vertex_number(scene, from) == ROBERTS_NONE &&
-                scene_vertex_number(scene, *corner) == ROBERTS_NONE &&
-                !fold_edge(l, &l->walk[thread_self()], from, *corner))
+    for (size_t body = first; body < end; body++) {
+        if (scene_is_convex(scene, (uint32_t)body) || l->fronts->culled[body])
+            continue;
+        for (size_t face = scene->solid[body].face; face < scene->solid[body + 1].face; face++)
+            if (!fold_cuts_of(l, &l->walk[thread_self()], face))
                 return false;
     }
     return true;
@@ -130,8 +140,7 @@ static bool fold_all(const layers *l)
 {
     const roberts_scene *scene = l->fronts->scene;
     return threads_each(l->threads, scene->edge_count, EDGES_AT_ONCE, fold_some, (void *)l) &&
-           (!l->fronts->seen->clip.clipped ||
-            threads_each(l->threads, scene->face_count, EDGES_AT_ONCE, fold_cuts, (void *)l));
+           (!l->fronts->seen->clip.clipped || threads_each(l->threads, scene->solid_count, 0, fold_cuts, (void *)l));
 }
 
 /* Is the point (x, y) inside the triangle (1) or outside (0)? -1: it is too near to a side to decide, or this is no
@@ -295,14 +304,6 @@ void layers_end_late(const layers *l)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* Do corners of faces and ends of edges have the same numbers, and does no vertex lie on a side of a face? */
-static bool has_plain_edges(const seen *s)
-{
-    const scene_surface *surface = s->scene->surface;
-    const bool pieces = s->clip.clipped ? s->clip.pieces : surface->plane_of != NULL;
-    return !pieces && surface->part_count == 0 && surface->many_count == 0;
-}
-
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
 {
     const roberts_scene *scene = fronts->scene;
@@ -317,7 +318,7 @@ bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t th
     grid->below = alloc_array(cells, sizeof *grid->below);
     grid->sheet.frame = grid->frame;
     grid->sheet.depth = alloc_array(cells, sizeof *grid->sheet.depth);
-    bool stars = !fronts->seen->rules.hidden && has_plain_edges(fronts->seen);
+    bool stars = !fronts->seen->rules.hidden && seen_has_plain_edges(fronts->seen);
     grid->star = stars ? alloc_zeroed(scene->vertex_count, sizeof *grid->star) : NULL;
     if (!l->fold || !l->walk || (stars && !grid->star) || !grid->apart || !grid->below || !grid->sheet.depth ||
         !fold_all(l))

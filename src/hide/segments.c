@@ -279,7 +279,7 @@ BITS_INLINE bool is_covered(const hide_job *job, uint32_t body, roberts_vec3 A, 
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const roberts_vec3 *P = job->fronts.P;
-    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth || job->fronts.own;
+    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth || hide_own_cover(&job->fronts, walk->body);
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))

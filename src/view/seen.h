@@ -283,6 +283,15 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .vertex = own->vertex};
 }
 
+/* Do corners of faces and ends of edges have the same numbers, and does no vertex lie on a side of a face? Then each
+ * side of a face is an edge. The scene has bodies that are not convex. */
+static inline bool seen_has_plain_edges(const seen *s)
+{
+    const scene_surface *surface = s->scene->surface;
+    const bool pieces = s->clip.clipped ? s->clip.pieces : surface->plane_of != NULL;
+    return !pieces && surface->part_count == 0 && surface->many_count == 0;
+}
+
 /* Is the face part of a cap, by which a body is closed where the near plane cuts it? Besides caps, only faces of hulls
  * have no number, and their corners are in the input. */
 static inline bool seen_is_cap(const roberts_scene *scene, uint32_t face)

@@ -23,6 +23,12 @@ static inline void add_face(sheet *s, uint32_t a, uint32_t b, uint32_t c)
     mesh_face(&s->mesh, corner, 3);
 }
 
+static inline void add_triangle(sheet *s, roberts_vec3 p, roberts_vec3 q, roberts_vec3 r)
+{
+    uint32_t a = add_vertex(s, p.x, p.y, p.z), b = add_vertex(s, q.x, q.y, q.z);
+    add_face(s, a, b, add_vertex(s, r.x, r.y, r.z));
+}
+
 /* How a patch is made. */
 typedef struct patch {
     double x, y, z; /* of its first corner */

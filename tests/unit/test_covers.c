@@ -58,13 +58,43 @@ static void add_flat_pair(sheet *s, roberts_vec3 at, rng *r)
                   r);
 }
 
+/* Adds quadrilaterals that are planar within the tolerance, and triangles behind them within that departure. */
+static void add_bent(sheet *s, roberts_vec3 at, rng *r)
+{
+    const uint32_t first = s->vertices;
+    for (int i = 0; i < 25; i++)
+        add_vertex(s, at.x + 2 * (i / 5) - 4, at.y + 2 * (i % 5) - 4, at.z + rng_between(r, -6e-6, 6e-6));
+    for (uint32_t v = first; v < first + 20; v++)
+        if ((v - first) % 5 < 4)
+            mesh_face(&s->mesh, (const uint32_t[]){v, v + 5, v + 6, v + 1}, 4);
+    for (int k = 0; k < 3; k++) {
+        const double x = at.x + 2 * k - 3.6, y = at.y - 3.6, z = at.z - 3e-6;
+        add_triangle(s, (roberts_vec3){x, y, z}, (roberts_vec3){x + 0.5, y, z}, (roberts_vec3){x, y + 0.5, z});
+    }
+}
+
+/* A bow-tie: two sides cross. It may be off its plane, but counts as planar. Triangles lie along one of its sides, all
+ * on one side of it, where the bow-tie has a triangle on either side. */
+static void add_bow_tie(sheet *s, roberts_vec3 at, rng *r)
+{
+    static const double corner[7][2] = {{-10, 0}, {10, 0}, {10, -8}, {-10, 8}, {-10, -10}, {10, -10}, {0, -10}};
+    const uint32_t first = s->vertices;
+    for (int i = 0; i < 7; i++)
+        add_vertex(s, at.x + 0.6 * corner[i][0], at.y + 0.6 * corner[i][1],
+                   at.z + (i < 6 ? rng_between(r, -1e-6, 1e-6) : 0));
+    mesh_face(&s->mesh, (const uint32_t[]){first, first + 1, first + 2, first + 3}, 4);
+    add_face(s, first, first + 4, first + 6);
+    add_face(s, first, first + 6, first + 1);
+    add_face(s, first + 1, first + 6, first + 5);
+}
+
 /* Bodies over one another: balls, sheets with holes, folds; partly through one another, and partly reversed. */
 static void add_heap(sheet *s, rng *r)
 {
     for (int k = rng_int(r, 8, 14); k > 0; k--) {
         const roberts_vec3 at = {rng_between(r, -2, 2), rng_between(r, -2, 2), -3.0 * k};
         const double mixed = rng_int(r, 0, 1) * 0.2, missing = rng_int(r, 0, 1) * 0.05;
-        switch (rng_int(r, 0, 5)) {
+        switch (rng_int(r, 0, 7)) {
         case 0:
             add_folds(s, (roberts_vec3){at.x - 4, at.y - 4, at.z}, 1, 8, r);
             break;
@@ -83,6 +113,12 @@ static void add_heap(sheet *s, rng *r)
                                .nx = 8,
                                .ny = 8},
                       r);
+            break;
+        case 3:
+            add_bent(s, at, r);
+            break;
+        case 4:
+            add_bow_tie(s, at, r);
             break;
         default:
             add_ball(s, at, rng_between(r, 3, 5), mixed, r);

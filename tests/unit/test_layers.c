@@ -14,12 +14,6 @@ static void add_wire(sheet *s, roberts_vec3 p, roberts_vec3 q)
     mesh_face(&s->mesh, corner, 2);
 }
 
-static void add_triangle(sheet *s, roberts_vec3 p, roberts_vec3 q, roberts_vec3 r)
-{
-    uint32_t a = add_vertex(s, p.x, p.y, p.z), b = add_vertex(s, q.x, q.y, q.z);
-    add_face(s, a, b, add_vertex(s, r.x, r.y, r.z));
-}
-
 /* Something behind all sheets, and across their borders. */
 static void add_backdrop(sheet *s, double side, double z)
 {
