@@ -249,7 +249,7 @@ size_t roberts_scene_piece_count(const roberts_scene *scene);
 typedef enum roberts_body_kind {
     ROBERTS_CONVEX, /**< a closed convex solid */
     ROBERTS_CLOSED, /**< each edge has two faces, or another even number of them */
-    ROBERTS_OPEN,   /**< anything else: sheets, loose faces, wires, edges of one face or of three or more */
+    ROBERTS_OPEN,   /**< anything else: sheets, loose faces, wires, edges of one face or another odd number of them */
 } roberts_body_kind;
 
 /** The kind of a body; ROBERTS_OPEN if no body has that number. */

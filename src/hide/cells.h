@@ -22,8 +22,7 @@ scan_frame cells_for_lists(const cells_boxes *b, uint32_t n, double *depth);
 
 /* Returns the cells for covers, which are much smaller than a mean box, and smaller still for bodies of many vertices
  * and for loose triangles. If few boxes lie over one another, covers do not pay, and the frame has no columns.
- * vertices: of all bodies. The number of threads does not change the result. Warps as above; cover_init() takes them.
- */
+ * vertices: of all bodies. Warps as above; cover_init() takes them. The threads do not change the result. */
 scan_frame cells_for_covers(const cells_boxes *b, size_t vertices, int threads);
 
 /* Returns the cells for covers that hide faces of one body: the boxes are those of its faces. If few of them lie over

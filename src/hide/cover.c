@@ -190,31 +190,7 @@ static void take_faces(const hide_fronts *fronts, uint32_t body, int late, unsig
     }
 }
 
-static void mark_folds(const hide_fronts *fronts, cover_scratch *w, uint32_t body, body_cells *cells)
-{
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *own = &scene->solid[body];
-    const scan_frame *f = &fronts->cover.frame;
-    const unsigned char *facing = fronts->seen->facing + own->face;
-    const scene_edge *edge = scene->edge + own->stored;
-    for (uint32_t e = own->edge; e < own[1].edge; e++, edge++) {
-        const uint8_t is = scene->surface->edge_is[e];
-        const bool left = w->taken[edge->f[0]], right = edge->f[1] != ROBERTS_NONE && w->taken[edge->f[1]];
-        if (!(is & EDGE_MANY) && (left && right ? seen_joins_faces(facing, edge, is) : !left && !right))
-            continue;
-        const uint32_t end[2] = {own->vertex + edge->v[0], own->vertex + edge->v[1]};
-        scan_polygon(&w->scan, f, fronts->P, end, 2);
-        for (uint32_t i = w->scan.first; i <= w->scan.last; i++) {
-            uint32_t first, last;
-            scan_touched(&w->scan, f, i, &first, &last);
-            float *cell = cells->depth + (size_t)(i - cells->in.left) * cells->rows;
-            for (uint32_t j = first; j <= last; j++)
-                cell[j - cells->in.low] = -INFINITY;
-        }
-    }
-}
-
-/* Lowers the depth of the cells that the face touches to that of the face. */
+/* Lowers the depth of the cells that a face, or a fold, touches to its depth there. */
 static void lower_cells(const hide_fronts *fronts, scan *s, const cover_front *front, body_cells *cells)
 {
     const scan_frame *f = &fronts->cover.frame;
@@ -226,11 +202,29 @@ static void lower_cells(const hide_fronts *fronts, scan *s, const cover_front *f
         roberts_vec2 low = {scan_left(f, i), scan_lower(f, first)}, high = {scan_left(f, i + 1.0), low.y};
         for (uint32_t j = first; j <= last; j++) {
             high.y = scan_lower(f, j + 1.0);
-            double own = greater(front->depth, depth_over(low, high, front->face, 1));
+            double own = front->depth;
+            if (front->face_count)
+                own = greater(own, depth_over(low, high, front->face, front->face_count));
             float *at = &cell[j - cells->in.low], z = hide_float_below(own - front->slack);
             *at = z < *at ? z : *at;
             low.y = high.y;
         }
+    }
+}
+
+static void mark_folds(const hide_fronts *fronts, cover_scratch *w, uint32_t body, body_cells *cells)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    const unsigned char *facing = fronts->seen->facing + own->face;
+    const scene_edge *edge = scene->edge + own->stored;
+    for (uint32_t e = own->edge; e < own[1].edge; e++, edge++) {
+        const uint8_t is = scene->surface->edge_is[e];
+        const bool left = w->taken[edge->f[0]], right = edge->f[1] != ROBERTS_NONE && w->taken[edge->f[1]];
+        if (left && right ? seen_joins_faces(facing, edge, is) : !left && !right)
+            continue;
+        const uint32_t end[2] = {own->vertex + edge->v[0], own->vertex + edge->v[1]};
+        lower_cells(fronts, &w->scan, &(cover_front){.corner = end, .count = 2, .depth = -INFINITY}, cells);
     }
 }
 

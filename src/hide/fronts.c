@@ -531,9 +531,8 @@ static bool alloc_fronts(build *b)
     fronts->front = alloc_array(fronts->room, sizeof *fronts->front);
     fronts->front_box = alloc_array(fronts->room, sizeof *fronts->front_box);
     fronts->outline = alloc_sparse(scene->vertex_count, sizeof *fronts->outline);
-    if (b->cull && scene->surface)
-        fronts->own = alloc_zeroed(scene->solid_count, sizeof *fronts->own); /* NOLINT(bugprone-sizeof-expression) */
-    if (b->cull && scene->surface && !fronts->own)
+    /* NOLINTNEXTLINE(bugprone-sizeof-expression): an array of pointers */
+    if (b->cull && scene->surface && !(fronts->own = alloc_zeroed(scene->solid_count, sizeof *fronts->own)))
         return false;
     if (b->may_wait && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
         return false;

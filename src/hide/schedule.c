@@ -10,8 +10,7 @@
 
 /* ---- tiles ---- */
 
-/* The side of a tile in cells of covers: at least two mean boxes, mostly seven or more, and 128 kB of
- * cells in all. */
+/* The side of a tile in cells of covers: at least two mean boxes, mostly seven or more, and 128 kB of cells in all. */
 #define TILE_CELLS 128
 /* How far a solid may reach out of its tile, in cells. It reads covers within two cells of its box. */
 #define TILE_REACH (TILE_CELLS / 2 - 2)

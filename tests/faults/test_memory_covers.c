@@ -11,22 +11,6 @@ static void add_pile(sheet *s, rng *r)
         add_patch(s, &(patch){.z = -2.0 * k, .step = 1 - 0.1 * k, .rough = 0.1, .nx = 8, .ny = 8}, r);
 }
 
-/* One sheet, to and fro. */
-static void add_pleats(sheet *s)
-{
-    enum { PLEATS = 9, STEPS = 6, ROW = STEPS + 1 };
-    for (int i = 0; i < PLEATS * STEPS; i++) {
-        const int on = i % (2 * STEPS), x = on <= STEPS ? on : 2 * STEPS - on;
-        for (int j = 0; j < ROW; j++)
-            add_vertex(s, x, j, -0.3 * i);
-    }
-    for (uint32_t v = 0; v + ROW < PLEATS * STEPS * ROW; v++)
-        if (v % ROW < STEPS) {
-            add_face(s, v, v + ROW, v + ROW + 1);
-            add_face(s, v, v + ROW + 1, v + 1);
-        }
-}
-
 static void hiding_survives(sheet *s, const roberts_camera *camera)
 {
     roberts_scene *scene = scene_of_mesh(&s->mesh, NULL);
@@ -58,7 +42,7 @@ static void hiding(void **state)
         sheet pile = {0}, pleats = {0};
         add_pile(&pile, &r);
         hiding_survives(&pile, &cameras[i]);
-        add_pleats(&pleats);
+        add_pleats(&pleats, 9, 6, &r);
         hiding_survives(&pleats, &cameras[i]);
     }
 }

@@ -63,4 +63,22 @@ static inline uint32_t add_patch(sheet *s, const patch *p, rng *r)
     return first;
 }
 
+/* Adds one sheet that goes to and fro `pleats` times in so many steps, often through itself, with a few holes. */
+static inline void add_pleats(sheet *s, uint32_t pleats, uint32_t steps, rng *r)
+{
+    const double rough = rng_int(r, 0, 3) * 0.5;
+    const uint32_t first = s->vertices, row = steps + 1;
+    for (uint32_t i = 0; i <= pleats * steps; i++) {
+        const uint32_t on = i % (2 * steps), x = on <= steps ? on : 2 * steps - on;
+        for (uint32_t j = 0; j <= steps; j++)
+            add_vertex(s, x + rng_between(r, -0.2, 0.2), j + rng_between(r, -0.2, 0.2),
+                       -0.2 * i + rng_between(r, -rough, rough));
+    }
+    for (uint32_t v = first; v < first + pleats * steps * row; v++)
+        if ((v - first) % row < steps && rng_int(r, 0, 60) > 0) {
+            add_face(s, v, v + row, v + row + 1);
+            add_face(s, v, v + row + 1, v + 1);
+        }
+}
+
 #endif

@@ -126,23 +126,9 @@ static void add_heap(sheet *s, rng *r)
     }
 }
 
-/* One sheet that goes to and fro many times, often through itself. */
-static void add_pleats(sheet *s, rng *r)
+static void add_pleats_of_twelve(sheet *s, rng *r)
 {
-    const double rough = rng_int(r, 0, 3) * 0.5;
-    enum { PLEATS = 12, STEPS = 10 };
-    const uint32_t first = s->vertices;
-    for (int i = 0; i <= PLEATS * STEPS; i++) {
-        const int on = i % (2 * STEPS), x = on <= STEPS ? on : 2 * STEPS - on;
-        for (int j = 0; j <= STEPS; j++)
-            add_vertex(s, x + rng_between(r, -0.2, 0.2), j + rng_between(r, -0.2, 0.2),
-                       -0.2 * i + rng_between(r, -rough, rough));
-    }
-    for (uint32_t v = first; v < first + PLEATS * STEPS * (STEPS + 1); v++)
-        if ((v - first) % (STEPS + 1) < STEPS && rng_int(r, 0, 60) > 0) {
-            add_face(s, v, v + STEPS + 1, v + STEPS + 2);
-            add_face(s, v, v + STEPS + 2, v + 1);
-        }
+    add_pleats(s, 12, 10, r);
 }
 
 /* ---- comparing ---- */
@@ -211,36 +197,33 @@ static void compare_scene(sheet *s, const char *name, tally *t)
 
 /* ---- cases ---- */
 
-static void test_heaps(void **state)
+/* Makes scenes from the seeds 1 .. count, and compares each. */
+static tally compare_scenes(const char *kind, int count, void (*add)(sheet *s, rng *r))
 {
     tally t = {0};
-    (void)state;
-    for (uint64_t seed = 1; seed <= 60; seed++) {
-        rng r = {seed};
+    for (int seed = 1; seed <= count; seed++) {
+        rng r = {(uint64_t)seed};
         sheet s = {0};
         char name[64];
-        snprintf(name, sizeof name, "heap %d", (int)seed);
-        add_heap(&s, &r);
+        snprintf(name, sizeof name, "%s %d", kind, seed);
+        add(&s, &r);
         compare_scene(&s, name, &t);
     }
     print_message("note: %zu bodies culled, %llu lines behind covers\n", t.culled, (unsigned long long)t.covered);
+    return t;
+}
+
+static void test_heaps(void **state)
+{
+    (void)state;
+    const tally t = compare_scenes("heap", 60, add_heap);
     assert_true(t.culled > 100 && t.covered > 1000);
 }
 
 static void test_pleats(void **state)
 {
-    tally t = {0};
     (void)state;
-    for (uint64_t seed = 1; seed <= 12; seed++) {
-        rng r = {seed};
-        sheet s = {0};
-        char name[64];
-        snprintf(name, sizeof name, "pleats %d", (int)seed);
-        add_pleats(&s, &r);
-        compare_scene(&s, name, &t);
-    }
-    print_message("note: %llu lines behind covers\n", (unsigned long long)t.covered);
-    assert_true(t.covered > 1000);
+    assert_true(compare_scenes("pleats", 12, add_pleats_of_twelve).covered > 1000);
 }
 
 int main(void)
