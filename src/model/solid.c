@@ -506,7 +506,9 @@ static opening find_opening(const roberts_scene *scene, uint32_t s, edge_pairing
     const int64_t euler = edges_euler(scene, s);
     if (pairing == EDGES_OPEN)
         return OPENING_EDGES;
-    return euler == 2 ? OPENING_NONE : euler < 2 ? OPENING_HOLES : OPENING_VERTICES;
+    if (pairing == EDGES_EVEN)
+        return OPENING_PARTS;
+    return euler == 2 ? OPENING_NONE : euler < 2 ? OPENING_HOLES : OPENING_PARTS;
 }
 
 build_result solid_is_closed(const roberts_scene *scene, builder *work, uint32_t s, roberts_error *error)
@@ -590,7 +592,7 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
     if (pairing == EDGES_NO_MEMORY)
         return error_no_memory(error), BUILD_REFUSED;
     work->opening = find_opening(scene, s, pairing);
-    if (pairing == EDGES_OPEN || (!rules->must_close && work->opening != OPENING_NONE))
+    if (pairing == EDGES_OPEN || pairing == EDGES_EVEN || (!rules->must_close && work->opening != OPENING_NONE))
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;

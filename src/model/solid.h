@@ -65,9 +65,9 @@ void frame_free(solid_frame *frame);
 /* Why a component is not closed like a sphere. */
 typedef enum opening {
     OPENING_NONE,
-    OPENING_EDGES,    /* some edge does not have two faces: welding and splitting may help */
-    OPENING_VERTICES, /* each edge has two faces, but parts share vertices: splitting may help */
-    OPENING_HOLES     /* each edge has two faces, but the surface has holes: neither helps */
+    OPENING_EDGES, /* some edge has an odd number of faces: welding and splitting may help */
+    OPENING_PARTS, /* each edge has an even number, but parts share edges or vertices: splitting may help */
+    OPENING_HOLES  /* each edge has two faces, but the surface has holes: neither helps */
 } opening;
 
 /* Scratch memory, reused for solid after solid; zeroed = empty. */

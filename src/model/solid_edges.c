@@ -112,6 +112,19 @@ bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
     return true;
 }
 
+/* Some edge does not have two faces: does each have an even number of them? */
+static edge_pairing count_sorted(const edge_scratch *scratch, uint32_t vertices)
+{
+    for (uint32_t v = 0, i = 0; v < vertices; v++)
+        for (uint32_t first = i; i < scratch->end[v]; first = i) {
+            while (i < scratch->end[v] && scratch->half[i] >> 32 == scratch->half[first] >> 32)
+                i++;
+            if ((i - first) % 2)
+                return EDGES_OPEN;
+        }
+    return EDGES_EVEN;
+}
+
 /* Makes edges from the sorted half-edges: each must have exactly one partner. */
 static edge_pairing edges_from_sorted(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
 {
@@ -123,7 +136,7 @@ static edge_pairing edges_from_sorted(const roberts_scene *scene, uint32_t s, ed
         for (uint32_t i = start; i < scratch->end[v]; i += 2) {
             uint64_t a = scratch->half[i], b = i + 1 < scratch->end[v] ? scratch->half[i + 1] : 0;
             if (a >> 32 != b >> 32 || (i + 2 < scratch->end[v] && scratch->half[i + 2] >> 32 == a >> 32))
-                return EDGES_OPEN;
+                return count_sorted(scratch, vertices);
             bool up_a = scene->corner[base + (uint32_t)a] - first->vertex == v;
             bool up_b = scene->corner[base + (uint32_t)b] - first->vertex == v;
             uint32_t fa = scratch->face_of[(uint32_t)a], fb = scratch->face_of[(uint32_t)b];

@@ -20,7 +20,8 @@ typedef struct edge_scratch {
 typedef enum edge_pairing {
     EDGES_PAIRED, /* each edge has two faces, which pass it in opposite directions */
     EDGES_MIXED,  /* each edge has two faces, but some pairs pass it in the same direction: see scratch->alike */
-    EDGES_OPEN,   /* some edge has another number of faces */
+    EDGES_EVEN,   /* each edge has an even number of faces, and some have more than two */
+    EDGES_OPEN,   /* some edge has an odd number of faces */
     EDGES_NO_MEMORY,
 } edge_pairing;
 
@@ -34,7 +35,7 @@ static inline int64_t edges_euler(const roberts_scene *scene, uint32_t s)
 }
 
 /* Writes the edges of solid s to scratch->edge, sorted, in the form that a scene stores. Their number is half the
- * number of corners. If the solid is open, scratch->edge is undefined. */
+ * number of corners. If some edge does not have two faces, scratch->edge is undefined. */
 edge_pairing edges_pair(const roberts_scene *scene, uint32_t s, edge_scratch *scratch);
 
 /* Sorts the half-edges of solid s into scratch->half by (smaller vertex, larger vertex, corner). Vertices and corners

@@ -36,7 +36,7 @@ typedef struct surface_edge {
     uint32_t many_end;
     uint32_t part; /* index in surface.part; ROBERTS_NONE: it is a whole edge of the file */
     bool cut;      /* not an edge of the file: drawn only if it is an outline */
-    bool odd;      /* it does not have two pieces, comes from a side that was divided, or may end beside its pieces */
+    bool odd;      /* it is not complete, comes from a side that was divided, or may end beside its pieces */
 } surface_edge;
 
 /* A piece round which the border of its face does not wind once, counter-clockwise about its normal. */

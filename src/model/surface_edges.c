@@ -1,13 +1,12 @@
 /* surface_edges.c - the edges of bodies that are not convex.
  *
- * Sides with the same ends are one edge. Nearly all edges have two pieces and need nothing more. The other sides
- * (borders, edges of more pieces, wires) are compared in space: a vertex within the touching distance of such a side
- * divides it, and vertices that near to one another are merged. So T-junctions and loose faces cause no false
- * borders.
+ * Sides with the same ends are one edge. An edge with an even number of pieces is complete: nothing divides it, so
+ * bodies that only touch keep their own edges. Nearly all edges have two pieces. The other sides (borders, edges with
+ * an odd number of pieces, wires) are compared in space: a vertex within the touching distance of such a side divides
+ * it, and vertices that near to one another are merged. So T-junctions and loose faces cause no false borders.
  *
  * Each part of an edge has the faces of all sides between its two vertices: if a divided side leaves a part between
- * the ends of an edge of two pieces, both are one edge. An edge of two pieces is itself complete: nothing divides it,
- * so bodies that only touch keep their own edges. */
+ * the ends of a complete edge, both are one edge. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,7 +37,7 @@ typedef struct finder {
     uint32_t *end;        /* [vertex_count] where the sides of each smaller vertex end in `half` */
     uint64_t *half;       /* [side_count] larger vertex << 32 | side */
     scene_part *divided;  /* [part_count of s] the parts, sorted by their edges of the file */
-    uint32_t *odd;        /* [odd_count] sides of edges that do not have two pieces */
+    uint32_t *odd;        /* [odd_count] sides of edges that are not complete */
     uint32_t *vertex;     /* [vertex_count] ends of the odd sides */
     uint32_t *parent;     /* [vertex_count of s] sets of coincident vertices, by their smallest */
     part_side *half_side; /* [half_count] the odd sides after division */
@@ -117,12 +116,17 @@ static bool copy_part(surface *s, uint32_t side, uint32_t *part)
     return true;
 }
 
-/* Do both sides belong to one planar face? Then its border crosses itself, and the face is on both sides of this
+/* Do two of the sides belong to one planar face? Then its border crosses itself, and the face is on both sides of this
  * stretch. Another face may divide the same stretch differently. */
-static bool same_face(const surface *s, const uint32_t side[2])
+static bool any_same_face(const surface *s, const uint32_t *side, size_t count)
 {
-    uint32_t p = s->side[side[0]].piece, q = s->side[side[1]].piece;
-    return !((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q];
+    for (size_t i = 1; i < count; i++)
+        for (size_t k = 0; k < i; k++) {
+            uint32_t p = s->side[side[i]].piece, q = s->side[side[k]].piece;
+            if (!((p | q) & SURFACE_CUT) && s->plane_of[p] == s->plane_of[q])
+                return true;
+        }
+    return false;
 }
 
 /* Is the vertex a corner of the side's piece? */
@@ -149,42 +153,74 @@ static bool is_divided(const finder *f, const surface_side *side)
     return f->divided && bsearch(&key, f->divided, f->s->part_count, sizeof key, compare_names);
 }
 
-/* Makes an edge of sides with the same ends if exactly two pieces have it; otherwise lists the sides as odd. They are
- * also odd if another face crosses itself on this edge, and so has only parts of it. False: no memory. */
-static bool take_group(finder *f, const uint64_t *half, size_t count)
+/* Adds a piece to an edge. False: no memory. */
+static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32_t piece)
 {
-    surface *s = f->s;
-    uint32_t side[2] = {ROBERTS_NONE, ROBERTS_NONE};
-    size_t real = 0;
-    bool shadow = false;
-    for (size_t i = 0; i < count; i++)
-        if (s->side[(uint32_t)half[i]].piece == SURFACE_SHADOW) {
-            shadow = true;
-        } else if (!is_wire(&s->side[(uint32_t)half[i]])) {
-            if (real < 2)
-                side[real] = (uint32_t)half[i];
-            real++;
-        }
-    if (real != 2 || same_face(s, side) || is_divided(f, &s->side[side[0]])) {
-        if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
-            return false;
-        for (size_t i = 0; i < count; i++)
-            if (s->side[(uint32_t)half[i]].piece != SURFACE_SHADOW &&
-                !(is_wire(&s->side[(uint32_t)half[i]]) && (real > 0 || shadow)))
-                f->odd[f->odd_count++] = (uint32_t)half[i];
+    if (count < 2) {
+        edge->piece[count] = piece;
         return true;
     }
-    const surface_side *a = &s->side[side[0]], *b = &s->side[side[1]];
-    surface_edge edge = {.v = {lower(a), upper(a)}, .many = ROBERTS_NONE, .part = ROBERTS_NONE};
-    edge.piece[0] = incidence(a->piece, a->v[0] > a->v[1]);
-    edge.piece[1] = incidence(b->piece, b->v[0] > b->v[1]);
-    edge.cut = (a->piece & b->piece & SURFACE_CUT) != 0;
+    if (!array_reserve(&s->many, &s->many_room, s->many_count + 3, sizeof *s->many))
+        return false;
+    if (count == 2) {
+        edge->many = (uint32_t)s->many_count;
+        s->many[s->many_count++] = edge->piece[0];
+        s->many[s->many_count++] = edge->piece[1];
+    }
+    s->many[s->many_count++] = piece;
+    edge->many_end = (uint32_t)s->many_count;
+    return true;
+}
+
+/* Makes a complete edge. False: no memory. */
+static bool add_complete(finder *f, const uint32_t *side, uint32_t count)
+{
+    surface *s = f->s;
+    const surface_side *a = &s->side[side[0]];
+    surface_edge edge = {
+        .v = {lower(a), upper(a)}, .many = ROBERTS_NONE, .part = ROBERTS_NONE, .cut = a->piece & SURFACE_CUT};
+    for (uint32_t i = 0; i < count; i++) {
+        const surface_side *own = &s->side[side[i]];
+        edge.cut = edge.cut && own->piece & SURFACE_CUT;
+        if (!add_incidence(s, &edge, i, incidence(own->piece, own->v[0] > own->v[1])))
+            return false;
+    }
     edge.odd = s->whole_sides && !(is_corner(s, a, edge.v[0]) && is_corner(s, a, edge.v[1]));
     if (s->part_count > 0 && !copy_part(s, side[0], &edge.part))
         return false;
     if (!array_reserve(&s->edge, &s->edge_room, s->edge_count + 1, sizeof *s->edge))
         return false;
     s->edge[s->edge_count++] = edge;
+    return true;
+}
+
+enum { COMPLETE_MOST = 16 }; /* pieces of a complete edge; comparing all pairs of more would take long */
+
+/* Makes an edge of sides with the same ends if it is complete; otherwise lists the sides as odd. They are also odd if
+ * another face crosses itself on this edge, and so has only parts of it. False: no memory. */
+static bool take_group(finder *f, const uint64_t *half, size_t count)
+{
+    surface *s = f->s;
+    uint32_t side[COMPLETE_MOST];
+    size_t real = 0;
+    bool shadow = false;
+    for (size_t i = 0; i < count; i++)
+        if (s->side[(uint32_t)half[i]].piece == SURFACE_SHADOW) {
+            shadow = true;
+        } else if (!is_wire(&s->side[(uint32_t)half[i]])) {
+            if (real < COMPLETE_MOST)
+                side[real] = (uint32_t)half[i];
+            real++;
+        }
+    if (real > 0 && real % 2 == 0 && real <= COMPLETE_MOST && !any_same_face(s, side, real) &&
+        !is_divided(f, &s->side[side[0]]))
+        return add_complete(f, side, (uint32_t)real);
+    if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if (s->side[(uint32_t)half[i]].piece != SURFACE_SHADOW &&
+            !(is_wire(&s->side[(uint32_t)half[i]]) && (real > 0 || shadow)))
+            f->odd[f->odd_count++] = (uint32_t)half[i];
     return true;
 }
 
@@ -387,31 +423,18 @@ static int compare_halves(const void *pa, const void *pb)
     return (int)a->turned - (int)b->turned;
 }
 
-/* Adds a piece to an edge. False: no memory. */
-static bool add_incidence(surface *s, surface_edge *edge, uint32_t count, uint32_t piece)
-{
-    if (count < 2) {
-        edge->piece[count] = piece;
-        return true;
-    }
-    if (!array_reserve(&s->many, &s->many_room, s->many_count + 3, sizeof *s->many))
-        return false;
-    if (count == 2) {
-        edge->many = (uint32_t)s->many_count;
-        s->many[s->many_count++] = edge->piece[0];
-        s->many[s->many_count++] = edge->piece[1];
-    }
-    s->many[s->many_count++] = piece;
-    edge->many_end = (uint32_t)s->many_count;
-    return true;
-}
-
 /* Sets the ends of an edge's part to the edge's vertices, so that consecutive parts meet. */
 static void place_part(const finder *f, scene_part *part, const surface_edge *edge)
 {
     double t[2] = {place_along(f, part->v, edge->v[0]), place_along(f, part->v, edge->v[1])};
     part->t0 = lesser(t[0], t[1]);
     part->t1 = greater(t[0], t[1]);
+}
+
+/* Returns how many pieces a complete edge has. */
+static uint32_t pieces_of(const surface_edge *e)
+{
+    return e->many == ROBERTS_NONE ? 2 : e->many_end - e->many;
 }
 
 /* Makes one edge of the divided sides first .. end - 1 and an existing edge, if there is one. False: no memory. */
@@ -425,8 +448,9 @@ static bool take_odd_group(finder *f, size_t first, size_t end, const surface_ed
                          .cut = true,
                          .odd = true};
     uint32_t count = 0, best = ROBERTS_NONE;
-    for (int k = 0; there && k < 2; k++)
-        if (!add_incidence(s, &edge, count++, there->piece[k]))
+    for (uint32_t n = there ? pieces_of(there) : 0; count < n; count++)
+        if (!add_incidence(s, &edge, count,
+                           there->many == ROBERTS_NONE ? there->piece[count] : s->many[there->many + count]))
             return false;
     for (size_t i = first; i < end; i++) {
         const part_side *half = &f->half_side[i];
@@ -454,7 +478,7 @@ static int compare_edges(const surface_edge *a, const surface_edge *b)
     return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
 }
 
-/* Returns the edge of two pieces with these ends; NULL: none. */
+/* Returns the complete edge with these ends; NULL: none. */
 static surface_edge *find_surface_edge(const surface *s, const uint32_t v[2])
 {
     surface_edge key = {.v = {v[0], v[1]}};
@@ -469,8 +493,7 @@ static surface_edge *find_surface_edge(const surface *s, const uint32_t v[2])
     return low < s->edge_count && compare_edges(&s->edge[low], &key) == 0 ? &s->edge[low] : NULL;
 }
 
-/* Makes edges of the divided sides. Such an edge replaces an edge of two pieces with the same ends. False: no
- * memory. */
+/* Makes edges of the divided sides. Such an edge replaces a complete edge with the same ends. False: no memory. */
 static bool take_odd_groups(finder *f)
 {
     surface *s = f->s;

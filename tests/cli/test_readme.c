@@ -61,7 +61,7 @@ static void run_command(const char *command, const char *output)
     assert_non_null(f);
     fprintf(f, "cc() { command ${CC:-cc} \"$@\"; }\nPATH=$PWD/build:$PATH HOME=$PWD\n%s\n", command);
     assert_int_equal(fclose(f), 0);
-    snprintf(line, sizeof line, "cd '%s' && sh -e command.sh >printed 2>&1", temporary);
+    snprintf(line, sizeof line, "cd '%s' && MAKEFLAGS= sh -e command.sh >printed 2>&1", temporary);
     int status = shell(line);
     if (status != 0 || size_of(output) <= 0) {
         snprintf(line, sizeof line, "cat '%s/printed' >&2", temporary);
