@@ -54,7 +54,7 @@ struct cross_finder {
     std::vector<box> boxes;
     std::vector<size_t> first;                                    /* see first_alike() */
     std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge: see take_edges() */
-    std::set<std::array<uint32_t, 2>> joined;                     /* edges of two faces: see join_edges() */
+    std::set<std::array<uint32_t, 2>> joined;                     /* complete edges: see join_edges() */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -188,9 +188,9 @@ struct cross_finder {
         }
     };
 
-    /* Positions that are equal are one vertex "where that closes what is open": bodies that are closed as they are in
-     * the file keep their own vertices, and so their own edges. Names each vertex of the file by the smallest one with
-     * which it is one vertex. */
+    /* Positions that are equal are one vertex "where that closes what is open". Bodies that are closed as they are in
+     * the file, with an even number of faces at each edge, keep their own vertices, and so their own edges. Names each
+     * vertex of the file by the smallest one with which it is one vertex. */
     std::vector<uint32_t> vertex_names() const
     {
         std::vector<uint32_t> body(o.mesh.vertex_count), name(body.size());
@@ -207,7 +207,7 @@ struct cross_finder {
         });
         std::set<uint32_t> open;
         for (const auto &[key, faces] : sides)
-            if (faces.size() != 2)
+            if (faces.size() % 2 != 0)
                 open.insert(root(key[0]));
         std::map<uint32_t, uint32_t> least; /* of open bodies, by position */
         for (uint32_t v = 0; v < name.size(); v++)
@@ -242,23 +242,25 @@ struct cross_finder {
         join_edges();
     }
 
-    /* "Each piece of an edge has the faces of all edges that lie on it": edges that do not have two faces divide one
-     * another at their ends, and what lies between two ends that follow one another is one edge. An edge of two
-     * faces is complete: no vertex divides it. But if it runs between two such ends itself, it is that edge. */
+    /* "Each piece of an edge has the faces of all edges that lie on it": edges with an odd number of faces divide one
+     * another at their ends, and what lies between two ends that follow one another is one edge. An edge with an even
+     * number of faces is complete: no vertex divides it. But if it runs between two such ends itself, it is that
+     * edge. */
     void join_edges()
     {
-        std::set<uint32_t> ends; /* of edges that do not have two faces */
+        std::set<uint32_t> ends; /* of edges with an odd number of faces */
         for (const auto &[key, faces] : edges)
-            if (faces.size() != 2)
+            if (faces.size() % 2 != 0)
                 ends.insert(key.begin(), key.end());
         for (const auto &[key, faces] : edges) {
-            if (faces.size() != 2 || !ends.count(key[0]) || !ends.count(key[1]))
+            if (faces.size() % 2 != 0 || !ends.count(key[0]) || !ends.count(key[1]))
                 continue;
             const vec<rational> middle = carrier_of(key).at(rational(1) / 2);
             const std::array<uint32_t, 2> whole = key;
             if (std::none_of(ends.begin(), ends.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
-                std::any_of(edges.begin(), edges.end(),
-                            [&](const auto &e) { return e.second.size() != 2 && runs_along(e.first, whole, middle); }))
+                std::any_of(edges.begin(), edges.end(), [&](const auto &e) {
+                    return e.second.size() % 2 != 0 && runs_along(e.first, whole, middle);
+                }))
                 joined.insert(key);
         }
     }
@@ -266,7 +268,7 @@ struct cross_finder {
     /* Does the edge count as one with all others of this kind where they overlap? */
     bool is_open(const std::array<uint32_t, 2> &key) const
     {
-        return edges.at(key).size() != 2 || joined.count(key) > 0;
+        return edges.at(key).size() % 2 != 0 || joined.count(key) > 0;
     }
 
     std::vector<std::array<double, 4>> rough; /* planes in doubles: unit normal, and its product with a corner */

@@ -13,8 +13,9 @@
  *   edges (mesh_oracle.h), but a line's own faces do not hide it.
  *
  * Faces, vertices and planes are those of mesh_oracle.h. A face with the same corners as an earlier one, from any start
- * and in either direction, does not exist. Bodies that are closed as they are in the file have vertices of their own,
- * even where these are at the positions of others; so their edges and faces are their own. */
+ * and in either direction, does not exist. Bodies that are closed as they are in the file (an even number of faces at
+ * each edge) have vertices of their own, even where these are at the positions of others; so their edges and faces are
+ * their own. */
 #ifndef ROBERTS_TESTS_CROSS_ORACLE_H
 #define ROBERTS_TESTS_CROSS_ORACLE_H
 
