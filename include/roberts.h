@@ -1129,7 +1129,8 @@ typedef struct roberts_joined {
  * they lie in the picture. The inputs are read one after the other, and only one is in memory at a time.
  * All bodies have to be closed and share no vertices; faces may have any shape. Anything that needs the whole scene is
  * refused: open bodies (they are welded with others), repeated corners, hulls, and a near plane that cuts the scene.
- * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX, _BAD_NUMBER, _NOT_CLOSED, _BAD_VIEW or _BAD_ARGUMENT.
+ * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX, _BAD_NUMBER, _NOT_CLOSED, _BAD_VIEW or _BAD_ARGUMENT;
+ * with task->scene.solids also what roberts_scene_build() returns.
  */
 roberts_status roberts_plan_save(const roberts_inputs *input, const roberts_task *task, const char *path,
                                  roberts_error *error);

@@ -41,7 +41,7 @@ int part_make(const cli_options *options)
     if (status == ROBERTS_OK)
         status = options->plan ? roberts_plan_save(&input, &task, options->output, &error)
                                : roberts_part_save(&input, &task, options->part, options->output, &error);
-    if (status != ROBERTS_OK && !error.file[0])
+    if (status != ROBERTS_OK && !error.file[0] && options->input_count == 1) /* bodies count over all inputs */
         snprintf(error.file, sizeof error.file, "%s", options->input[0]);
     return status == ROBERTS_OK ? EXIT_DONE : message_error(options->log, &error);
 }

@@ -354,19 +354,22 @@ static roberts_status check_bodies(const part *q, roberts_error *error)
 {
     const roberts_scene *scene = q->scene;
     uint32_t k = 0;
+    bool open = true;
     for (; k < scene->solid_count && k < q->count; k++) {
         const uint32_t least = q->body[k].first_vertex;
         const uint32_t end = k + 1 < q->count ? q->body[k + 1].first_vertex : (uint32_t)q->vertices;
         const uint32_t number = scene_vertex_number(scene, scene->solid[k].vertex);
-        if (number < least || number >= end || roberts_scene_body_kind(scene, k) == ROBERTS_OPEN)
+        open = number >= least;
+        if (!open || number >= end || roberts_scene_body_kind(scene, k) == ROBERTS_OPEN)
             break;
     }
-    if (k < scene->solid_count || k < q->count)
-        return error_set(
-            error, ROBERTS_NOT_CLOSED, 0,
-            "body %u is open, or is several bodies; only closed bodies that share no vertices can be drawn "
-            "in parts",
-            k < q->count ? q->body[k].number : 0);
+    if (k < q->count && open)
+        return error_set(error, ROBERTS_NOT_CLOSED, 0, "body %u is open; only closed bodies can be drawn in parts",
+                         q->body[k].number);
+    if (k < scene->solid_count || k < q->count) /* one more of the body before */
+        return error_set(error, ROBERTS_NOT_CLOSED, 0,
+                         "body %u is several bodies; only bodies that share no vertices can be drawn in parts",
+                         q->body[k - 1].number);
     if (scene->low && q->task->camera.projection == ROBERTS_PERSPECTIVE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "faces cross themselves; in perspective such a scene cannot be drawn in parts");
@@ -379,6 +382,48 @@ static roberts_status build_part(part *q, roberts_error *error)
     options.threads = q->task->hide.threads;
     roberts_status status = scene_take_part(&q->mesh, &options, &q->p->facts.whole, &q->scene, error);
     return status == ROBERTS_OK ? check_bodies(q, error) : status;
+}
+
+/* Vertices of bodies that are checked together: more take more memory, fewer are not faster. */
+#define CHECK_TOGETHER (1u << 18)
+
+/* Builds the bodies that are kept, as a part does, and forgets them. */
+static roberts_status check_kept(part *q, roberts_error *error)
+{
+    roberts_status status = gather(q, error);
+    if (status == ROBERTS_OK)
+        status = build_part(q, error);
+    roberts_scene_free(q->scene);
+    roberts_mesh_free(&q->mesh);
+    free(q->vertex_number);
+    free(q->face_number);
+    *q = (part){.p = q->p, .task = q->task, .body = q->body, .room = q->room};
+    return status;
+}
+
+roberts_status plan_check_bodies(const plan *p, const roberts_task *task, roberts_error *error)
+{
+    roberts_task silent = *task;
+    part q = {.p = p, .task = &silent};
+    const plan_facts *facts = &p->facts;
+    uint64_t at = PLAN_BEGIN;
+    plan_reader places;
+    silent.scene.warnings = (roberts_warnings){0}; /* parts send them */
+    roberts_status status =
+        plan_read_from(&places, p->file, facts->places, facts->starts) ? ROBERTS_OK : error_no_memory(error);
+    for (uint32_t i = 0; i < facts->bodies && status == ROBERTS_OK; i++) {
+        plan_place place;
+        if (!plan_read(&places, &place, sizeof place))
+            status = error_set(error, ROBERTS_IO, 0, "cannot read the plan again");
+        else if (!keep_body(&q, i, at, &place, true))
+            status = error_no_memory(error);
+        else if (q.vertices >= CHECK_TOGETHER || i + 1 == facts->bodies)
+            status = check_kept(&q, error);
+        at += (uint64_t)place.size * PLAN_UNIT;
+    }
+    plan_reader_free(&places);
+    free(q.body);
+    return status;
 }
 
 /* ---- its rows --------------------------------------------------------------------------------------------------- */

@@ -726,6 +726,8 @@ roberts_status roberts_plan_save(const roberts_inputs *input, const roberts_task
     plan p;
     roberts_status status = plan_make(&p, input, task, path, error);
     if (status == ROBERTS_OK)
+        status = plan_check_bodies(&p, task, error);
+    if (status == ROBERTS_OK)
         status = save_from(&(save_source){copy_plan, &p}, task->temporary, task->temporary_context, path, error);
     plan_close(&p);
     return status;

@@ -102,6 +102,10 @@ part_stamp part_stamp_of(const roberts_task *task);
 roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_task *task, const char *path,
                          roberts_error *error);
 
+/* Builds all bodies, some at a time, and refuses what no part can draw (part.c). Returns ROBERTS_OK, _NO_MEMORY, _IO,
+ * or what building them returns. */
+roberts_status plan_check_bodies(const plan *p, const roberts_task *task, roberts_error *error);
+
 /* Opens a plan. Returns ROBERTS_OK, _NO_MEMORY, _IO or _BAD_SYNTAX. Call plan_close() in any case. */
 roberts_status plan_open(plan *p, const char *path, roberts_error *error);
 

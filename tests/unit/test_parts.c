@@ -330,33 +330,53 @@ static void broken_parts_are_refused(void **state)
     assert_true(refused + 8 > tried); /* the name of the input may be another one */
 }
 
-/* Anything that needs the whole is refused before anything is written. */
+/* Anything that needs the whole is refused before anything is written, by the plan as by a part. */
 static void wholes_are_refused(void **state)
 {
     static const struct {
         const char *text, *said;
+        const char *view; /* NULL: iso */
+        bool solids;
     } cases[] = {
-        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "is open"},
-        {"OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", "is a line"},
-        {"OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n7 7 7\n4 0 2 1 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "repeat"},
-        {"OFF\n1 0 0\n0 0 0\n", "no body"},
-        /* two tetrahedra that share an edge */
-        {"OFF\n6 8 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 2 3\n3 1 3 2\n3 0 1 4\n"
-         "3 1 0 5\n3 0 4 5\n3 1 5 4\n",
-         "several bodies"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "body 0 is open; only", NULL, false},
+        /* two triangles at one place: each edge has two faces until one of them is left out */
+        {"OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 1\n", "body 0 is open; only", NULL, false},
+        {"OFF\n2 1 0\n0 0 0\n1 0 0\n2 0 1\n", "is a line", NULL, false},
+        {"OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n7 7 7\n4 0 2 1 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n", "repeat", NULL,
+         false},
+        {"OFF\n1 0 0\n0 0 0\n", "no body", NULL, false},
+        /* a tetrahedron, and two that share an edge */
+        {"OFF\n10 12 0\n5 5 5\n6 5 5\n5 6 5\n5 5 6\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n"
+         "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 5 6\n3 5 4 7\n3 4 6 7\n3 5 7 6\n3 4 5 8\n3 5 4 9\n3 4 8 9\n"
+         "3 5 9 8\n",
+         "body 1 is several bodies; only", NULL, false},
+        /* a box with an arrow for its base */
+        {"OFF\n8 6 0\n0 0 0\n2 1 0\n4 0 0\n2 4 0\n0 0 1\n2 1 1\n4 0 1\n2 4 1\n4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n"
+         "4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+         "convex", NULL, true},
+        /* a pyramid over a face that crosses itself */
+        {"OFF\n5 5 0\n0 0 0\n2 2 0\n2 0 0\n0 2 0\n1 1 5\n4 0 1 2 3\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n",
+         "cross themselves", "eye", false},
     };
     char *const names[] = {model[0]};
     const roberts_inputs input = {1, names};
-    roberts_task task = task_of("iso");
+    roberts_task task;
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        roberts_error error = {0};
+        roberts_error error = {0}, planned = {0};
         write_text(model[0], cases[i].text);
-        assert_int_equal(roberts_part_save(&input, &task, (roberts_share){1, 1}, part[6], &error), ROBERTS_NOT_CLOSED);
+        task = task_of(cases[i].view ? cases[i].view : "iso");
+        task.scene.solids = cases[i].solids;
+        (void)remove(plan_path);
+        assert_int_not_equal(roberts_part_save(&input, &task, (roberts_share){1, 1}, part[6], &error), ROBERTS_OK);
         if (!strstr(error.message, cases[i].said))
             fail_msg("said: %s, not: %s", error.message, cases[i].said);
+        assert_int_equal(roberts_plan_save(&input, &task, plan_path, &planned), error.status);
+        assert_string_equal(planned.message, error.message);
         assert_int_not_equal(access(part[6], F_OK), 0);
+        assert_int_not_equal(access(plan_path, F_OK), 0);
     }
+    task = task_of("iso");
     write_crowd(model[0], 4, 9, IN_A_ROW);
     assert_int_equal(roberts_part_save(&input, &task, (roberts_share){4, 3}, part[6], NULL), ROBERTS_BAD_ARGUMENT);
     task = task_of("eye");
