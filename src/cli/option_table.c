@@ -915,7 +915,7 @@ static const option rows[] = {
      TO(hide.grid),
      RANGE(0, ROBERTS_GRID_MOST),
      .brief = "cells per side",
-     .help = "cells per side of the grid, up to 4096 (default: 0)",
+     .help = "cells per side of the grid, up to 4096, fewer where they take much memory (default: 0)",
      .manual =
          "Cells per side of the grid that keeps pairs of edge and face few, up to 4096. Default: 0. Fewer are "
          "made where the grid would take several times the scene's memory. It changes the time, never the drawing."},
