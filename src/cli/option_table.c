@@ -706,9 +706,9 @@ static const option rows[] = {
      .help = "with --sheet: a title block with this title, the scale and the symbol of the projection",
      .manual =
          "Draws a title block (ISO 7200) in the lower right corner of a sheet, 180 x 27 mm: the title, the scale, "
-         "the symbol of the projection, and the fields of --field. Without --scale or --fit the sheet is drawn at "
-         "--scale standard. "
-         "A page that is too small is refused, and the message names one that would do."},
+         "the symbol of the projection, and the fields of --field. A long title takes several lines. Without --scale "
+         "or --fit the sheet is drawn at --scale standard. A page that is too small is refused, and the message names "
+         "one that would do."},
     {.group = GROUP_TEXT,
      .name = "field",
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,

@@ -4,8 +4,10 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/array.h"
 #include "draw/dimensions.h"
 
 static const double row_mm = 9.0, caption_mm = 1.8, inset_mm = 1.2;
@@ -73,7 +75,76 @@ static void warn_small(const strokes *s, const block_cell *cell, double height)
     to->warn(to->context, "", 0, text);
 }
 
-/* Writes a text into a cell, smaller if it is too wide. */
+/* Breaks a text at blanks into lines no wider than `width`, and ends each with a NUL. Returns how many, or 0 if it
+ * takes more than `most` or a word is wider. */
+static int wrap_text(char *text, double height, double width, int most)
+{
+    char *line = text, *blank = NULL; /* the last one where the line can end */
+    int lines = 1;
+    for (char *at = text;; at++) {
+        const char here = *at;
+        if (here && here != ' ')
+            continue;
+        *at = '\0';
+        if (letters_width(line, height) > width && blank) {
+            *blank = '\0';
+            line = blank + 1;
+            lines++;
+        }
+        if (lines > most || letters_width(line, height) > width)
+            return 0;
+        if (!here)
+            return lines;
+        *at = here;
+        blank = at;
+    }
+}
+
+/* mm: the room for lines of a title below its caption; the largest and the smallest letters of several lines. */
+static const double title_room_mm = 12.0, lines_most_mm = 3.5, lines_least_mm = 0.5;
+/* How far their base lines are apart, in heights of letters. */
+static const double line_pitch = 1.6;
+
+/* How high so many lines are, in heights of letters. */
+static double lines_high(int lines)
+{
+    return 1.0 + line_pitch * (lines - 1) + LETTERS_DEPTH;
+}
+
+/* Writes the title in several lines if its letters are larger then than `single`, in one line. `done`: whether they
+ * are. False: no memory. */
+static bool fill_lines(strokes *s, const block_cell *cell, roberts_vec2 at, double width, const char *text,
+                       double single, bool *done)
+{
+    const size_t size = strlen(text) + 1;
+    const double least = fmax(single, lines_least_mm);
+    double height = lines_most_mm;
+    int lines = 0;
+    *done = false;
+    if (height <= least)
+        return true;
+    char *copy = alloc_array(size, 1);
+    bool has_room = copy;
+    while (has_room && lines == 0 && height > least) {
+        const double most = (title_room_mm / height - 1.0 - LETTERS_DEPTH) / line_pitch + 1.0;
+        memcpy(copy, text, size);
+        lines = wrap_text(copy, height, width, (int)most);
+        height *= lines ? 1.0 : 0.97;
+    }
+    const char *part = copy;
+    for (int i = 0; i < lines && has_room; i++, part += strlen(part) + 1) {
+        const double above = (title_room_mm - height * lines_high(lines)) / 2.0 + height * (1.0 + line_pitch * i);
+        const text_line line = {part, {at.x, at.y - title_room_mm + above}, height, 0.0, TEXT_LEVEL};
+        has_room = notes_add_text(&s->notes, &line, false);
+    }
+    if (lines > 0)
+        warn_small(s, cell, height);
+    *done = lines > 0;
+    free(copy);
+    return has_room;
+}
+
+/* Writes a text into a cell, smaller if it is too wide; the title in several lines, if that leaves it larger. */
 static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, const char *text)
 {
     const double width = cell->right - cell->left - 2.0 * inset_mm, left = corner.x + cell->left + inset_mm;
@@ -85,6 +156,11 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     if (!*text)
         return true;
     const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
+    bool done = false;
+    if (is_high && !fill_lines(s, cell, (roberts_vec2){left, bottom - inset_mm}, width, text, height, &done))
+        return false;
+    if (done)
+        return true;
     warn_small(s, cell, height);
     line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, TEXT_LEVEL};
     return notes_add_text(&s->notes, &line, false);

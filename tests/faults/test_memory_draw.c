@@ -38,7 +38,7 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     options.frame.off = false;
     options.lettering.labels = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
     options.lettering.native = format == ROBERTS_PDF;
-    options.lettering.title = "Title";
+    options.lettering.title = "A title that does not fit into one line";
     options.lettering.overall = true;
     const roberts_distance distance = {0, 1};
     roberts_scene *scene = sheet && grouping == ROBERTS_GROUP_CLASS ? tetrahedron() : NULL;

@@ -168,6 +168,52 @@ static void what_it_says(void **state)
     free_views(&v);
 }
 
+/* Text of the title's cell, 90 mm wide: where a line would have letters of less than 3.5 mm, the title breaks at
+ * blanks. All is below the caption, and inside of the cell. */
+static void long_titles(void **state)
+{
+    static const struct {
+        const char *title, *first, *last; /* lines; NULL: it is one */
+        double height;                    /* at least */
+    } cases[] = {
+        {"Title", NULL, NULL, 5.0},
+        {"Somewhat longer, one line", NULL, NULL, 3.5},
+        {"A title of two lines that are long enough", "A title of two lines that are long", "enough", 3.4},
+        {"A long title that tells everything about a chair, its legs, its back, the seat and who once sat on it, in "
+         "1642",
+         "A long title that tells everything about a", "once sat on it, in 1642", 2.4},
+        {"One-word-that-nothing-can-break-and-that-is-made-smaller-until-it-fits", NULL, NULL, 1.4},
+        {"  blanks  before,  between  and  after  the  words  of  a  title  ", NULL, NULL, 1.8},
+    };
+    views v;
+    (void)state;
+    hide_views(&v, "chair", ROBERTS_FIRST_ANGLE);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        strokes s;
+        double least = INFINITY;
+        roberts_draw_options options = lettered(1);
+        options.lettering.title = cases[i].title;
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        check_collisions(&s, cases[i].title);
+        const double left = s.frame_mm[1].x - 120.0, top = s.frame_mm[1].y - 27.0;
+        for (size_t k = 0; k < s.notes.count; k++) {
+            const text_line line = notes_line(&s.notes, k);
+            const space_box box = letters_box(line);
+            if (!*line.text || line.at.x < left || line.at.x > left + 88.0 || line.at.y < top + 3.1 ||
+                line.at.y > top + 18.0)
+                continue;
+            least = fmin(least, line.height_mm);
+            assert_true(box.min.x >= left && box.max.x <= left + 90.0 && box.min.y >= top && box.max.y <= top + 18.0);
+        }
+        if (!(least >= cases[i].height))
+            fail_msg("%s: letters of %g mm", cases[i].title, least);
+        if (cases[i].first && !(says(&s, cases[i].first) && says(&s, cases[i].last)))
+            fail_msg("other lines than \"%s\" and \"%s\"", cases[i].first, cases[i].last);
+        strokes_free(&s);
+    }
+    free_views(&v);
+}
+
 static bool is_corner(const strokes *s, page_point p)
 {
     for (size_t i = 0; i < s->start[LINE_CLASSES - 4]; i++) /* those of the views; then frame, symbol and text follow */
@@ -260,9 +306,13 @@ static void numbers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_collides), cmocka_unit_test(mark_ends_at_block),       cmocka_unit_test(wide_text),
-        cmocka_unit_test(what_it_says),     cmocka_unit_test(extensions_reach_corners), cmocka_unit_test(small_pages),
-        cmocka_unit_test(numbers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides),
+                                       cmocka_unit_test(mark_ends_at_block),
+                                       cmocka_unit_test(wide_text),
+                                       cmocka_unit_test(what_it_says),
+                                       cmocka_unit_test(extensions_reach_corners),
+                                       cmocka_unit_test(small_pages),
+                                       cmocka_unit_test(long_titles),
+                                       cmocka_unit_test(numbers)};
     return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
 }
