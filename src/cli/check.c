@@ -394,6 +394,15 @@ static void warn_regions(const cli_options *options)
     message_warning(stderr, options->regions, 0, text);
 }
 
+/* Are there regions that could be merged? Labels from a file may be those of faces. */
+static bool has_regions(const cli_options *options)
+{
+    const roberts_draw_options *draw = &options->draw;
+    const bool labels = options->names || (draw->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
+    return options->regions ||
+           (has_page(draw->format) && (labels || draw->fill != ROBERTS_FILL_NONE || values_hatches(draw)));
+}
+
 /* A name with a place for a number without a turntable, or for a view without tables of a sheet: a file may have such a
  * name, but it is probably a mistake. */
 static void warn_place(const cli_options *options)
@@ -510,6 +519,8 @@ void check_warn(const cli_options *options, const options_given *given)
     if (options_is_given(given, "format"))
         warn_ending(options);
     warn_regions(options);
+    if (options->hide.merge_regions && !has_regions(options))
+        warn("--merge-regions", "there are no regions without --regions, --fill, --hatch or labels of faces");
     warn_place(options);
     warn_twice(options);
     if (options_is_given(given, "up"))

@@ -84,7 +84,6 @@ static const option rows[] = {
      .name = "merge-regions",
      .set = values_set_flag,
      TO(hide.merge_regions),
-     .needs = "regions",
      .brief = "one region for coplanar neighbours",
      .help = "join neighbouring regions that have one plane and one colour; with --union, those of several bodies too",
      .manual =

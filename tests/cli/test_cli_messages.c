@@ -590,6 +590,11 @@ static const struct {
     {"-f csv --columns +by",
      "--columns +by has no effect: it is empty in visible rows, and there are no others without --hidden\n"},
     {"-f csv --columns +by --hidden dashed", ""},
+    {"--merge-regions",
+     "--merge-regions has no effect: there are no regions without --regions, --fill, --hatch or labels of faces\n"},
+    {"--merge-regions --fill white -f csv", "--merge-regions has no effect"},
+    {"--merge-regions --fill white --group element", ""},
+    {"--merge-regions --regions in/r.json", ""},
     {"-f null -o in/b.svg", "--output has no effect: the format null writes nothing\n"},
     {"-f csv --hidden dashed --crease 5", ""},
 };
