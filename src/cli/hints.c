@@ -473,3 +473,17 @@ bool hint_idle_union(const roberts_scene *scene)
             return false;
     return true;
 }
+
+bool hint_idle_hull(const roberts_scene *scene, size_t faces)
+{
+    const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);
+    for (uint32_t s = 0; s < bodies; s++)
+        if (roberts_scene_is_hull(scene, s))
+            return false;
+    return roberts_scene_face_count(scene) == faces;
+}
+
+bool hint_idle_rule(const roberts_scene *scene)
+{
+    return roberts_scene_piece_count(scene) == roberts_scene_face_count(scene);
+}

@@ -69,4 +69,10 @@ bool hint_flat(const cli_options *options, const roberts_scene *scene, const rob
 /* Is no body closed, so that --union changes nothing? */
 bool hint_idle_union(const roberts_scene *scene);
 
+/* Is no body a hull, and none left out, so that --hull changes nothing? `faces`: of the mesh. */
+bool hint_idle_hull(const roberts_scene *scene, size_t faces);
+
+/* Are all faces convex, so that --fill-rule changes nothing? */
+bool hint_idle_rule(const roberts_scene *scene);
+
 #endif

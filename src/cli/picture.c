@@ -178,6 +178,20 @@ static void warn_names(const cli_options *options, const roberts_mesh *mesh, siz
         warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
 }
 
+/* Options without effect on these bodies. With --batch they may be for other models. `faces`: of the mesh. */
+static void warn_idle_bodies(const cli_options *options, const roberts_scene *scene, size_t faces)
+{
+    char name[NAME_SIZE];
+    if (options->quiet || options->batch)
+        return;
+    if (options->scene.hull && hint_idle_hull(scene, faces))
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     "--hull has no effect: all bodies are convex solids");
+    if (options->scene.even_odd && hint_idle_rule(scene))
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     "--fill-rule has no effect: no face crosses itself");
+}
+
 /* Reads the inputs and builds the scene. The mesh is released. */
 static roberts_status load(const cli_options *options, roberts_scene **scene, run_stats *run, roberts_error *error)
 {
@@ -190,6 +204,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->read = report_since(start);
     if (status == ROBERTS_OK && options->verbose)
         run->lines = count_lines(&mesh);
+    const size_t faces = mesh.face_count; /* building may take the mesh */
     if (status == ROBERTS_OK) {
         start = report_now();
         progress_stage("finding the bodies");
@@ -210,6 +225,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->edges = roberts_scene_edge_count(*scene);
     if (options->verbose)
         tell_scene(options, *scene, run);
+    warn_idle_bodies(options, *scene, faces);
     tell_curved(options, *scene);
     return status;
 }

@@ -641,6 +641,15 @@ static const struct {
     {"--style wire:off --turntable 2 -o in/w%d.svg models/platonic/cube.off", ""},
     {"--union triangle.off", "triangle.off: warning: --union has no effect: no body is closed\n"},
     {"--union triangle.off models/platonic/cube.off", ""},
+    {"--hull models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --hull has no effect: all bodies are convex solids\n"},
+    {"--hull --batch in models/platonic/cube.off", ""},
+    {"--hull points.off", ""},
+    {"--fill-rule evenodd models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --fill-rule has no effect: no face crosses itself\n"},
+    {"--fill-rule nonzero models/platonic/cube.off", ""},
+    {"--fill-rule evenodd --batch in models/platonic/cube.off", ""},
+    {"--fill-rule evenodd models/star/pentagrammic-prism.off", ""},
 };
 
 static void what_a_drawing_lacks_is_warned_of(void **state)
@@ -648,6 +657,7 @@ static void what_a_drawing_lacks_is_warned_of(void **state)
     char line[300], said[300];
     (void)state;
     put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    put("points.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     for (size_t i = 0; i < sizeof lacking_cases / sizeof lacking_cases[0]; i++) {
         print_message("roberts %s\n", lacking_cases[i].arguments);
         assert_int_equal(run(lacking_cases[i].arguments), 0);
