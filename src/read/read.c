@@ -208,6 +208,17 @@ static bool begins_foreign_binary(const char *bytes)
     return false;
 }
 
+/* Is it binary STL without triangles? Other formats can have that length and zeros at their end, too. */
+static bool is_empty_stl(reader *r)
+{
+    input *in = &r->in;
+    if (!in->source.read_at || in->source.size != STL_FIRST || !input_need(in, STL_FIRST) ||
+        read_word(in->at + STL_HEADER, true) != 0)
+        return false;
+    return !begins_text(in) && memcmp(in->at, "ply", 3) != 0 && !begins_foreign_binary(in->at) &&
+           read_refuse_foreign(r, in->at, input_token(in)) == ROBERTS_OK;
+}
+
 /* Can an input of unknown or wrong length still be binary STL, whatever its header says? It can if the count has a byte
  * that no text has, and if the available part of the first triangle has corners of a sensible size. */
 static bool looks_like_stl(reader *r)
@@ -230,7 +241,7 @@ static bool looks_like_stl(reader *r)
 static roberts_status read_any(reader *r, const off_division *division)
 {
     input *in = &r->in;
-    if (has_size_of_stl(r))
+    if (has_size_of_stl(r) || is_empty_stl(r))
         return stl_read_binary(r);
     if (input_need(in, 3) && memcmp(in->at, "\xef\xbb\xbf", 3) == 0)
         in->at += 3; /* a byte-order mark */

@@ -275,6 +275,8 @@ roberts_status stl_read_binary(reader *r)
     const uint64_t count = read_word(r->in.at + HEADER, true);
     r->in.at += HEADER + COUNT;
     mesh_float32(r->mesh);
+    if (count == 0)
+        warning_send(r->warnings, r->name, 0, "this is binary STL without triangles");
     for (uint64_t done = 0; done < count && status == ROBERTS_OK;) {
         size_t part = count - done < AT_ONCE ? (size_t)(count - done) : AT_ONCE;
         if (!input_need(&r->in, part * TRIANGLE))

@@ -207,6 +207,30 @@ static void knows_other_binary(void **state)
     }
 }
 
+/* A header and the number 0. Other formats of that length end in zeros, too. */
+static void knows_binary_without_triangles(void **state)
+{
+    static const char *const begins[] = {"", "solid made by a program", "made by another program"};
+    static const char *const others[] = {"\x1f\x8b\x08",  "PK\x03\x04", "glTF",   "OFF BINARY\n",
+                                         "4 0 0 nothing", "ply\n",      "v 0 0 0"};
+    (void)state;
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {
+        bytes_built b = build_header(begins[i], 0);
+        read_good row = {begins[i], b.bytes, b.size, " | float32", "0: this is binary STL without triangles;"};
+        read_good_rows(&row, 1);
+    }
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        bytes_built b = build_header(others[i], 0);
+        roberts_mesh mesh = {0};
+        char warnings[1000];
+        roberts_error error;
+        (void)read_rows_read(b.bytes, b.size, &mesh, warnings, &error);
+        if (strstr(warnings, "STL"))
+            fail_msg("\"%s\": %s", others[i], warnings);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 /* A pipe that stays open after a small model: all bytes of the model are there, and no more is read. */
 static ptrdiff_t read_once(void *context, void *buffer, size_t size)
 {
@@ -298,6 +322,7 @@ int main(void)
         cmocka_unit_test(reads_binary),
         cmocka_unit_test(reads_binary_of_unknown_size),
         cmocka_unit_test(knows_other_binary),
+        cmocka_unit_test(knows_binary_without_triangles),
         cmocka_unit_test(asks_no_more_of_a_text),
         cmocka_unit_test(refuses_binary),
         cmocka_unit_test(welds_many),
