@@ -112,6 +112,9 @@ static const struct {
     {0x2300, "G]PFMGKIJKIMINIUJWLYNZPZRZTYVWWUWNWMVKUITGRFPF RKZYF"}, /* diameter */
     {0x2220, "G]XHJ[Z["},                                             /* angle */
     {0x22a5, "G]RHR[ RI[[["},                                         /* at right angles */
+    {0x221a, "H[JRMPR[YF[F"},                                         /* root */
+    {0xbd, "F_IIKHMFMR RXFL[ RURVPWOZO[P\\Q\\S[UU[\\["},              /* one half */
+    {0x20ac, "G]ZKYIWGUFQFOGMILKKNKSLVMXOZQ[U[WZYXZV RHOVO RHSUS"},   /* euro */
 };
 
 /* ---- characters ---- */

@@ -100,6 +100,11 @@ static glyph find_glyph(uint32_t code)
         return g;
     }
     glyph g = {.count = 0};
+    if (code == 0x221a) { /* root */
+        g = one_byte(0xd6, 549);
+        g.is_symbol = true;
+        return g;
+    }
     for (size_t i = 0; plain && i < count && i < sizeof g.byte; i++) {
         g.byte[g.count++] = (unsigned char)plain[i];
         g.width += letter_width(plain[i]) / 1000.0;

@@ -46,7 +46,9 @@ static const tex_word names[] = {{'#', "\\#"},
                                  {0x2212, "\\ensuremath{-}"},
                                  {0x2300, "\\O{}"},
                                  {0x2220, "\\ensuremath{\\angle}"},
-                                 {0x22a5, "\\ensuremath{\\perp}"}};
+                                 {0x22a5, "\\ensuremath{\\perp}"},
+                                 {0x221a, "\\ensuremath{\\surd}"},
+                                 {0xbd, "\\ensuremath{\\frac12}"}};
 
 /* Commands for accents that follow their letter: LaTeX reads no combining characters. */
 static const tex_word accents[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"}, {0x303, "\\~"},  {0x304, "\\="},

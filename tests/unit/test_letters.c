@@ -128,7 +128,10 @@ static void greek_letters(void **state)
 static void signs_and_digits(void **state)
 {
     (void)state;
-    assert_int_equal(letters_missing("A₁ B² 90° 2×3 ±0,1 ⌀5 „x“ – …", NULL), 0);
+    assert_int_equal(letters_missing("A₁ B² 90° 2×3 ±0,1 ⌀5 „x“ – … √2 ½ 3 €", NULL), 0);
+    assert_int_equal(strokes_of("√"), 1);
+    assert_int_equal(strokes_of("½"), 3);
+    assert_int_equal(strokes_of("€"), 3);
     assert_true(fabs(letters_width("²", 3.5) - 0.6 * letters_width("2", 3.5)) < 1e-9);
     assert_true(letters_width("₁", 3.5) < letters_width("1", 3.5));
 }

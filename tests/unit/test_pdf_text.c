@@ -22,7 +22,7 @@ static void characters_that_the_fonts_lack(void **state)
     static const struct {
         const char *text;
         size_t missing;
-    } cases[] = {{"A 1-2, b.", 0}, {"Größe", 0},         {"βΩ", 0}, {"10 € – “x”", 0},
+    } cases[] = {{"A 1-2, b.", 0}, {"Größe", 0},         {"βΩ", 0}, {"10 € – “x”", 0}, {"√2 ½", 0},
                  {"A₁²", 0},       {"\u4e00b\u4e8c", 2}, {"", 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)

@@ -33,6 +33,7 @@ static void characters(void **state)
                  {"\u2206", "\\ensuremath{\\Delta}"},
                  {"A₁²", "A\\textsubscript{1}\\textsuperscript{2}"},
                  {"90°", "90\\ensuremath{{}^\\circ}"},
+                 {"√2½", "\\ensuremath{\\surd}2\\ensuremath{\\frac12}"},
                  {"(11\u03050)e\u0301", "(1\\={1}0)\\'{e}"},
                  {"a\nb\x7f\xff.", "a?b??."},
                  {"", ""}};
