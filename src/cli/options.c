@@ -122,6 +122,12 @@ static int unknown_option(const option_table *table, const char *name)
     return message_misuse("--%s is unknown", name);
 }
 
+/* Is it the end of all options, or a long one? Then it is hardly meant as a value. */
+static bool is_option(const option_table *table, const char *word)
+{
+    return strncmp(word, "--", 2) == 0 && (!word[2] || find_option(table, word + 2, strcspn(word + 2, "=")));
+}
+
 /* argv[*i] is --name or --name=value; `*i` moves to the last argument that is used. */
 static int take_long(parser *p, int *i)
 {
@@ -140,6 +146,9 @@ static int take_long(parser *p, int *i)
         if (*i + 1 >= p->argc)
             return message_misuse("--%s needs a value", o->name);
         value = p->argv[++*i];
+        if (is_option(p->given.table, value))
+            return message_misuse("--%s needs a value, but %s follows; to have that as its value: --%s=%s", o->name,
+                                  value, o->name, value);
     }
     return apply(p, o, value);
 }

@@ -125,6 +125,9 @@ static const struct {
     {"--crease 3 --hull --taste sour a.off", "--taste and --crease exclude each other\n"},
     {"--taste sour a.off", "--taste needs --eye\n"},
     {"--hull a.off --taste", "--taste needs a value\n"},
+    {"--taste --hull a.off", "--taste needs a value, but --hull follows; to have that as its value: --taste=--hull\n"},
+    {"--taste --page=a4 a.off", "--taste needs a value, but --page=a4 follows; "},
+    {"--taste -- a.off", "--taste needs a value, but -- follows; "},
     {"--tast sour", "--tast is unknown; did you mean --taste?\n"},
 };
 

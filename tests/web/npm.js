@@ -98,6 +98,24 @@ for (let i = 0; i < 20; i++) {
 assert.ok(most > 24 * many, `${most} bytes are less than the vertices take`);
 assert.ok(most < MOST_MEMORY, `${most} bytes after all drawings`);
 
+// an option without its value takes no other argument for it
+for (const [name, value] of [
+  ["crease", true],
+  ["title", true],
+  ["label", [true, "faces"]],
+])
+  await assert.rejects(draw(cube, { sheet: "first", [name]: value }), {
+    status: 2,
+    message: new RegExp(`--${name} needs a value, but --`),
+  });
+
+// files that options write
+const { files } = await draw(cube, { name: "table.off", regions: "regions.json" });
+assert.deepEqual(Object.keys(files), ["regions.json"]);
+const regions = spawnSync(path.resolve(program), ["-f", "null", "--regions", "-", "models/table.off"]).stdout;
+assert.ok(regions.length > 0 && Buffer.from(files["regions.json"]).equals(regions));
+assert.deepEqual((await save(cube, "csv", { files: { "unused.mtl": new Uint8Array(0) } })).files, {});
+
 assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
   "--all-edges",
   "--style=hidden:off",

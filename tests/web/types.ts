@@ -18,13 +18,14 @@ export async function all(bytes: Uint8Array): Promise<string> {
   const { svg, warnings } = await draw(bytes, options);
   const format: Format = "pdf";
   const saved: Uint8Array = (await save(bytes, format)).bytes;
+  const regions: Uint8Array | undefined = (await draw(bytes, { regions: "a.json" })).files["a.json"];
   const list: string[] = [...warnings, ...toArguments(options)];
   try {
     await draw(bytes);
   } catch (error) {
     if (error instanceof RobertsError) list.push(`${error.status.toFixed()} ${error.message}`);
   }
-  return svg + saved.length + list.join();
+  return svg + saved.length + (regions?.length ?? 0) + list.join();
 }
 
 // what is refused: the line below each of these is an error

@@ -36,15 +36,18 @@ export interface Options {
   [option: string]: Value | Value[] | Record<string, Uint8Array> | undefined;
 }
 
+/** What a drawing comes with. */
+export interface Beside {
+  warnings: string[];
+  /** Files that an option has written, such as `regions: "regions.json"`. */
+  files: Record<string, Uint8Array>;
+}
+
 /** The drawing of a model (OFF, STL, OBJ or PLY; its content decides) as SVG, the same bytes as the program's. */
-export function draw(bytes: Uint8Array, options?: Options): Promise<{ svg: string; warnings: string[] }>;
+export function draw(bytes: Uint8Array, options?: Options): Promise<{ svg: string } & Beside>;
 
 /** The same in any format. */
-export function save(
-  bytes: Uint8Array,
-  format: Format,
-  options?: Options,
-): Promise<{ bytes: Uint8Array; warnings: string[] }>;
+export function save(bytes: Uint8Array, format: Format, options?: Options): Promise<{ bytes: Uint8Array } & Beside>;
 
 /** The arguments of the command line that options stand for, without files. */
 export function toArguments(options?: Options): string[];

@@ -53,13 +53,14 @@ export async function save(bytes, format, options = {}) {
   for (const [file, content] of Object.entries(files))
     if (!(content instanceof Uint8Array)) throw new TypeError(`${file}: the bytes of a file have to be a Uint8Array`);
   const module = await load();
-  const { status, messages, output } = run(module, [...toArguments(options), "-f", format, "--", name], files);
-  const lines = messages.split("\n").filter((line) => line !== "");
-  if (status !== 0) throw new RobertsError(lines.join("\n"), status);
-  return { bytes: output, warnings: lines };
+  const args = [...toArguments(options), `--format=${format}`, "--", name];
+  const done = run(module, args, files);
+  const lines = done.messages.split("\n").filter((line) => line !== "");
+  if (done.status !== 0) throw new RobertsError(lines.join("\n"), done.status);
+  return { bytes: done.output, warnings: lines, files: done.system.added(files) };
 }
 
 export async function draw(bytes, options = {}) {
-  const { bytes: svg, warnings } = await save(bytes, "svg", options);
-  return { svg: new TextDecoder().decode(svg), warnings };
+  const { bytes: svg, ...others } = await save(bytes, "svg", options);
+  return { svg: new TextDecoder().decode(svg), ...others };
 }

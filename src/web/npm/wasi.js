@@ -69,6 +69,12 @@ export class System {
     return this.file.get(name)?.bytes;
   }
 
+  /* The files that are not among these: those that the program has written. */
+  added(files) {
+    const added = [...this.file].filter(([name]) => !Object.hasOwn(files, name));
+    return Object.fromEntries(added.map(([name, file]) => [name, file.bytes]));
+  }
+
   get output() {
     return this.stream[1].bytes;
   }
