@@ -1,6 +1,7 @@
 /* test_parts.c - a drawing that is joined from parts has the same bytes as that of one run, and join refuses parts that
  * do not belong together. */
 #include <glob.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -231,6 +232,65 @@ static void spots_are_the_same(void **state)
         free(bytes);
         assert_int_equal(facts.whole.warped, 1);
     }
+}
+
+enum { AROUND = 24, ALONG = 15 };
+
+/* Writes rough balls of triangles, many of them behind others. */
+static void write_balls(const char *path, uint64_t seed, int count)
+{
+    const int vertices = ALONG * AROUND + 2, faces = 2 * ALONG * AROUND;
+    const double turn = 6.283185307179586 / AROUND;
+    rng r = {seed};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "OFF\n%d %d 0\n", count * vertices, count * faces);
+    for (int b = 0; b < count; b++) {
+        const double x = 6.0 * (b % 3) + rng_between(&r, -1, 1), y = 9.0 * (int)rng_between(&r, 0, 20),
+                     z = 6.0 * (b / 3 % 2) + rng_between(&r, -1, 1), size = rng_between(&r, 1, 5);
+        for (int i = 0; i < ALONG * AROUND; i++) {
+            const double u = turn * (i % AROUND), v = 3.141592653589793 * (1 + i / AROUND) / (ALONG + 1),
+                         d = size * rng_between(&r, 0.9, 1.0);
+            fprintf(file, "%.9f %.9f %.9f\n", x + d * sin(v) * cos(u), y + d * sin(v) * sin(u), z + d * cos(v));
+        }
+        fprintf(file, "%.9f %.9f %.9f\n%.9f %.9f %.9f\n", x, y, z + size, x, y, z - size);
+    }
+    for (int b = 0; b < count; b++) {
+        const int first = b * vertices, top = first + ALONG * AROUND;
+        for (int i = 0; i <= ALONG; i++)
+            for (int j = 0; j < AROUND; j++) {
+                const int k = (j + 1) % AROUND, above = first + (i - 1) * AROUND, below = first + i * AROUND;
+                if (i < ALONG)
+                    fprintf(file, "3 %d %d %d\n", i ? above + j : top, below + j, below + k);
+                if (i > 0)
+                    fprintf(file, "3 %d %d %d\n", above + j, i < ALONG ? below + k : top + 1, above + k);
+            }
+    }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Bodies of small faces over one another. No face fills a cell, but those of one body do together, and cull others. */
+static void balls_are_the_same(void **state)
+{
+    static const char *const views[] = {"front", "iso"};
+    char *const names[] = {model[0]};
+    size_t culled = 0;
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        roberts_task task = task_of(views[i % 2]);
+        task.hide.keep_hidden = false;
+        write_balls(model[0], 400 + (uint64_t)i, 60);
+        assert_true(is_same(&(roberts_inputs){1, names}, &task, counts[i]));
+        roberts_mesh mesh = {.threads = 1};
+        roberts_scene *scene = NULL;
+        assert_int_equal(roberts_mesh_read_file(&mesh, names[0], NULL, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
+        roberts_drawing drawing = drawing_of(scene, &task.camera, &task.hide);
+        culled += drawing.culled_solids;
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+    assert_true(culled > 20);
 }
 
 /* A part holds less than the whole: in many parts, a row of boxes has few rows in each. */
@@ -541,6 +601,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(models_are_the_same, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(crowds_are_the_same, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(spots_are_the_same, begin, temporary_remove),
+        cmocka_unit_test_setup_teardown(balls_are_the_same, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(parts_are_small, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(parts_may_be_empty, begin, temporary_remove),
         cmocka_unit_test_setup_teardown(join_refuses, begin, temporary_remove),
