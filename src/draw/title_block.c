@@ -111,37 +111,42 @@ static double lines_high(int lines)
     return 1.0 + line_pitch * (lines - 1) + LETTERS_DEPTH;
 }
 
-/* Writes the title in several lines if its letters are larger then than `single`, in one line. `done`: whether they
- * are. False: no memory. */
-static bool fill_lines(strokes *s, const block_cell *cell, roberts_vec2 at, double width, const char *text,
-                       double single, bool *done)
+/* A title in several lines, each ended by a NUL. */
+typedef struct title_lines {
+    char *text;
+    int count;
+    double height; /* of the letters, mm */
+} title_lines;
+
+/* Breaks a title into lines no wider than `width` whose letters are larger than `least`, if there is a way; otherwise
+ * there are no lines. False: no memory. The caller frees the text. */
+static bool break_title(title_lines *t, const char *title, double width, double least)
 {
-    const size_t size = strlen(text) + 1;
-    const double least = fmax(single, lines_least_mm);
+    const size_t size = strlen(title) + 1;
     double height = lines_most_mm;
-    int lines = 0;
-    *done = false;
-    if (height <= least)
-        return true;
-    char *copy = alloc_array(size, 1);
-    bool has_room = copy;
-    while (has_room && lines == 0 && height > least) {
+    *t = (title_lines){.text = alloc_array(size, 1)};
+    while (t->text && !t->count && height > fmax(least, lines_least_mm)) {
         const double most = (title_room_mm / height - 1.0 - LETTERS_DEPTH) / line_pitch + 1.0;
-        memcpy(copy, text, size);
-        lines = wrap_text(copy, height, width, (int)most);
-        height *= lines ? 1.0 : 0.97;
+        memcpy(t->text, title, size);
+        t->count = wrap_text(t->text, height, width, (int)most);
+        t->height = height;
+        height *= 0.97;
     }
-    const char *part = copy;
-    for (int i = 0; i < lines && has_room; i++, part += strlen(part) + 1) {
-        const double above = (title_room_mm - height * lines_high(lines)) / 2.0 + height * (1.0 + line_pitch * i);
-        const text_line line = {part, {at.x, at.y - title_room_mm + above}, height, 0.0, TEXT_LEVEL};
-        has_room = notes_add_text(&s->notes, &line, false);
+    return t->text;
+}
+
+/* Writes the lines, in the middle of the room that ends above `at`. False: no memory. */
+static bool put_lines(strokes *s, const title_lines *t, roberts_vec2 at)
+{
+    const char *part = t->text;
+    const double first = at.y - (title_room_mm + t->height * lines_high(t->count)) / 2.0 + t->height;
+    for (int i = 0; i < t->count; i++) {
+        const text_line line = {part, {at.x, first + t->height * line_pitch * i}, t->height, 0.0, TEXT_LEVEL};
+        if (!notes_add_text(&s->notes, &line, false))
+            return false;
+        part += strlen(part) + 1;
     }
-    if (lines > 0)
-        warn_small(s, cell, height);
-    *done = lines > 0;
-    free(copy);
-    return has_room;
+    return true;
 }
 
 /* Writes a text into a cell, smaller if it is too wide; the title in several lines, if that leaves it larger. */
@@ -156,14 +161,15 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     if (!*text)
         return true;
     const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
-    bool done = false;
-    if (is_high && !fill_lines(s, cell, (roberts_vec2){left, bottom - inset_mm}, width, text, height, &done))
-        return false;
-    if (done)
-        return true;
-    warn_small(s, cell, height);
+    title_lines title = {0};
+    bool done = !is_high || break_title(&title, text, width, height);
+    warn_small(s, cell, title.count > 0 ? title.height : height);
     line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, TEXT_LEVEL};
-    return notes_add_text(&s->notes, &line, false);
+    if (done)
+        done = title.count > 0 ? put_lines(s, &title, (roberts_vec2){left, bottom - inset_mm})
+                               : notes_add_text(&s->notes, &line, false);
+    free(title.text);
+    return done;
 }
 
 /* The border of the block. Its right and lower sides lie on the frame, if there is one. */

@@ -353,23 +353,19 @@ static roberts_status gather(part *q, roberts_error *error)
 static roberts_status check_bodies(const part *q, roberts_error *error)
 {
     const roberts_scene *scene = q->scene;
-    uint32_t k = 0;
-    bool open = true;
-    for (; k < scene->solid_count && k < q->count; k++) {
-        const uint32_t least = q->body[k].first_vertex;
+    for (uint32_t k = 0; k < scene->solid_count || k < q->count; k++) {
+        const bool kept = k < q->count, found = k < scene->solid_count;
+        const uint32_t least = kept ? q->body[k].first_vertex : ROBERTS_NONE;
         const uint32_t end = k + 1 < q->count ? q->body[k + 1].first_vertex : (uint32_t)q->vertices;
-        const uint32_t number = scene_vertex_number(scene, scene->solid[k].vertex);
-        open = number >= least;
-        if (!open || number >= end || roberts_scene_body_kind(scene, k) == ROBERTS_OPEN)
-            break;
+        const uint32_t number = found ? scene_vertex_number(scene, scene->solid[k].vertex) : ROBERTS_NONE;
+        if (k > 0 && number < least) /* one more of the body before */
+            return error_set(error, ROBERTS_NOT_CLOSED, 0,
+                             "body %u is several bodies; only bodies that share no vertices can be drawn in parts",
+                             q->body[k - 1].number);
+        if (number >= end || roberts_scene_body_kind(scene, k) == ROBERTS_OPEN)
+            return error_set(error, ROBERTS_NOT_CLOSED, 0, "body %u is open; only closed bodies can be drawn in parts",
+                             q->body[k].number);
     }
-    if (k < q->count && open)
-        return error_set(error, ROBERTS_NOT_CLOSED, 0, "body %u is open; only closed bodies can be drawn in parts",
-                         q->body[k].number);
-    if (k < scene->solid_count || k < q->count) /* one more of the body before */
-        return error_set(error, ROBERTS_NOT_CLOSED, 0,
-                         "body %u is several bodies; only bodies that share no vertices can be drawn in parts",
-                         q->body[k - 1].number);
     if (scene->low && q->task->camera.projection == ROBERTS_PERSPECTIVE)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "faces cross themselves; in perspective such a scene cannot be drawn in parts");
