@@ -81,10 +81,14 @@ static inline bool strokes_are_grouped(const roberts_draw_options *options)
     return options->format == ROBERTS_SVG && options->grouping != ROBERTS_GROUP_CLASS;
 }
 
-/* Appends the polylines of the pieces of one class, in order and with their dashes. The pen comes from `*pen`, which
- * becomes the end of the last polyline. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (too many dashes). */
-roberts_status strokes_chain(const strokes *s, const pieces *p, roberts_line line, polylines *out, page_point *pen,
-                             roberts_error *error);
+/* What the number of a piece stands for. */
+typedef struct piece_source {
+    uint32_t view, body;
+    const roberts_segment *segment; /* NULL: a stroke of hatching */
+    const roberts_region *region;   /* on which that stroke lies; otherwise NULL */
+} piece_source;
+
+piece_source strokes_source(const strokes *s, uint32_t number);
 
 /* Adds a box to s->taken. False: no memory. */
 bool strokes_take(strokes *s, const space_box *box);

@@ -2,7 +2,7 @@
  *
  * Groups are nested: on sheets first the view, then body and class, or class and body. Each run of strokes knows its
  * groups; between two runs, the groups that end are closed, and those that begin are opened. */
-#include "draw/stroke_groups.h"
+#include "write/svg.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,6 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "draw/sheet.h"
-#include "write/svg.h"
 
 enum { LEVELS = 3, POINTS_A_LINE = 100 /* then the text goes on in a new line */ };
 
@@ -190,7 +189,7 @@ static void write_stroke(const svg_groups *w, const char *command, const polylin
 /* The names of a piece's edge, or of the face of a stroke of hatching. */
 static void write_names(const svg_groups *w, const stroke_group *g, uint32_t number)
 {
-    const piece_source source = groups_source(w->s, number);
+    const piece_source source = strokes_source(w->s, number);
     const roberts_drawing *drawing = w->s->view[g->view].drawing;
     const roberts_segment *segment = source.segment;
     uint32_t face[2];
