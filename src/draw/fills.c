@@ -11,8 +11,8 @@
 
 #include "base/array.h"
 #include "base/vec.h"
-#include "draw/page_regions.h"
 #include "draw/shade.h"
+#include "draw/strokes.h"
 
 /* mm. The widest seam is wider than a pixel of a screen (96 dpi), so that it covers the gaps that smoothing leaves.
  * Where lines bound the picture, it is no wider than these, so that it does not stick out of thin parts. */

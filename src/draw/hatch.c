@@ -19,7 +19,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/vec.h"
-#include "draw/page_regions.h"
+#include "draw/page.h"
 #include "draw/shade.h"
 
 /* Depth of strokes: lines that lie on them are drawn. Far from overflow, so that differences are finite. */

@@ -1,8 +1,11 @@
-/* page.h - where the drawing lies on the paper; geometry alone. */
+/* page.h - where a drawing lies on the paper, and its visible regions there. */
 #ifndef ROBERTS_DRAW_PAGE_H
 #define ROBERTS_DRAW_PAGE_H
 
 #include "roberts.h"
+
+struct page_view;
+struct strokes;
 
 /* The map from the picture (model units, y up) to paper (mm from the upper left corner, y down). Lengths are fractions
  * of `half`, half of the side of the drawing's box that determines the scale, so neither a box of 1e300 nor one of
@@ -47,5 +50,29 @@ static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)
     return (roberts_vec2){map->page_mm.x + (p.x - map->centre.x) / map->half * map->half_mm,
                           map->page_mm.y - (p.y - map->centre.y) / map->half * map->half_mm};
 }
+
+/* ---- visible regions --------------------------------------------------------------------------------------------- */
+
+/* The visible regions of all views of a page, one after another, as polygons on the paper. Fills, hatching and labels
+ * use them. */
+
+/* The visible part of a face, on the page. Rings are cut off at the frame of a field of view, like lines. On the paper,
+ * where y is down, rings round pieces run clockwise, and those round holes counter-clockwise. A cut may leave parts
+ * that run along the frame and back. */
+typedef struct page_region {
+    const roberts_region *region;
+    const struct page_view *view;
+    size_t ring_count;         /* 0: nothing of it is within the frame */
+    const size_t *ring_start;  /* [ring_count + 1] */
+    const roberts_vec2 *point; /* ring r has point[ring_start[r]] .. [ring_start[r + 1] - 1]; units of the page, not
+                                  rounded */
+} page_region;
+
+/* Receives a region, valid during the call only. False: no memory; the walk ends. */
+typedef bool page_region_fn(void *context, const page_region *region);
+
+/* Passes all regions to `each`: view by view, each in the order of its list. Two regions that share a border have the
+ * same points there, those of a cut included. False: no memory. */
+bool page_regions_walk(const struct strokes *s, page_region_fn *each, void *context);
 
 #endif

@@ -5,7 +5,7 @@
 #include "write/svg.h"
 
 #include "base/error.h"
-#include "draw/page_regions.h"
+#include "draw/page.h"
 #include "write/formats.h"
 #include "write/plot.h"
 

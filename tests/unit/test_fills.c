@@ -9,8 +9,8 @@
 
 #include "build_scene.h"
 #include "draw/fills.h"
-#include "draw/page_regions.h"
 #include "draw/shade.h"
+#include "draw/strokes.h"
 #include "testing.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
