@@ -1,17 +1,26 @@
 /* svg.c - the page as SVG: size and user units in mm, one layer and one path per class of lines.
  *
  * It is written here and not by Cairo: the SVG of Cairo 1.16 has no layers, and numbers its groups by a counter of the
- * process. */
-#include "write/svg.h"
+ * process.
+ *
+ * Strokes may be in groups, with names for scripts and style sheets. Groups are nested: on sheets first the view, then
+ * body and class, or class and body. Each run of strokes knows its groups; between two runs, the groups that end are
+ * closed, and those that begin are opened. */
+#include "write/formats.h"
+
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "base/error.h"
+#include "base/output.h"
 #include "draw/page.h"
-#include "write/formats.h"
+#include "draw/sheet.h"
+#include "draw/strokes.h"
 #include "write/plot.h"
 
-/* ---- colours ---- */
+/* ---- colours ----------------------------------------------------------------------------------------------------- */
 
-void svg_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
+static void svg_color(output *out, unsigned char red, unsigned char green, unsigned char blue)
 {
     static const char hex[] = "0123456789abcdef";
     const unsigned char part[] = {red, green, blue};
@@ -22,7 +31,7 @@ void svg_color(output *out, unsigned char red, unsigned char green, unsigned cha
     }
 }
 
-/* ---- text ---- */
+/* ---- text -------------------------------------------------------------------------------------------------------- */
 
 /* The entity of a character, or NULL. White space and quotes are replaced only in attributes. */
 static const char *entity_of(char c, bool in_attribute)
@@ -60,12 +69,14 @@ static void write_escaped(output *out, const char *text, bool in_attribute)
     }
 }
 
-void svg_text(output *out, const char *text)
+/* Writes UTF-8 with <, > and & as entities. A byte that belongs to no character of XML 1.0, in its shortest form (RFC
+ * 3629), becomes a question mark: a file's name may hold any bytes. */
+static void svg_text(output *out, const char *text)
 {
     write_escaped(out, text, false);
 }
 
-void svg_attribute_integer(output *out, const char *name, uint32_t value)
+static void svg_attribute_integer(output *out, const char *name, uint32_t value)
 {
     output_text(out, " ");
     output_text(out, name);
@@ -74,7 +85,8 @@ void svg_attribute_integer(output *out, const char *name, uint32_t value)
     output_text(out, "\"");
 }
 
-void svg_attribute(output *out, const char *name, const char *text)
+/* Writes ` name="text"`, with quotes, line feeds and tabs as entities, too. */
+static void svg_attribute(output *out, const char *name, const char *text)
 {
     output_text(out, " ");
     output_text(out, name);
@@ -83,7 +95,8 @@ void svg_attribute(output *out, const char *name, const char *text)
     output_text(out, "\"");
 }
 
-void svg_id(output *out, const roberts_draw_options *options, const char *name)
+/* Writes ` id="..."` with the prefix of all ids. */
+static void svg_id(output *out, const roberts_draw_options *options, const char *name)
 {
     output_text(out, " id=\"");
     if (options->id_prefix)
@@ -92,7 +105,8 @@ void svg_id(output *out, const roberts_draw_options *options, const char *name)
     output_text(out, "\"");
 }
 
-void svg_layer(output *out, const roberts_draw_options *options, uint32_t number, const char *name)
+/* Writes the attributes that make a group a layer of Inkscape. number: before its name where layers are numbered. */
+static void svg_layer(output *out, const roberts_draw_options *options, uint32_t number, const char *name)
 {
     output_text(out, " inkscape:groupmode=\"layer\" inkscape:label=\"");
     if (options->number_layers) {
@@ -103,7 +117,8 @@ void svg_layer(output *out, const roberts_draw_options *options, uint32_t number
     output_text(out, "\"");
 }
 
-void svg_pen(output *out, const roberts_draw_options *options, roberts_line line)
+/* Writes the pen of a class as attributes. */
+static void svg_pen(output *out, const roberts_draw_options *options, roberts_line line)
 {
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
@@ -121,6 +136,34 @@ void svg_pen(output *out, const roberts_draw_options *options, roberts_line line
     output_text(out, "\"");
 }
 
+static const char *view_name(const strokes *s, uint32_t view)
+{
+    return roberts_sheet_view_name(s->sheet->angle, s->view[view].place);
+}
+
+static const char *body_name(const roberts_draw_options *options, uint32_t body)
+{
+    return options->scene ? roberts_scene_name(options->scene, body) : "";
+}
+
+/* Write the attributes that name a body, and a view of a sheet. */
+static void svg_body(output *out, const roberts_draw_options *options, uint32_t body)
+{
+    const char *name = body_name(options, body);
+    output_text(out, " class=\"body\"");
+    svg_attribute_integer(out, "data-body", body);
+    if (*name)
+        svg_attribute(out, "data-name", name);
+}
+
+static void svg_view(output *out, const strokes *s, uint32_t view)
+{
+    output_text(out, " class=\"view\"");
+    svg_attribute(out, "data-view", view_name(s, view));
+}
+
+/* ---- layers of classes ------------------------------------------------------------------------------------------- */
+
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
 {
     const char *name = strokes_class_name(line);
@@ -131,8 +174,6 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     svg_pen(out, options, line);
     output_text(out, " d=\"");
 }
-
-/* ---- paths ---- */
 
 /* Where the strokes go. */
 typedef struct svg_plot {
@@ -172,7 +213,7 @@ static void end_part(void *context, bool last)
     output_text(p->out, last ? "\"/>\n</g>\n" : "\n");
 }
 
-/* ---- text of the reader ---- */
+/* ---- text of the reader ------------------------------------------------------------------------------------------ */
 
 static const double capital = 0.716; /* height of capitals of usual fonts, as a part of their size */
 
@@ -252,7 +293,7 @@ static void write_color(output *out, const fill_color *color)
     output_text(out, "\"");
 }
 
-static void write_path(const strokes *s, const fill_paint *paint, output *out)
+static void write_fill(const strokes *s, const fill_paint *paint, output *out)
 {
     const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5);
     output_text(out, "<path");
@@ -270,8 +311,6 @@ static void write_path(const strokes *s, const fill_paint *paint, output *out)
     }
     output_text(out, "\"/>\n");
 }
-
-/* ---- each region by itself ---- */
 
 typedef struct region_writer {
     const strokes *s;
@@ -338,8 +377,6 @@ static bool write_regions(const strokes *s, output *out)
     return done;
 }
 
-/* ---- the layer ---- */
-
 /* Writes a layer with a path for each colour, and below them, in a group, one for the seams of each colour (where lines
  * are grouped, of each body and colour). Where lines are grouped, it has a path for each region instead of one for each
  * colour, in groups of bodies, on sheets within those of views. Nothing if nothing is filled. False: no memory. */
@@ -366,17 +403,254 @@ static bool write_fills(const strokes *s, output *out)
         if (i > 0 && f->paint[i - 1].seam && !f->paint[i].seam)
             output_text(out, "</g>\n");
         if (f->paint[i].seam || !grouped)
-            write_path(s, &f->paint[i], out);
+            write_fill(s, &f->paint[i], out);
     }
     if (grouped)
         done = write_regions(s, out);
     for (size_t i = f->plates; i < f->count; i++)
-        write_path(s, &f->paint[i], out);
+        write_fill(s, &f->paint[i], out);
     output_text(out, "</g>\n");
     return done;
 }
 
-/* ---- the page ---- */
+/* ---- strokes in groups ------------------------------------------------------------------------------------------- */
+
+enum { LEVELS = 3, POINTS_A_LINE = 100 /* then the text goes on in a new line */ };
+
+typedef enum level { LEVEL_VIEW, LEVEL_CLASS, LEVEL_BODY } level;
+
+/* The groups that are open. */
+typedef struct svg_groups {
+    const strokes *s;
+    output *out;
+    level order[LEVELS]; /* from the outermost */
+    int depth;           /* how many of them there are */
+    int32_t thousandths; /* of a mm, in a unit */
+    uint32_t bodies;     /* numbered layers: those of frame, symbol and text come after so many */
+} svg_groups;
+
+static void attribute_pair(output *out, const char *name, uint32_t a, uint32_t b, const char *between)
+{
+    output_text(out, name);
+    output_integer(out, a);
+    if (b != ROBERTS_NONE) {
+        output_text(out, between);
+        output_integer(out, b);
+    }
+    output_text(out, "\"");
+}
+
+static void open_view(const svg_groups *w, const stroke_group *g)
+{
+    const char *name = view_name(w->s, g->view);
+    svg_id(w->out, w->s->options, name);
+    svg_layer(w->out, w->s->options, (uint32_t)w->s->view[g->view].place + 1, name);
+    svg_view(w->out, w->s, g->view);
+}
+
+/* Only layers have an id: on sheets and within bodies there are several groups of a class. */
+static void open_class(const svg_groups *w, const stroke_group *g, bool outermost)
+{
+    const char *name = strokes_class_name(g->line);
+    if (outermost)
+        svg_id(w->out, w->s->options, name);
+    svg_attribute(w->out, "class", name);
+    if (g->line == LINE_TEXT || g->line == LINE_HIDDEN_TEXT)
+        svg_attribute(w->out, "pointer-events", "none"); /* the pointer finds what lies below */
+    if (outermost) {
+        const bool own = strokes_pen(w->s->options, g->line)->number != 0;
+        svg_layer(w->out, w->s->options, (own ? 0 : w->bodies) + strokes_class_number(w->s->options, g->line), name);
+    }
+    svg_pen(w->out, w->s->options, g->line);
+}
+
+static void open_body(const svg_groups *w, const stroke_group *g, bool outermost)
+{
+    const roberts_draw_options *options = w->s->options;
+    const char *name = body_name(options, g->body);
+    char unnamed[24];
+    snprintf(unnamed, sizeof unnamed, "body-%u", (unsigned)g->body);
+    if (outermost) {
+        svg_id(w->out, options, unnamed);
+        svg_layer(w->out, options, g->body + 1, *name ? name : unnamed);
+    }
+    svg_body(w->out, options, g->body);
+}
+
+static void open_level(const svg_groups *w, const stroke_group *g, int depth)
+{
+    output_text(w->out, "<g");
+    switch (w->order[depth]) {
+    case LEVEL_VIEW:
+        open_view(w, g);
+        break;
+    case LEVEL_CLASS:
+        open_class(w, g, depth == 0);
+        break;
+    case LEVEL_BODY:
+        open_body(w, g, depth == 0);
+        break;
+    }
+    output_text(w->out, ">\n");
+}
+
+static bool same_group(const stroke_group *g, const stroke_group *h, level at)
+{
+    return at == LEVEL_VIEW ? g->view == h->view : at == LEVEL_BODY ? g->body == h->body : g->line == h->line;
+}
+
+/* Frame, symbol and text are in layers of their class alone. */
+static bool is_plain(const stroke_group *g)
+{
+    return g->body == ROBERTS_NONE;
+}
+
+/* How many groups two runs share, from the outermost. */
+static int shared(const svg_groups *w, const stroke_group *g, const stroke_group *h)
+{
+    int depth = 0;
+    if (is_plain(g) || is_plain(h))
+        return 0;
+    while (depth < w->depth && same_group(g, h, w->order[depth]))
+        depth++;
+    return depth;
+}
+
+static void close_levels(const svg_groups *w, int count)
+{
+    for (int i = 0; i < count; i++)
+        output_text(w->out, "</g>\n");
+}
+
+static void write_coordinate(const svg_groups *w, const char *before, int32_t units)
+{
+    output_bytes(w->out, before, 1);
+    output_thousandths(w->out, units * w->thousandths);
+}
+
+/* Lines are relative in elements: these are short, so relative ends have fewer digits. */
+static const char absolute[] = "HVL", relative[] = "hvl";
+
+/* Level and upright lines have shorter commands, H and V. */
+static void write_line(const svg_groups *w, const char *command, page_point from, page_point to)
+{
+    const page_point start = command == relative ? from : (page_point){0, 0};
+    if (from.y == to.y) {
+        write_coordinate(w, command, to.x - start.x);
+    } else if (from.x == to.x) {
+        write_coordinate(w, command + 1, to.y - start.y);
+    } else {
+        write_coordinate(w, command + 2, to.x - start.x);
+        write_coordinate(w, " ", to.y - start.y);
+    }
+}
+
+static void write_group_stroke(const svg_groups *w, const char *command, const polyline *line)
+{
+    const page_point *p = w->s->lines.point + line->first;
+    write_coordinate(w, "M", p[0].x);
+    write_coordinate(w, " ", p[0].y);
+    for (uint32_t i = 1; i < line->count; i++) {
+        if (i % POINTS_A_LINE == 0)
+            output_bytes(w->out, "\n", 1);
+        write_line(w, command, p[i - 1], p[i]);
+    }
+    if (line->closed)
+        output_bytes(w->out, "Z", 1);
+}
+
+/* The names of a piece's edge, or of the face of a stroke of hatching. */
+static void write_names(const svg_groups *w, const stroke_group *g, uint32_t number)
+{
+    const piece_source source = strokes_source(w->s, number);
+    const roberts_drawing *drawing = w->s->view[g->view].drawing;
+    const roberts_segment *segment = source.segment;
+    uint32_t face[2];
+    output_text(w->out, segment ? " class=\"edge\"" : " class=\"hatch\"");
+    if (source.region && source.region->face != ROBERTS_NONE)
+        svg_attribute_integer(w->out, "data-face", source.region->face);
+    if (!segment)
+        return;
+    if (segment->v0 != ROBERTS_NONE)
+        attribute_pair(w->out, " data-edge=\"", segment->v0, segment->v1, "-");
+    roberts_segment_faces(w->s->options->scene, drawing, segment, face);
+    if (face[0] != ROBERTS_NONE)
+        attribute_pair(w->out, " data-faces=\"", face[0], face[1], ",");
+    if (segment->state == ROBERTS_HIDDEN && segment->by != ROBERTS_NONE)
+        svg_attribute_integer(w->out, "data-by", segment->by);
+}
+
+/* Writes strokes as one path. */
+static void write_group_path(const svg_groups *w, const stroke_group *g, size_t first, size_t end)
+{
+    const bool named = w->s->options->grouping == ROBERTS_GROUP_ELEMENT && !is_plain(g);
+    output_text(w->out, "<path");
+    if (named)
+        write_names(w, g, w->s->lines.item[first].number);
+    output_text(w->out, " d=\"");
+    for (size_t i = first; i < end; i++) {
+        if (i > first && (i - first) % POINTS_A_LINE == 0)
+            output_bytes(w->out, "\n", 1);
+        write_group_stroke(w, named ? relative : absolute, &w->s->lines.item[i]);
+    }
+    output_text(w->out, "\"/>\n");
+}
+
+/* The bodies of the scene; if it is not known, up to the last one that is drawn. */
+static uint32_t count_bodies(const strokes *s)
+{
+    uint32_t count = s->options->scene ? (uint32_t)roberts_scene_solid_count(s->options->scene) : 0;
+    for (size_t i = 0; i < s->group_count; i++)
+        if (!is_plain(&s->group[i]) && s->group[i].body >= count)
+            count = s->group[i].body + 1;
+    return count;
+}
+
+/* With an element for each piece, the dashes of a piece and the hatching of a region are one path; otherwise all
+ * strokes are. */
+static void write_paths(const svg_groups *w, const stroke_group *g)
+{
+    const roberts_draw_options *options = w->s->options;
+    const polyline *line = w->s->lines.item;
+    const bool several =
+        options->grouping == ROBERTS_GROUP_BODY || options->real_dashes || is_plain(g) || g->line == LINE_HATCH;
+    for (size_t i = g->first, end; i < g->end; i = end) {
+        for (end = i + 1; several && end < g->end && line[end].number == line[i].number;)
+            end++;
+        write_group_path(w, g, i, end);
+    }
+}
+
+/* Writes the strokes in their groups. */
+static void svg_groups_write(const strokes *s, output *out)
+{
+    const bool by_body = s->options->grouping == ROBERTS_GROUP_BODY;
+    svg_groups w = {.s = s, .out = out, .thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    int open = 0;
+    if (s->sheet)
+        w.order[w.depth++] = LEVEL_VIEW;
+    w.order[w.depth++] = by_body ? LEVEL_BODY : LEVEL_CLASS;
+    w.order[w.depth++] = by_body ? LEVEL_CLASS : LEVEL_BODY;
+    w.bodies = w.order[0] == LEVEL_BODY ? count_bodies(s) : 0;
+    for (size_t i = 0; i < s->group_count; i++) {
+        const stroke_group *g = &s->group[i];
+        const int kept = i > 0 ? shared(&w, g - 1, g) : 0;
+        close_levels(&w, open - kept);
+        if (is_plain(g)) {
+            output_text(out, "<g");
+            open_class(&w, g, true);
+            output_text(out, ">\n");
+            open = 1;
+        } else {
+            for (open = kept; open < w.depth; open++)
+                open_level(&w, g, open);
+        }
+        write_paths(&w, g);
+    }
+    close_levels(&w, open);
+}
+
+/* ---- the page ---------------------------------------------------------------------------------------------------- */
 
 /* Writes nothing where `text` is NULL. */
 static void write_element(output *out, const char *tag, const char *text)
