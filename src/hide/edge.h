@@ -25,7 +25,7 @@ typedef struct hide_lanes {
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
 } hide_lanes;
 
-/* A face in front of a point: see level.c. */
+/* A face in front of a point: see level_at() in segments.c. */
 typedef struct level_hit {
     uint32_t body;
     unsigned ways; /* bits of the directions in which the point can be moved into the face */
@@ -64,7 +64,7 @@ typedef struct hide_worker {
     uint32_t single_mask;
     uint16_t stamp;          /* of the current group */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
-    level_hits level;        /* scratch memory of hide_level_at() */
+    level_hits level;        /* scratch memory of level_at() */
     char apart[THREADS_APART];
 } hide_worker;
 
