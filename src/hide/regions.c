@@ -18,7 +18,6 @@
 #include "base/sort.h"
 #include "base/threads.h"
 #include "hide/planar_map.h"
-#include "hide/region_depths.h"
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
