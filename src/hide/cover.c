@@ -418,7 +418,7 @@ static BITS_RARE bool warped_hides_edge(const cover *c, roberts_vec3 A, roberts_
     return true;
 }
 
-/* Goes along AB column by column, as scan.c does along a polygon's side. In each column it looks at the rows that AB
+/* Goes along AB column by column, as cells.c does along a polygon's side. In each column it looks at the rows that AB
  * crosses, and compares their covers with the nearest depth of AB there. Rows and depth are linear in the column's
  * number. A margin on all sides makes up for rounding. */
 BITS_PER_PROCESSOR bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B)

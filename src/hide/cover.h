@@ -11,7 +11,7 @@
 #define ROBERTS_HIDE_COVER_H
 
 #include "base/threads.h"
-#include "hide/scan.h"
+#include "hide/cells.h"
 #include "hide/types.h"
 
 typedef struct cover {

@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "base/lanes.h"
+#include "hide/cells.h"
 #include "hide/front_tree.h"
-#include "hide/scan.h"
 
 /* A front in a cell's list. */
 typedef struct objet_entry {
