@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "hide/refine.h"
+#include "hide/tests.h"
 
 /* A picture of n faces has about this times sqrt(n) columns of cells: see CELLS_PER_BOX in cells.c. */
 #define CELLS_PER_ROOT 2.0

@@ -1,10 +1,181 @@
-/* tests.c - the four tests of one edge against one face. See tests.h for their rules. */
+/* tests.c - the four tests of one edge against one face, and signs and crossings from the coordinates as read. See
+ * tests.h for their rules. */
 #include "hide/tests.h"
 
 #include <math.h>
 
 #include "base/array.h"
-#include "hide/refine.h"
+#include "base/dd.h"
+#include "base/lanes.h"
+
+/* ---- signs and crossings from the coordinates as read ------------------------------------------------------------ */
+
+/* Returns the position of a vertex. */
+static seen_point vertex_point(const hide_space *space, uint32_t a)
+{
+    const roberts_scene *scene = space->scene;
+    return (seen_point){scene->point[a], scene->low ? scene->low[a] : (roberts_vec3){0.0, 0.0, 0.0}};
+}
+
+static seen_point refine_place(const hide_space *space, refine_point x)
+{
+    return x.vertex == ROBERTS_NONE ? *x.place : vertex_point(space, x.vertex);
+}
+
+/* Returns b - a in view units. */
+static dd3 between(const hide_space *space, seen_point b, seen_point a)
+{
+    double k = 1.0 / space->view->unit; /* a power of two: scaling is exact, and products stay in range */
+    dd3 p = dd3_between(vec3_scale(k, b.point), vec3_scale(k, a.point));
+    return dd3_add(p, dd3_from(vec3_scale(k, vec3_sub(b.low, a.low))));
+}
+
+static dd3 from_eye(const hide_space *space, seen_point a)
+{
+    return between(space, a, (seen_point){.point = space->view->viewpoint});
+}
+
+/* The sight plane through p and q. */
+typedef struct sight_plane {
+    seen_point P, Q;
+    dd3 normal; /* perspective: (P - V) x (Q - V), the same for every X */
+} sight_plane;
+
+static sight_plane sight_plane_through(const hide_space *space, uint32_t p, uint32_t q)
+{
+    sight_plane s = {.P = vertex_point(space, p), .Q = vertex_point(space, q)};
+    if (space->view->perspective)
+        s.normal = dd3_cross(from_eye(space, s.P), from_eye(space, s.Q));
+    return s;
+}
+
+/* Returns a multiple of the distance of X from the sight plane. The factor is positive and the same for every X. */
+static dd side_determinant(const hide_space *space, const sight_plane *s, seen_point X)
+{
+    if (space->view->perspective)
+        return dd_neg(dd3_dot(s->normal, from_eye(space, X)));
+    return dd3_dot(dd3_cross(between(space, s->Q, s->P), between(space, X, s->P)), dd3_from(space->view->viewpoint));
+}
+
+/* The distance of x from the line through p and q in the picture, divided by the determinant. */
+static double per_determinant(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+{
+    const view *v = space->view;
+    double length = hypot(space->P[q].x - space->P[p].x, space->P[q].y - space->P[p].y);
+    if (!v->perspective)
+        return 1.0 / (v->viewpoint_depth * length);
+    /* the picture's determinant of rows (x, y, 1) is that of rows (x, y, w), divided by the three w / D */
+    const double z[] = {space->P[p].z, space->P[q].z, x.z};
+    double scale = v->inverse_distance / length;
+    for (int i = 0; i < 3; i++)
+        scale *= 1.0 + z[i] * v->inverse_distance;
+    return scale;
+}
+
+double refine_side(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+{
+    const sight_plane sight = sight_plane_through(space, p, q);
+    return side_determinant(space, &sight, refine_place(space, x)).hi * per_determinant(space, p, q, x);
+}
+
+/* ---- the same in doubles ---- */
+
+/* A vector in doubles, and the sizes of its components. Errors are fractions of these sizes. */
+typedef struct near3 {
+    roberts_vec3 is, size;
+} near3;
+
+/* Returns b - a in view units. Each component is off by at most two half epsilons of its size. */
+static inline near3 gap(const hide_space *space, const seen_point *b, const seen_point *a)
+{
+    const double k = space->view->per_unit;
+    roberts_vec3 high = vec3_scale(k, vec3_sub(b->point, a->point)), low = vec3_scale(k, vec3_sub(b->low, a->low));
+    return (near3){vec3_add(high, low),
+                   {fabs(high.x) + fabs(low.x), fabs(high.y) + fabs(low.y), fabs(high.z) + fabs(low.z)}};
+}
+
+/* The sight plane through P and Q: its normal is the ray through P times PQ. */
+typedef struct near_plane {
+    seen_point P;
+    near3 normal;
+} near_plane;
+
+static near_plane plane_nearly(const hide_space *space, uint32_t p, uint32_t q)
+{
+    near_plane s = {.P = vertex_point(space, p)};
+    const seen_point Q = vertex_point(space, q), eye = {.point = space->view->viewpoint};
+    const near3 along = gap(space, &Q, &s.P);
+    near3 ray = {eye.point, {fabs(eye.point.x), fabs(eye.point.y), fabs(eye.point.z)}};
+    if (space->view->perspective)
+        ray = gap(space, &eye, &s.P);
+    s.normal.is = vec3_cross(ray.is, along.is);
+    s.normal.size = (roberts_vec3){ray.size.y * along.size.z + ray.size.z * along.size.y,
+                                   ray.size.z * along.size.x + ray.size.x * along.size.z,
+                                   ray.size.x * along.size.y + ray.size.y * along.size.x};
+    return s;
+}
+
+/* The same determinant as side_determinant() finds. */
+static refine_near determinant_nearly(const hide_space *space, const near_plane *s, const seen_point *X)
+{
+    const near3 to = gap(space, X, &s->P);
+    return (refine_near){vec3_dot(s->normal.is, to.is), REFINE_ROUNDINGS * vec3_dot(s->normal.size, to.size)};
+}
+
+refine_near refine_side_nearly(const hide_space *space, uint32_t p, uint32_t q, refine_point x)
+{
+    const near_plane s = plane_nearly(space, p, q);
+    const seen_point X = refine_place(space, x);
+    const refine_near d = determinant_nearly(space, &s, &X);
+    const double scale = per_determinant(space, p, q, x);
+    return (refine_near){d.value * scale, d.error * fabs(scale)};
+}
+
+/* In the picture, the distances of A and B from the line are these determinants times 1 / w, up to a common factor. */
+bool refine_crossing_nearly(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e, double *t)
+{
+    const near_plane s = plane_nearly(space, p, q);
+    const seen_point A = refine_place(space, refine_start(e)), B = refine_place(space, refine_end(e));
+    const refine_near a = determinant_nearly(space, &s, &A), b = determinant_nearly(space, &s, &B);
+    const double near_a = 1.0 + e->A.z * space->view->inverse_distance;
+    const double near_b = 1.0 + e->B.z * space->view->inverse_distance;
+    const double from = a.value * near_a, apart = from - b.value * near_b;
+    *t = from / apart;
+    return hide_accurate(space, e, (a.error * near_a + b.error * near_b) / fabs(apart));
+}
+
+static double to_picture(const hide_space *space, const hide_edge *e, double t)
+{
+    return view_from_space(space->view, e->A.z, e->B.z, t);
+}
+
+double refine_crossing(const hide_space *space, uint32_t p, uint32_t q, const hide_edge *e)
+{
+    const sight_plane sight = sight_plane_through(space, p, q);
+    const dd a = side_determinant(space, &sight, refine_place(space, refine_start(e)));
+    const dd b = side_determinant(space, &sight, refine_place(space, refine_end(e)));
+    return to_picture(space, e, dd_zero_of(a, b));
+}
+
+double refine_pierce(const hide_space *space, const hide_face *F, const hide_edge *e)
+{
+    seen_point origin = vertex_point(space, F->corner[0]);
+    seen_point A = refine_place(space, refine_start(e)), B = refine_place(space, refine_end(e));
+    dd3 n = {{0, 0}, {0, 0}, {0, 0}}, sum = n; /* Newell's normal as a sum of triangles; the sum of the corners */
+    for (uint32_t i = 0; i < F->count; i++) {
+        dd3 p = between(space, vertex_point(space, F->corner[i]), origin);
+        dd3 q = between(space, vertex_point(space, F->corner[(i + 1) % F->count]), origin);
+        n = dd3_add(n, dd3_cross(p, q));
+        sum = dd3_add(sum, p);
+    }
+    /* n . (X - mean of the corners), times the number of corners */
+    dd count = {F->count, 0.0}, offset = dd3_dot(n, sum);
+    dd a = dd_sub(dd_mul(count, dd3_dot(n, between(space, A, origin))), offset);
+    dd b = dd_sub(dd_mul(count, dd3_dot(n, between(space, B, origin))), offset);
+    return to_picture(space, e, dd_zero_of(a, b));
+}
+
+/* ---- the tests one by one ---------------------------------------------------------------------------------------- */
 
 bool hide_sides_reserve(hide_sides *sides, size_t count)
 {
@@ -356,4 +527,150 @@ bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge 
         sides->tally.test4++;
         return hide_test4(space, F, e, sides, part) && end_at_corners(space, F, e, sides, part);
     }
+}
+
+/* ---- tests 2 to 4 in one pass: the parts that are rarely needed -------------------------------------------------- */
+
+/* Stores side i, which runs from p to q. `forward`: p has the smaller vertex number. */
+BITS_INLINE void take_side(fast_outline *o, uint32_t i, two p, two q, bool forward)
+{
+    two_part(&o->x[i], &o->y[i], p);
+    if (forward)
+        two_part(&o->ox[i], &o->oy[i], p);
+    else
+        two_part(&o->ox[i], &o->oy[i], q);
+    two_part(&o->dx[i], &o->dy[i], two_sub(q, p));
+}
+
+BITS_PER_PROCESSOR void fast_take(fast_outline *o, const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+{
+    uint32_t first = corner[0];
+    two p = two_of(P[first].x, P[first].y), begin = p;
+    o->corner = corner;
+    o->sides = count;
+    o->count = count + count % 2;
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        uint32_t second = corner[i + 1];
+        two q = two_of(P[second].x, P[second].y);
+        take_side(o, i, p, q, first < second);
+        first = second;
+        p = q;
+    }
+    take_side(o, count - 1, p, begin, first < corner[0]);
+    if (count % 2) {
+        o->x[count] = o->x[0];
+        o->y[count] = o->y[0];
+        o->ox[count] = o->ox[count - 1];
+        o->oy[count] = o->oy[count - 1];
+        o->dx[count] = o->dx[count - 1];
+        o->dy[count] = o->dy[count - 1];
+    }
+}
+
+static bool all_above(const double *h, size_t count, double least)
+{
+    for (size_t i = 0; i < count; i++)
+        if (!(h[i] > least))
+            return false;
+    return true;
+}
+
+static bool outside_one(const fast_sides *H, size_t count, double plain)
+{
+    for (size_t i = 0; i < count; i++)
+        if (H->a[i] < -plain && H->b[i] < -plain)
+            return true;
+    return false;
+}
+
+/* Decides signs that are not plain as look_closely() does. */
+fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const hide_edge *e, double plain,
+                         fast_sides *H)
+{
+    bool a_inside = all_above(H->a, o->count, plain);
+    const double *h = a_inside ? H->b : H->a;
+    roberts_vec3 X = a_inside ? e->B : e->A;
+    uint32_t out = 0, touched = 0;
+    if (!a_inside && !all_above(H->b, o->count, plain))
+        return outside_one(H, o->count, plain) ? FAST_OUTSIDE : FAST_UNCLEAR;
+    for (size_t i = 0; i < o->count; i++) {
+        if (fabs(h[i]) > plain) {
+            out |= (h[i] < 0.0 ? 1u : 0u) << i;
+            continue;
+        }
+        double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), on = space->epsilon * length;
+        double error = 2.0 * space->rounding * (length + fabs(X.x - o->ox[i]) + fabs(X.y - o->oy[i]));
+        if (length <= space->epsilon)
+            continue;
+        if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
+            return FAST_UNCLEAR;
+        out |= (h[i] < -on ? 1u : 0u) << i;
+        touched += h[i] < 0.0 && h[i] >= -on && i < o->sides;
+    }
+    if (touched > 1)
+        return FAST_UNCLEAR; /* perhaps beyond a sharp corner: see hide_by_sides() */
+    H->out_a = a_inside ? 0 : out;
+    H->out_b = a_inside ? out : 0;
+    return FAST_CUT;
+}
+
+/* An odd last side is stored twice. */
+static inline uint32_t side_of(const fast_outline *o, int i)
+{
+    return (uint32_t)i < o->sides ? (uint32_t)i : o->sides - 1;
+}
+
+double fast_reach_along(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double touch,
+                        double *t)
+{
+    hide_face F = {.corner = o->corner, .count = o->sides};
+    const uint32_t first = side_of(o, i);
+    reach_border border = {&F, first, first + 1 < o->sides ? first + 1 : 0, touch > 0.0};
+    return reach_along(space, e, &border, fabs(touch), t);
+}
+
+/* Finds the crossing with side i as refine_if_needed() does. False: it needs double-double numbers. */
+static bool crossing_as_read(const fast_outline *o, const hide_space *space, const hide_edge *e, int i, double *t)
+{
+    const uint32_t first = side_of(o, i), p = o->corner[first], q = o->corner[first + 1 < o->sides ? first + 1 : 0];
+    return space->scene && refine_crossing_nearly(space, p < q ? p : q, p < q ? q : p, e, t);
+}
+
+fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, const hide_edge *e, const fast_sides *H,
+                              hide_interval *part)
+{
+    int inward = -1, outward = -1; /* sides of the last entry and the first exit */
+    *part = hide_whole;
+    for (uint32_t out = H->out_a | H->out_b; out; out &= out - 1) {
+        int i = bits_trailing_zeros(out);
+        double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
+        double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
+        double error_a = 2.0 * space->rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
+        double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
+        double t = a / (a - b), error = (error_a + error_b) / apart;
+        if (!hide_accurate(space, e, error)) {
+            error =
+                lesser(hide_crossing_error(space, e, t, (roberts_vec2){ox, oy}, (roberts_vec2){dx, dy}, apart), error);
+            if (a < 0.0 ? t + error <= part->t0 : t - error >= part->t1)
+                continue;
+            if (!hide_accurate(space, e, error) && !crossing_as_read(o, space, e, i, &t))
+                return FAST_UNCLEAR;
+        }
+        if (a < 0.0) {
+            if (t > part->t0) {
+                part->t0 = t;
+                inward = i;
+            }
+        } else if (t < part->t1) {
+            part->t1 = t;
+            outward = i;
+        }
+        if (part->t0 >= part->t1)
+            return FAST_EMPTY;
+    }
+    if (!((part->t1 - part->t0) * e->length3 > space->epsilon))
+        return FAST_EMPTY;
+    part->r0 = fast_reach(o, space, e, H, inward, &part->t0);
+    part->r1 = fast_reach(o, space, e, H, outward, &part->t1);
+    return (part->t1 - part->t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
 }

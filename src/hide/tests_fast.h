@@ -3,7 +3,8 @@
  * A sign is plain if its cross product is larger than hide_plain() of this edge and outline. Then tests.c would find
  * the same sign, and lengths and errors do not matter. H_i(A) and H_i(B) are computed for two sides at a time, in the
  * form that test 4 uses for t_i, so the part found is the same to the last bit. tests.c decides if a crossing is not
- * accurate, or if a sign is not plain (unless one end of the edge is well inside). */
+ * accurate, or if a sign is not plain (unless one end of the edge is well inside). The parts that are rarely needed are
+ * in tests.c, too. */
 #ifndef ROBERTS_HIDE_TESTS_FAST_H
 #define ROBERTS_HIDE_TESTS_FAST_H
 

@@ -1,7 +1,7 @@
 /* Signs and crossings in twice the precision, against exact integers. All coordinates are integers below 2^18, or along
  * one axis alone up to 2^20, so that determinants fit into 63 bits; each test chooses which of them are zero or nearly
  * zero. */
-#include "hide/refine.h"
+#include "hide/tests.h"
 
 #include "hide/tolerance.h"
 #include "scenes.h"
