@@ -9,7 +9,7 @@
 #include <stdbool.h>
 
 #include "model/scene.h"
-#include "model/solid_edges.h"
+#include "model/solid.h"
 
 enum { REPEATED_RECENT = 4 }; /* how many patterns a solid is compared with; few files alternate among more */
 

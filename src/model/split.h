@@ -2,7 +2,7 @@
 #ifndef ROBERTS_MODEL_SPLIT_H
 #define ROBERTS_MODEL_SPLIT_H
 
-#include "model/solid_edges.h"
+#include "model/solid.h"
 
 /* Groups of faces. closed[g]: each edge of group g has two of its faces. Any other group is a connected piece that
  * could not be split completely. Some groups may be empty. */

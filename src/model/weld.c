@@ -14,7 +14,6 @@
 #include "base/vec.h"
 #include "model/scene.h"
 #include "model/solid.h"
-#include "model/solid_edges.h"
 #include "model/split.h"
 #include "read/mesh.h"
 
