@@ -341,7 +341,7 @@ $(ORACLE_CGAL): $(ORACLE_X) $(BUILD)/flags
 $(BUILD)/obj/src/write/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)
 $(BUILD)/obj/tests/unit/test_image.o $(BUILD)/obj/tests/cli/test_render.o \
     $(BUILD)/obj/tests/cli/test_gallery.o: NEEDS = $(CAIRO_CFLAGS)
-$(BUILD)/obj/src/model/qhull.o: NEEDS = $(QHULL_CFLAGS)
+$(BUILD)/obj/src/model/hull.o: NEEDS = $(QHULL_CFLAGS)
 
 # The letters, from the fonts of HERSHEY
 $(BUILD)/obj/src/draw/letters.o: NEEDS = -I$(BUILD)/generated

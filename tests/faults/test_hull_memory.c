@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "model/qhull.h"
+#include "model/hull.h"
 #include "process_memory.h"
 #include "testing.h"
 
