@@ -4,8 +4,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/search.h"
 #include "base/threads.h"
-#include "model/box_tree.h"
 
 /* More pairs of faces of two solids than this are found by sorting. */
 #define FEW_PAIRS 1024

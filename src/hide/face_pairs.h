@@ -1,6 +1,6 @@
 /* face_pairs.h - pairs of faces that may cross, whichever way they look: for drawings with hidden lines.
  *
- * Faces are found in space, through a tree of boxes (model/box_tree.h), and not by the cells of the picture: most of
+ * Faces are found in space, through a tree of boxes (base/search.h), and not by the cells of the picture: most of
  * them are no fronts. Faces that are edge-on are left out. A convex solid is first tested as a whole. */
 #ifndef ROBERTS_HIDE_FACE_PAIRS_H
 #define ROBERTS_HIDE_FACE_PAIRS_H

@@ -5,7 +5,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "model/box_tree.h"
+#include "base/search.h"
 
 /* The second strip is along the longest side that makes an angle with the first whose sine is greater than this. */
 #define ASLANT 0.25

@@ -9,10 +9,10 @@
 #include "base/bits.h"
 #include "base/dd.h"
 #include "base/orient.h"
+#include "base/search.h"
 #include "base/sort.h"
 #include "hide/map_search.h"
 #include "hide/tolerance.h"
-#include "model/sweep_order.h"
 
 /* Rounds of division. From the second one on, the distance at which a node divides a line is halved, so that the
  * division ends. */

@@ -3,9 +3,9 @@
 #ifndef ROBERTS_HIDE_REGION_FACES_H
 #define ROBERTS_HIDE_REGION_FACES_H
 
+#include "base/search.h"
 #include "hide/fronts.h"
 #include "hide/segments.h"
-#include "model/box_tree.h"
 #include "view/seen.h"
 
 /* Faces are those of job->fronts.scene; of several pieces, the first. */

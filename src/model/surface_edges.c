@@ -12,9 +12,9 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "base/search.h"
 #include "base/sets.h"
 #include "base/sort.h"
-#include "model/point_grid.h"
 #include "model/surface.h"
 
 /* A side, or a part of one, with its ends in ascending order. */

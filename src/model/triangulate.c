@@ -15,8 +15,8 @@
 
 #include "base/array.h"
 #include "base/orient.h"
+#include "base/search.h"
 #include "model/face_pieces.h"
-#include "model/sweep_order.h"
 
 /* A node of a chain. */
 typedef struct chain_link {

@@ -19,7 +19,7 @@
 #ifndef ROBERTS_MODEL_UNION_H
 #define ROBERTS_MODEL_UNION_H
 
-#include "model/box_tree.h"
+#include "base/search.h"
 #include "model/scene.h"
 
 /* What becomes of a piece of a line. */

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/vec.h"
 #include "base/orient.h"
+#include "base/search.h"
+#include "base/vec.h"
 #include "model/face_pieces.h"
-#include "model/sweep_order.h"
 #include "testing.h"
 
 enum { MOST_CORNERS = 64 };

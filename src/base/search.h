@@ -1,0 +1,123 @@
+/* search.h - what is near what: a tree of boxes, a grid of points, the lines on a sweep line in order. */
+#ifndef ROBERTS_BASE_SEARCH_H
+#define ROBERTS_BASE_SEARCH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/vec.h"
+#include "roberts.h"
+
+/* ---- a tree of boxes --------------------------------------------------------------------------------------------- */
+
+/* Finds the things near a box or a segment.
+ *
+ * Several trees share one pair of arrays. A tree is identified by its root. Nodes are in depth-first order, and each
+ * stores the node that follows its subtree, so a search needs no stack:
+ *
+ *     for (uint32_t i = root, end = tree->node[root].skip; i < end;)
+ *         if (the box of node i is missed)
+ *             i = tree->node[i].skip;
+ *         else {
+ *             look at the items of node i; // inner nodes have none
+ *             i++;
+ *         } */
+
+typedef struct box3 {
+    roberts_vec3 lo, hi;
+} box3;
+
+typedef struct box_tree_node {
+    box3 box;
+    uint32_t skip;         /* the node after this one's subtree */
+    uint32_t first, count; /* items of a leaf, in box_tree.item; count 0: an inner node */
+} box_tree_node;
+
+typedef struct box_tree {
+    box_tree_node *node;
+    uint32_t *item;
+    size_t node_count, node_room, item_count, item_room;
+} box_tree;
+
+/* Adds a tree over box[0 .. count - 1]. Its items are the boxes' numbers, starting at `base`. `count` is at least 1.
+ * Sets *root. False: no memory. */
+bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base, uint32_t *root);
+
+void box_tree_free(box_tree *tree);
+
+/* Moves the numbers of `half` boxes to the front of item[0 .. count - 1]: those with the smallest centres, along the
+ * axis on which the centres are spread farthest. */
+void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half);
+
+static inline bool box3_meet(const box3 *a, const box3 *b)
+{
+    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y && a->lo.z <= b->hi.z &&
+           b->lo.z <= a->hi.z;
+}
+
+/* ---- a grid of points -------------------------------------------------------------------------------------------- */
+
+/* A grid of cells that finds the points near a segment. */
+
+/* A point as stored in the grid: this alone excludes most points of a cell. */
+typedef struct grid_point {
+    float at[3]; /* rounded, in cells from the grid's lowest corner */
+    uint32_t number;
+} grid_point;
+
+typedef struct point_grid {
+    roberts_vec3 low;
+    double per;        /* cells in a unit of length */
+    double rounding;   /* bound of the error of grid_point.at, and of what is computed from it */
+    uint32_t count[3]; /* number of cells along each axis */
+    uint32_t *start;   /* [cells + 1] into item */
+    grid_point *item;  /* cell by cell */
+} point_grid;
+
+/* Builds the grid of the listed points. False: no memory; point_grid_free() is still needed. */
+bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count);
+
+/* The points found by a query. */
+typedef struct point_list {
+    uint32_t *item; /* [count] */
+    size_t count, room;
+} point_list;
+
+/* Appends all points within `margin` of AB, each once, and perhaps others nearby. False: no memory. */
+bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, double margin, point_list *found);
+
+void point_grid_free(point_grid *grid);
+
+/* ---- the lines on a sweep line, in order ------------------------------------------------------------------------- */
+
+/* From the lowest to the highest: a list with a search tree over it.
+ *
+ * The tree is a treap (C. R. Aragon, R. Seidel, "Randomized search trees", Algorithmica 16, 1996) whose priorities are
+ * computed from the numbers of the lines, so every run is the same. */
+
+/* A line in the order. ROBERTS_NONE: no such neighbour. */
+typedef struct sweep_place {
+    uint32_t parent, child[2]; /* in the tree: child 0 below, child 1 above */
+    uint32_t near[2];          /* in the list: the lines below and above */
+    uint32_t priority;         /* no child has a greater one */
+} sweep_place;
+
+typedef struct sweep_order {
+    sweep_place *place; /* indexed by line */
+    uint32_t root;      /* ROBERTS_NONE: no line */
+} sweep_order;
+
+/* Makes room for lines 0 .. count-1; none is in the order yet. False: no memory. */
+bool sweep_order_start(sweep_order *order, size_t count);
+
+/* Inserts a line directly above another, or as the lowest if `below` is ROBERTS_NONE. */
+void sweep_order_insert(sweep_order *order, uint32_t line, uint32_t below);
+
+/* Returns the line directly above another, or the lowest if `below` is ROBERTS_NONE. */
+uint32_t sweep_order_above(const sweep_order *order, uint32_t below);
+
+void sweep_order_remove(sweep_order *order, uint32_t line);
+
+void sweep_order_free(sweep_order *order);
+
+#endif
