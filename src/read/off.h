@@ -1,7 +1,6 @@
 /* off.h - shared by the parts of the OFF reader.
  *
- * off.c          the driver: the order of the parts; colours
- * off_header.c   keyword, dimension, counts
+ * off.c          the driver: the order of the parts; keyword, dimension, counts; colours
  * off_text.c     vertices and faces as text
  * off_pieces.c   large texts by several threads
  * off_binary.c   vertices and faces as 32-bit words
@@ -53,17 +52,16 @@ roberts_status off_color_face(reader *r, const off_color_numbers *numbers);
  * nothing. */
 const char *off_explain_word(const char *token, size_t length);
 
-/* ---- the other parts ------------------------------------------------------------------------------------------- */
-
-roberts_status off_read_header(reader *r);
-roberts_status off_read_text(reader *r);
-roberts_status off_read_binary(reader *r);
-
 /* Is this word a keyword of OFF? */
 bool off_is_keyword(const char *word, size_t length);
 
 /* Does a keyword come next, perhaps after "{" or "{ ="? Takes whatever precedes it. */
 bool off_at_keyword(reader *r);
+
+/* ---- the other parts ------------------------------------------------------------------------------------------- */
+
+roberts_status off_read_text(reader *r);
+roberts_status off_read_binary(reader *r);
 
 /* After an error: reads the text again, and adds to the message the line that may be the reason, or says that this is
  * not OFF. After success: warns of a line in which a number seems to be missing. The contents of the reader's buffer
