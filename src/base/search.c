@@ -107,9 +107,8 @@ void box_tree_free(box_tree *tree)
 
 /* ---- a grid of points -------------------------------------------------------------------------------------------- */
 
-/* The segment is divided into short parts, and the
- * cells round each part are searched row by row. The cells of a row follow one another along z, and so do their
- * points. */
+/* The segment is divided into short parts, and the cells round each part are searched row by row. The cells of a row
+ * follow one another along z, and so do their points. */
 
 /* A bound for where a point lies beside a segment, in roundings of a coordinate to float. */
 #define FLOAT_ROUNDINGS 32.0
