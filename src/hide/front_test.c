@@ -40,16 +40,22 @@ BITS_RARE bool hide_by_outline_closely(const hide_fronts *fronts, const uint32_t
     return hide_by_sides(&fronts->space, &F, e, sides, part);
 }
 
-/* Makes tests 2 to 4 with one face, and finds what it hides. depth: what test 1 found. False: it hides nothing. */
-BITS_INLINE bool by_face_in_front(const hide_fronts *fronts, const hide_face *F, double span, hide_verdict depth,
-                                  const hide_edge *e, hide_sides *sides, hide_interval *part)
+/* Makes tests 2 to 4 with one face, and finds the part of the edge inside it. False: there is none. */
+BITS_INLINE bool inside_face(const hide_fronts *fronts, const hide_face *F, double span, const hide_edge *e,
+                             hide_sides *sides, hide_interval *part)
 {
     const runs *r = runs_of(&fronts->face_runs, F->corner, F->count);
     hide_polygon outline = {F->corner, F->count, span};
     sides->tally.pairs++;
-    bool inside = r ? hide_by_runs(&fronts->space, r, F, e, sides, part)
-                    : hide_by_outline(fronts, &outline, e, NULL, sides, part);
-    return inside && (depth == HIDE_INVISIBLE || hide_pierce_all(fronts, F, 1, e, sides, part));
+    return r ? hide_by_runs(&fronts->space, r, F, e, sides, part)
+             : hide_by_outline(fronts, &outline, e, NULL, sides, part);
+}
+
+/* Leaves of a part inside a face what lies behind it. depth: what test 1 found. False: nothing is left. */
+BITS_INLINE bool behind_face(const hide_fronts *fronts, const hide_face *F, hide_verdict depth, const hide_edge *e,
+                             hide_sides *sides, hide_interval *part)
+{
+    return depth == HIDE_INVISIBLE || hide_pierce_all(fronts, F, 1, e, sides, part);
 }
 
 /* Makes test 1, and counts it if the edge is visible. */
@@ -104,7 +110,8 @@ static void test_faces(bundle_search *c, uint32_t item)
         hide_interval part;
         const hide_face *F = &c->face[c->b->order[item]];
         hide_verdict depth = test1(F, c->e, c->sides);
-        if (depth != HIDE_VISIBLE && by_face_in_front(c->fronts, F, c->span, depth, c->e, c->sides, &part))
+        if (depth != HIDE_VISIBLE && inside_face(c->fronts, F, c->span, c->e, c->sides, &part) &&
+            behind_face(c->fronts, F, depth, c->e, c->sides, &part))
             join_hidden(c->hull, &c->found, &part);
     }
 }
@@ -169,7 +176,8 @@ bool hide_by_faces(const hide_fronts *fronts, const hide_meeting *m, const hide_
     }
     for (uint32_t k = 0; k < m->face_count; k++) {
         hide_interval part;
-        if (by_face_in_front(fronts, &m->face[k], m->outline.span, depth[k], e, sides, &part))
+        if (inside_face(fronts, &m->face[k], m->outline.span, e, sides, &part) &&
+            behind_face(fronts, &m->face[k], depth[k], e, sides, &part))
             join_hidden(hull, &found, &part);
     }
     return found;
