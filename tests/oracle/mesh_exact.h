@@ -122,23 +122,54 @@ struct mesh_oracle {
             distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
             if (distinct.size() < 3)
                 continue;
-            std::map<std::array<uint32_t, 2>, int> runs;
             size_t n = face.corner.size();
             for (size_t i = 0; i < n; i++) {
                 uint32_t p = face.corner[i], q = face.corner[(i + 1) % n];
-                runs[{std::min(p, q), std::max(p, q)}] += p < q ? 1 : -1;
                 std::vector<size_t> &of = edges[{std::min(p, q), std::max(p, q)}];
                 if (of.empty() || of.back() != faces.size())
                     of.push_back(faces.size());
             }
-            for (auto &[key, net] : runs)
-                for (int k = 0; k < std::abs(net); k++)
-                    face.side.push_back(net > 0 ? key : std::array<uint32_t, 2>{key[1], key[0]});
+            take_sides(face, distinct);
             take_plane(face);
             faces.push_back(face);
         }
         if (faces.empty())
             throw std::runtime_error("no face");
+    }
+
+    /* Lists the sides, cut at the face's own corners, but for stretches that the border runs along both ways. */
+    void take_sides(polygon &face, const std::vector<uint32_t> &corners) const
+    {
+        std::map<std::array<uint32_t, 2>, int> runs;
+        for (size_t i = 0; i < face.corner.size(); i++) {
+            uint32_t p = face.corner[i], q = face.corner[(i + 1) % face.corner.size()];
+            std::vector<uint32_t> stop{p, q};
+            for (uint32_t v : corners)
+                if (lies_between(p, q, v))
+                    stop.push_back(v);
+            const vec<rational> d = minus(place[q], place[p]);
+            std::sort(stop.begin(), stop.end(),
+                      [&](uint32_t a, uint32_t b) { return dot(d, minus(place[a], place[b])) < 0; });
+            for (size_t k = 1; k < stop.size(); k++)
+                runs[{std::min(stop[k - 1], stop[k]), std::max(stop[k - 1], stop[k])}] +=
+                    stop[k - 1] < stop[k] ? 1 : -1;
+        }
+        for (auto &[key, net] : runs)
+            for (int k = 0; k < std::abs(net); k++)
+                face.side.push_back(net > 0 ? key : std::array<uint32_t, 2>{key[1], key[0]});
+    }
+
+    /* Does v lie on the side from p to q, between its ends? */
+    bool lies_between(uint32_t p, uint32_t q, uint32_t v) const
+    {
+        const roberts_vec3 &P = mesh.vertex[p], &Q = mesh.vertex[q], &V = mesh.vertex[v];
+        const double dx = Q.x - P.x, dy = Q.y - P.y, dz = Q.z - P.z, x = V.x - P.x, y = V.y - P.y, z = V.z - P.z;
+        const double size =
+            (std::fabs(dx) + std::fabs(dy) + std::fabs(dz)) * (std::fabs(x) + std::fabs(y) + std::fabs(z));
+        if (v == p || v == q || std::fabs(dx * y - dy * x) + std::fabs(dy * z - dz * y) > 1e-9 * size)
+            return false;
+        const vec<rational> d = minus(place[q], place[p]), e = minus(place[v], place[p]), c = cross(d, e);
+        return c.x == 0 && c.y == 0 && c.z == 0 && dot(d, e) > 0 && dot(d, e) < dot(d, d);
     }
 
     /* Chooses the corners that the face's plane is taken from, and computes the plane. */
