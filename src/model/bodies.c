@@ -179,9 +179,50 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
     }
 }
 
-/* Lists everything that will be laid out, and sets of[] to the set of each item: the pieces; the two ends of each edge
- * whose ends may not be corners of a piece; the faces of convex solids. False: no memory. */
-static bool list_all(assembly *a)
+/* Sets of[] and number[] of the pieces. parent: see join_pieces(). */
+static void list_pieces(assembly *a, uint32_t *parent)
+{
+    for (uint32_t p = 0; p < a->surface.piece_count; p++) {
+        a->of[p] = sets_root(parent, p);
+        a->number[p] = a->surface.face[p];
+    }
+}
+
+/* Adds an item to `all`, with `count` corners. */
+static void add_item(assembly *a, uint32_t set, uint32_t number, const uint32_t *corner, uint32_t count)
+{
+    polygons *all = &a->all;
+    const uint32_t n = all->face_count++;
+    a->of[n] = set;
+    a->number[n] = number;
+    memcpy(all->own_corner + all->own_start[n], corner, count * sizeof *corner);
+    all->own_start[n + 1] = all->own_start[n] + count;
+}
+
+/* Adds the two ends of each edge whose ends may not be corners of a piece. */
+static void list_ends(assembly *a, uint32_t *parent)
+{
+    const surface *s = &a->surface;
+    for (size_t i = 0; i < s->edge_count; i++)
+        if (s->edge[i].odd)
+            add_item(a, sets_root(parent, s->piece_count + (uint32_t)i), ROBERTS_NONE, s->edge[i].v, 2);
+}
+
+/* Adds the faces of convex solids. */
+static void list_convex(assembly *a)
+{
+    const roberts_scene *scene = a->scene;
+    const uint32_t sets = (uint32_t)(a->surface.piece_count + a->surface.edge_count);
+    for (uint32_t k = 0; k < scene->solid_count; k++)
+        for (uint32_t f = scene->solid[k].face; f < scene->solid[k + 1].face; f++) {
+            const uint32_t own = scene_face_number(scene, f);
+            if (!a->listed[own])
+                add_item(a, sets + k, own, a->faces.corner + a->faces.start[own], polygon_size(&a->faces, own));
+        }
+}
+
+/* Moves the arrays of the pieces to `all`, and makes room for the rest. False: no memory. */
+static bool make_item_room(assembly *a)
 {
     surface *s = &a->surface;
     const roberts_scene *scene = a->scene;
@@ -193,49 +234,38 @@ static bool list_all(assembly *a)
             convex_faces++;
             corners += polygon_size(&a->faces, scene_face_number(scene, f));
         }
-    size_t count = s->piece_count + odd + convex_faces;
-    uint32_t *parent = alloc_array(s->piece_count + s->edge_count, sizeof *parent);
-    uint32_t *owner = alloc_array(s->vertex_count, sizeof *owner);
+    const size_t count = s->piece_count + odd + convex_faces;
     a->of = alloc_array(count, sizeof *a->of);
     a->number = alloc_array(count, sizeof *a->number);
-    bool enough = parent && owner && a->of && a->number && count < ROBERTS_NONE && corners + 2 * odd < ROBERTS_NONE &&
-                  array_reserve(&s->start, &s->start_room, count + 1, sizeof *s->start) &&
-                  array_reserve(&s->corner, &s->corner_room, corners + 2 * odd, sizeof *s->corner);
+    if (!a->of || !a->number || count >= ROBERTS_NONE || corners + 2 * odd >= ROBERTS_NONE ||
+        !array_reserve(&s->start, &s->start_room, count + 1, sizeof *s->start) ||
+        !array_reserve(&s->corner, &s->corner_room, corners + 2 * odd, sizeof *s->corner))
+        return false;
+    s->start[s->piece_count] = (uint32_t)s->corner_count;
+    a->all = (polygons){.start = s->start,
+                        .corner = s->corner,
+                        .own_start = s->start,
+                        .own_corner = s->corner,
+                        .face_count = s->piece_count,
+                        .vertex_count = s->vertex_count};
+    s->start = s->corner = NULL;
+    return true;
+}
+
+/* Lists everything that will be laid out, and sets of[] to the set of each item: the pieces; the two ends of each edge
+ * whose ends may not be corners of a piece; the faces of convex solids. False: no memory. */
+static bool list_all(assembly *a)
+{
+    const surface *s = &a->surface;
+    uint32_t *parent = alloc_array(s->piece_count + s->edge_count, sizeof *parent);
+    uint32_t *owner = alloc_array(s->vertex_count, sizeof *owner);
+    const bool enough = parent && owner && make_item_room(a);
     if (enough) {
-        uint32_t *start = a->all.own_start = s->start, *corner = a->all.own_corner = s->corner; /* moves to a->all */
-        s->start = s->corner = NULL;
-        uint32_t to = (uint32_t)s->corner_count, n = s->piece_count;
         join_pieces(s, parent, owner);
-        for (uint32_t p = 0; p < n; p++) {
-            a->of[p] = sets_root(parent, p);
-            a->number[p] = s->face[p];
-        }
-        for (size_t i = 0; i < s->edge_count; i++) {
-            if (!s->edge[i].odd)
-                continue;
-            a->of[n] = sets_root(parent, s->piece_count + (uint32_t)i);
-            a->number[n] = ROBERTS_NONE;
-            start[n++] = to;
-            corner[to++] = s->edge[i].v[0];
-            corner[to++] = s->edge[i].v[1];
-        }
-        a->convex = n;
-        for (uint32_t k = 0; k < scene->solid_count; k++)
-            for (uint32_t f = scene->solid[k].face; f < scene->solid[k + 1].face; f++) {
-                uint32_t own = scene_face_number(scene, f), size = polygon_size(&a->faces, own);
-                if (a->listed[own])
-                    continue;
-                a->of[n] = (uint32_t)(s->piece_count + s->edge_count) + k;
-                a->number[n] = own;
-                start[n++] = to;
-                memcpy(corner + to, a->faces.corner + a->faces.start[own], size * sizeof *corner);
-                to += size;
-            }
-        start[n] = to;
-        a->all.start = start;
-        a->all.corner = corner;
-        a->all.face_count = n;
-        a->all.vertex_count = s->vertex_count;
+        list_pieces(a, parent);
+        list_ends(a, parent);
+        a->convex = a->all.face_count;
+        list_convex(a);
     }
     free(parent);
     free(owner);
