@@ -4,7 +4,7 @@
 
 /* How many faces of an edge lie on each side of it in the picture. */
 typedef struct edge_faces {
-    unsigned left, right, edge_on;
+    unsigned left, right;
     bool flat; /* all within the crease angle of one plane */
 } edge_faces;
 
@@ -20,15 +20,17 @@ static int facing_of_face(const seen *s, const roberts_scene *scene, uint32_t fa
     return fabs(inside) <= v->epsilon * v->unit ? VIEW_EDGE_ON : inside < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
-/* `turned`: the face lies on the right of the edge. */
+/* `turned`: the face lies on the right of the edge. A face that is edge-on lies on neither side. */
 static void add_edge_face(int facing, bool turned, edge_faces *to)
 {
-    if (facing == VIEW_EDGE_ON)
-        to->edge_on++;
-    else if ((facing == VIEW_FRONT) != turned)
-        to->left++;
-    else
-        to->right++;
+    to->left += facing != VIEW_EDGE_ON && (facing == VIEW_FRONT) != turned;
+    to->right += facing != VIEW_EDGE_ON && (facing == VIEW_FRONT) == turned;
+}
+
+/* Do all faces lie on one side? */
+static bool is_fold(const edge_faces *faces)
+{
+    return (faces->left == 0) != (faces->right == 0);
 }
 
 /* Do two faces of an edge meet at the crease angle or less, both as a whole and in the pieces that meet there? way: -1
@@ -84,6 +86,30 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
     return found;
 }
 
+/* Is a cut through faces that are not planar an outline? It is if one of them folds there. If several have the cut,
+ * each has its own pieces, which follow one another. */
+static bool is_folded_cut(const seen_walk *w, const roberts_scene *scene, uint32_t e)
+{
+    const scene_edge *edge = scene_edge_stored(scene, w->body, e);
+    if (edge->f[1] == ROBERTS_NONE)
+        return false;
+    if (!(scene->surface->edge_is[e] & EDGE_MANY)) {
+        const edge_faces faces = faces_of_edge(w, scene, edge, e, 0.0);
+        return is_fold(&faces);
+    }
+    const scene_many *many = scene_many_at(scene, e);
+    const uint32_t *piece = scene->surface->many_face;
+    for (uint32_t k = many->first, next; k < many->end; k = next) {
+        const uint32_t face = scene_face_number(scene, piece[k] & ~MANY_TURNED);
+        edge_faces found = {0};
+        for (next = k; next < many->end && scene_face_number(scene, piece[next] & ~MANY_TURNED) == face; next++)
+            add_edge_face(facing_of_face(w->of, scene, piece[next] & ~MANY_TURNED), piece[next] & MANY_TURNED, &found);
+        if (next - k > 1 && is_fold(&found))
+            return true;
+    }
+    return false;
+}
+
 /* The squared distance of normals below which two faces of the body count as flat. */
 static double crease_of(const seen *s, uint32_t body)
 {
@@ -100,13 +126,15 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
         return !s->rules.rest;
+    if (is & EDGE_CUT) {
+        line->class = ROBERTS_OUTLINE;
+        return !s->rules.rest && is_folded_cut(w, scene, e);
+    }
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
                                       : faces_of_edge(w, scene, edge, e, crease);
-    bool fold = (faces.left == 0) != (faces.right == 0);
+    bool fold = is_fold(&faces);
     line->class = ROBERTS_OUTLINE;
     bool border = edge->f[1] == ROBERTS_NONE, flat = !border && !fold && faces.flat;
-    if (is & EDGE_CUT)
-        return !s->rules.rest && fold && faces.edge_on == 0 && !border;
     if (border)
         line->class = ROBERTS_BORDER;
     else if (!fold && faces.left > 0)
@@ -238,7 +266,7 @@ bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const
     bool back = seen_is_back(line->class), convex = scene_is_convex(s->source, body);
     double crease = convex ? s->rules.crease_chord : crease_of(s, body);
     edge_faces faces = faces_of_piece(s, line->side + piece->first, piece->count, crease);
-    bool fold = (faces.left == 0) != (faces.right == 0);
+    bool fold = is_fold(&faces);
     if (!fold && faces.flat && !s->rules.all_edges)
         return false;
     if (fold || faces.left == 0)

@@ -19,6 +19,8 @@ typedef struct body_case {
 } body_case;
 
 #define ROOT_5 2.2360679774997898
+#define ROOT_10 3.1622776601683795
+#define ROOT_13 3.6055512754639891
 #define ROOT_2 1.41421356237309504880
 #define TOP                                                                                                            \
     {                                                                                                                  \
@@ -27,6 +29,11 @@ typedef struct body_case {
 #define FRONT                                                                                                          \
     {                                                                                                                  \
         0, -1, 0                                                                                                       \
+    }
+
+#define BACK                                                                                                           \
+    {                                                                                                                  \
+        0, 1, 0                                                                                                        \
     }
 
 #define SQUARE "4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"
@@ -104,6 +111,11 @@ static const body_case cases[] = {
     {"... from the front, where the side from 1 to 2 has a length",
      "OFF\n5 2 0\n0 0 0\n0 3 0\n0 3 2\n4 3 0\n0 6 0\n4 0 1 2 3\n4 4 1 2 3\n", FRONT, "o", 2 + 2 * ROOT_5, 4 + 4, 0, 0,
      false, true},
+    {"a face that is not planar is an outline at its cut: beyond it, it is edge-on",
+     "OFF\n4 1 0\n0 0 0\n2 0 0\n2 1 2\n0 2 0\n4 0 1 2 3\n", BACK, "o", 2, 2 + 2 * ROOT_2, 0, 0, false, false},
+    {"... with another such face along the cut, that does not fold",
+     "OFF\n5 2 0\n3 3 0\n0 0 3\n1 2 0\n3 2 3\n1 3 1\n4 3 4 2 1\n4 1 3 0 2\n", BACK, "o", ROOT_10 + 3 + ROOT_13,
+     2 + 3 + 1 + 2 * ROOT_2, 0, 0, false, false},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
