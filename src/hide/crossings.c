@@ -10,7 +10,6 @@
 #include "base/threads.h"
 #include "hide/crossing_filter.h"
 #include "hide/edge_crossings.h"
-#include "hide/face_pairs.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
