@@ -17,7 +17,7 @@
 #include "base/sort.h"
 #include "model/body_edges.h"
 #include "model/components.h"
-#include "model/plain_bodies.h"
+#include "model/convex.h"
 #include "model/scene.h"
 #include "model/solid.h"
 #include "model/surface.h"
@@ -54,7 +54,7 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
 {
     const solid_rules rules = {a->mesh, a->options->tolerance, false};
     for (uint32_t s = 0; s < a->scene->solid_count; s++) {
-        bool crooked = plain_not_convex(a->scene, s, rules.tolerance);
+        bool crooked = solid_surely_not_convex(a->scene, s, rules.tolerance);
         build_result result =
             crooked ? solid_is_closed(a->scene, &a->work, s, error) : solid_build(a->scene, &a->work, s, &rules, error);
         if (result == BUILD_REFUSED && (error->status == ROBERTS_NO_MEMORY || error->status == ROBERTS_BAD_NUMBER))

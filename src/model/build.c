@@ -11,6 +11,7 @@
 #include "model/bodies.h"
 #include "model/body_edges.h"
 #include "model/components.h"
+#include "model/convex.h"
 #include "model/hull.h"
 #include "model/plain_bodies.h"
 #include "model/repeated_solids.h"
@@ -118,7 +119,7 @@ static bool is_shape(roberts_status status)
 static void build_or_mark(construction *c, construction_worker *worker, uint32_t s)
 {
     build_result result = BUILD_OK;
-    if (plain_not_convex(c->scene, s, c->rules.tolerance)) {
+    if (solid_surely_not_convex(c->scene, s, c->rules.tolerance)) {
         mark(c, s, GLANCED);
         return;
     }

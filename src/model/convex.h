@@ -19,4 +19,19 @@ bool polygon_strictly_convex(const roberts_vec3 *corner, uint32_t count, roberts
  * their planes from their neighbours. */
 roberts_status solid_check(const roberts_scene *scene, solid_frame *frame, roberts_error *error);
 
+/* ---- not convex at a glance ------------------------------------------------------------------------------------ */
+
+enum { WORTH_A_GLANCE = 1000 }; /* faces */
+
+/* Do a few faces and vertices show that solid s is certainly not convex? The scene is laid out, and its planes are not
+ * yet fitted. */
+bool solid_large_surely_not_convex(const roberts_scene *scene, uint32_t s, double tolerance);
+
+/* The same, but false for small solids: checking these in full is fast. */
+static inline bool solid_surely_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
+{
+    return scene->solid[s + 1].face - scene->solid[s].face >= WORTH_A_GLANCE &&
+           solid_large_surely_not_convex(scene, s, tolerance);
+}
+
 #endif

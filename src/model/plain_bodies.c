@@ -6,87 +6,11 @@
 
 #include "base/array.h"
 #include "base/bits.h"
-#include "base/box.h"
 #include "base/search.h"
 #include "model/body_edges.h"
 #include "model/face_pieces.h"
-#include "model/scene.h"
 #include "model/surface.h"
 #include "model/weld.h"
-#include "read/mesh.h"
-
-/* ---- not convex at a glance ------------------------------------------------------------------------------------ */
-
-enum { GLANCE_FACES = 8, GLANCE_VERTICES = 16 };
-
-/* A factor that exceeds what rounding can add to a bound. */
-#define GLANCE_MARGIN 1.01
-
-/* Planes are stored unless bodies have this many faces, on average. */
-#define MESH_FACES 8
-
-/* Data is prefetched this many edges ahead. */
-#define EDGES_AHEAD 8
-
-/* A solid beyond these sizes needs a frame of its own, and a quick test cannot decide it. */
-#define GLANCE_LARGE 0x1p200
-#define GLANCE_SMALL 0x1p-200
-
-/* Returns how far a vertex may lie outside the plane of a face of unit width, see solid_check(). 0: the numbers are too
- * large or too small. */
-static double allowance_of(const roberts_scene *scene, uint32_t s, double tolerance, double *size)
-{
-    const roberts_vec3 *point = scene->point + scene->solid[s].vertex;
-    uint32_t count = scene->solid[s + 1].vertex - scene->solid[s].vertex;
-    roberts_vec3 low = point[0], high = point[0], sum = {0, 0, 0};
-    box_add_all(&low, &high, point, count);
-    for (uint32_t v = 0; v < count; v++)
-        sum = vec3_add(sum, point[v]);
-    double largest = greater(greater(greater(-low.x, high.x), greater(-low.y, high.y)), greater(-low.z, high.z));
-    *size = vec3_length(vec3_sub(high, low));
-    if (!isfinite(sum.x + sum.y + sum.z) || largest > MESH_COORDINATE_MAX ||
-        !(*size > GLANCE_SMALL && *size < GLANCE_LARGE))
-        return 0.0;
-    return GLANCE_MARGIN * tolerance * greater(largest, *size);
-}
-
-/* Finds how far the sampled vertices of solid s lie on either side of the plane, and returns the smaller distance. If
- * this is more than allowed, the solid is not convex, whichever way the face is wound. */
-static double crossed_by(const roberts_scene *scene, uint32_t s, const fitted_plane *fit, roberts_vec3 origin)
-{
-    uint32_t first = scene->solid[s].vertex, count = scene->solid[s + 1].vertex - first;
-    double least = 0.0, most = 0.0;
-    for (uint32_t i = 0; i < GLANCE_VERTICES; i++) {
-        uint32_t v = first + (uint32_t)((uint64_t)i * count / GLANCE_VERTICES);
-        double height = vec3_dot(fit->n, vec3_sub(scene->point[v], origin)) - fit->mean;
-        least = lesser(least, height);
-        most = greater(most, height);
-    }
-    return lesser(most, -least);
-}
-
-bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
-{
-    uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
-    double size = 0.0, allowed = -1.0;
-    for (uint32_t i = 0; i < GLANCE_FACES && allowed != 0.0; i++) {
-        uint32_t f = first + (uint32_t)((uint64_t)i * count / GLANCE_FACES);
-        const uint32_t *corner = scene->corner + scene->face_start[f];
-        if (scene->face_start[f + 1] - scene->face_start[f] != 3)
-            continue;
-        roberts_vec3 A = scene->point[corner[0]];
-        roberts_vec3 ring[3] = {{0, 0, 0}, vec3_sub(scene->point[corner[1]], A), vec3_sub(scene->point[corner[2]], A)};
-        fitted_plane fit = face_plane_fit(ring, 3);
-        double crossed = crossed_by(scene, s, &fit, A);
-        if (!(fit.width > 0.0) || !(crossed > tolerance * fit.width))
-            continue;
-        if (allowed < 0.0)
-            allowed = allowance_of(scene, s, tolerance, &size);
-        if (allowed > 0.0 && crossed > allowed * greater(1.0, size / fit.width))
-            return true;
-    }
-    return false;
-}
 
 /* ---- faces ----------------------------------------------------------------------------------------------------- */
 
@@ -305,6 +229,9 @@ static uint32_t *list_starts(const plain_work *w, const uint32_t *end, size_t ed
     return first;
 }
 
+/* Data is prefetched this many edges ahead. */
+#define EDGES_AHEAD 8
+
 /* Does no vertex touch one of the edges? Edges are taken cell by cell, so that what one edge has read is still in the
  * cache for the next. */
 static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges,
@@ -421,6 +348,9 @@ static void join_many(plain_work *w)
     from->many = NULL;
     from->many_face = NULL;
 }
+
+/* Planes are stored unless bodies have this many faces, on average. */
+#define MESH_FACES 8
 
 /* Are all faces triangles of bodies that are not convex, and the bodies meshes? In a soup of loose faces, nearly every
  * plane that is needed once is needed again. */

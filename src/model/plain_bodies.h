@@ -9,19 +9,6 @@
 
 #include "model/plain_edges.h"
 
-enum { PLAIN_LARGE = 1000 }; /* faces */
-
-/* Do a few faces and vertices show that solid s is certainly not convex? The scene is laid out, and its planes are not
- * yet fitted. */
-bool plain_large_not_convex(const roberts_scene *scene, uint32_t s, double tolerance);
-
-/* The same, but false for small solids: checking these in full is fast. */
-static inline bool plain_not_convex(const roberts_scene *scene, uint32_t s, double tolerance)
-{
-    return scene->solid[s + 1].face - scene->solid[s].face >= PLAIN_LARGE &&
-           plain_large_not_convex(scene, s, tolerance);
-}
-
 /* Makes bodies of the components with mark[s] != 0, which are not convex solids, if all of these are plain. The other
  * components are built already. The scene is laid out, every vertex and face belongs to a component, and the edges of
  * repeated solids are stored. If the answer is not PLAIN_YES, the scene can only be cleared. */
