@@ -7,7 +7,10 @@
 #ifndef ROBERTS_MODEL_PLAIN_BODIES_H
 #define ROBERTS_MODEL_PLAIN_BODIES_H
 
-#include "model/plain_edges.h"
+#include "model/scene.h"
+
+/* PLAIN_NO: some component is not plain. */
+typedef enum plain_answer { PLAIN_NO, PLAIN_YES, PLAIN_NO_MEMORY } plain_answer;
 
 /* Makes bodies of the components with mark[s] != 0, which are not convex solids, if all of these are plain. The other
  * components are built already. The scene is laid out, every vertex and face belongs to a component, and the edges of
