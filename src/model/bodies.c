@@ -2,7 +2,7 @@
  *
  * Some components are convex solids, and so are some parts of open components after welding and splitting (weld.c).
  * These stay solids. All other faces are handled together: they are cut into convex pieces (surface.c) and joined at
- * their edges (surface_edges.c). Pieces connected by edges form a body. Then the whole scene is laid out again, body by
+ * their edges (body_edges.c). Pieces connected by edges form a body. Then the whole scene is laid out again, body by
  * body. */
 #include "model/bodies.h"
 

@@ -1,8 +1,24 @@
-/* body_edges.h - transfers the edges of bodies that are not convex from the surface to the scene, body by body. */
+/* body_edges.h - the edges of bodies that are not convex: found on the surface, as sides of its pieces that coincide,
+ * then stored in the scene, body by body. Also which of these bodies are curved, and whether wires lie beside convex
+ * solids. */
 #ifndef ROBERTS_MODEL_BODY_EDGES_H
 #define ROBERTS_MODEL_BODY_EDGES_H
 
 #include "model/surface.h"
+
+/* ---- edges of a surface ------------------------------------------------------------------------------------------ */
+
+/* Where a point touches a segment from A to B within the touching distance: not at all, at an end, or between the
+ * ends. */
+typedef enum surface_touch { TOUCHES_NOT, TOUCHES_START, TOUCHES_END, TOUCHES_BETWEEN } surface_touch;
+
+/* *t: parameter of the point along the segment. */
+surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, double touching, double *t);
+
+/* Finds the edges: sides that coincide within `touching` become one edge. Frees the sides. False: no memory. */
+bool surface_find_edges(surface *s, double touching);
+
+/* ---- edges of bodies --------------------------------------------------------------------------------------------- */
 
 /* The edges of a surface, body by body, sorted by their names in the file. Zeroed = empty. */
 typedef struct body_edges {
@@ -30,6 +46,8 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b);
 
 void body_edges_free(body_edges *list);
 
+/* ---- curved surfaces --------------------------------------------------------------------------------------------- */
+
 /* How many edges of a body are bent, and how many of these only slightly. */
 typedef struct bend_count {
     uint32_t much, little;
@@ -44,6 +62,8 @@ bool body_is_smooth(const bend_count *count, uint32_t faces);
 
 /* The same for body b of a scene that has planes and edges. */
 bool body_smooth(const roberts_scene *scene, uint32_t b);
+
+/* ---- wires beside convex solids ---------------------------------------------------------------------------------- */
 
 /* Does the mesh have wires, that is, elements of two corners that are not edges of the scene? `scene` holds the convex
  * solids of the mesh; all remaining elements have one or two corners. False: no memory. */

@@ -74,16 +74,6 @@ typedef struct surface {
  * memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 
-/* Finds the edges: sides that coincide within `touching` become one edge. Frees the sides. False: no memory. */
-bool surface_find_edges(surface *s, double touching);
-
-/* Where a point touches a segment from A to B within the touching distance: not at all, at an end, or between the
- * ends. */
-typedef enum surface_touch { TOUCHES_NOT, TOUCHES_START, TOUCHES_END, TOUCHES_BETWEEN } surface_touch;
-
-/* *t: parameter of the point along the segment. */
-surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, double touching, double *t);
-
 /* Returns the parameter of a vertex on the file's edge between v[0] and v[1], from 0 to 1. */
 double surface_part_of(const surface *s, const uint32_t v[2], uint32_t at);
 
