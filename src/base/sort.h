@@ -1,13 +1,14 @@
 /* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort().
  *
- * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For many short lists with
- * 64-bit keys: sort_keyed(). For all others: qsort(). */
+ * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For many short lists of
+ * 64-bit numbers: sort_short_list(), or, for items with 64-bit keys, sort_keyed(). For all others: qsort(). */
 #ifndef ROBERTS_BASE_SORT_H
 #define ROBERTS_BASE_SORT_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Sorts items[0 .. count-1], each a `type`, by insertion. It is stable, and the fastest method for about ten items, or
@@ -71,6 +72,18 @@ static inline int compare_u64(const void *a, const void *b)
     memcpy(&x, a, sizeof x);
     memcpy(&y, b, sizeof y);
     return (x > y) - (x < y);
+}
+
+enum { SORT_SHORT = 24 }; /* up to this many numbers, insertion sort beats qsort() */
+
+/* Sorts one of many lists of which nearly all are short. */
+static inline void sort_short_list(uint64_t *item, size_t count)
+{
+    if (count > SORT_SHORT) {
+        qsort(item, count, sizeof *item, compare_u64);
+        return;
+    }
+    SORT_FEW(uint64_t, item, count, *a > *b)
 }
 
 /* Compares two doubles that are not NaN, for qsort(). */

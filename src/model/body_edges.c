@@ -77,17 +77,6 @@ static uint32_t upper(const surface_side *side)
     return side->v[0] < side->v[1] ? side->v[1] : side->v[0];
 }
 
-enum { SHORT_BUCKET = 24 };
-
-static void sort_bucket(uint64_t *half, size_t count)
-{
-    if (count > SHORT_BUCKET) {
-        qsort(half, count, sizeof *half, compare_u64);
-        return;
-    }
-    SORT_FEW(uint64_t, half, count, *a > *b)
-}
-
 static bool sort_sides(finder *f)
 {
     const surface *s = f->s;
@@ -106,7 +95,7 @@ static bool sort_sides(finder *f)
     for (size_t i = 0; i < s->side_count; i++)
         f->half[f->end[lower(&s->side[i])]++] = (uint64_t)upper(&s->side[i]) << 32 | i;
     for (uint32_t v = 0; v < s->vertex_count; start = f->end[v++])
-        sort_bucket(f->half + start, f->end[v] - start);
+        sort_short_list(f->half + start, f->end[v] - start);
     return true;
 }
 

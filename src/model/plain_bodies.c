@@ -39,8 +39,6 @@ typedef struct plain_edges {
     size_t edge_room, is_room, start_room, parent_room, half_room, border_count, border_room, many_room, many_face_room;
 } plain_edges;
 
-enum { SHORT_BUCKET = 24 };
-
 static int compare_edges(const void *pa, const void *pb)
 {
     const scene_edge *a = pa, *b = pb;
@@ -82,7 +80,7 @@ static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
     }
     for (uint32_t v = 0, begin = 0; v < vertices && different; begin = p->start[v++]) {
         uint32_t count = p->start[v] - begin;
-        if (count > SHORT_BUCKET)
+        if (count > SORT_SHORT)
             qsort(edge + begin, count, sizeof *edge, compare_edges);
         else
             SORT_FEW(scene_edge, edge + begin, count, a->v[1] > b->v[1])
@@ -96,7 +94,7 @@ static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
 static inline scene_edge *find_plain_edge(const plain_edges *p, scene_edge *edge, uint32_t v0, uint32_t v1)
 {
     uint32_t low = v0 > 0 ? p->start[v0 - 1] : 0, end = p->start[v0], high = end;
-    while (high - low > SHORT_BUCKET) {
+    while (high - low > SORT_SHORT) {
         uint32_t middle = low + (high - low) / 2;
         if (edge[middle].v[1] < v1)
             low = middle + 1;
@@ -234,13 +232,8 @@ static bool sort_sides(plain_edges *p, uint32_t s)
             sum += here;
         }
     }
-    for (uint32_t v = 0, begin = 0; v < vertices; begin = p->start[v++]) {
-        uint32_t count = p->start[v] - begin;
-        if (count > SHORT_BUCKET)
-            qsort(p->half + begin, count, sizeof *p->half, compare_u64);
-        else
-            SORT_FEW(uint64_t, p->half + begin, count, *a > *b)
-    }
+    for (uint32_t v = 0, begin = 0; v < vertices; begin = p->start[v++])
+        sort_short_list(p->half + begin, p->start[v] - begin);
     return true;
 }
 

@@ -22,8 +22,6 @@
  * inconsistently wound, are sorted: first into buckets by their smaller vertex, then by the larger one. For solids with
  * up to a dozen edges, the table takes a third of the instructions. */
 
-enum { SHORT_BUCKET = 24 }; /* half-edges; up to this many, insertion sort beats qsort() */
-
 /* Fills the table; bit b of row[a] tells whether a face passes from a to b. False if two do. */
 static bool fill_table(const roberts_scene *scene, uint32_t s, uint32_t passing[][EDGES_SMALL], uint32_t *row)
 {
@@ -69,15 +67,6 @@ static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *
     return edge == end; /* half of the half-edges go upward, each with its opposite: none is left over */
 }
 
-static void sort_bucket(uint64_t *half, uint32_t count)
-{
-    if (count > SHORT_BUCKET) {
-        qsort(half, count, sizeof *half, compare_u64);
-        return;
-    }
-    SORT_FEW(uint64_t, half, count, *a > *b)
-}
-
 /* Counts the half-edges of each smaller vertex, and sets end[v] to the start of v's bucket. */
 static void count_half_edges(const roberts_scene *scene, uint32_t s, uint32_t *end)
 {
@@ -117,7 +106,7 @@ bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)
         }
     }
     for (uint32_t v = 0; v < vertices; start = scratch->end[v++])
-        sort_bucket(scratch->half + start, scratch->end[v] - start);
+        sort_short_list(scratch->half + start, scratch->end[v] - start);
     return true;
 }
 
