@@ -36,6 +36,7 @@ typedef struct assembly {
     polygons faces;  /* of the mesh, welded and cleaned as for the convex solids */
     uint8_t *listed; /* [faces] 1: belongs to a body that is not convex */
     uint32_t *name;  /* [vertices of the mesh] name of each after welding, see weld_open(); NULL: nothing is welded */
+    uint32_t *group; /* [vertices of the mesh] see find_complete(); NULL: all are one group */
     surface surface;
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
     uint32_t *of;       /* [all.face_count] the body of each face */
@@ -45,6 +46,11 @@ typedef struct assembly {
     uint32_t body_count;
     builder work;
 } assembly;
+
+static uint32_t piece_of(uint32_t incidence)
+{
+    return incidence & ~SURFACE_TURNED;
+}
 
 /* ---- which components are convex solids ------------------------------------------------------------------------ */
 
@@ -64,6 +70,73 @@ static roberts_status find_kinds(assembly *a, uint8_t *open, uint8_t *convex, bo
         *any_open |= open[s] != OPENING_NONE;
     }
     return ROBERTS_OK;
+}
+
+enum { FEWEST_FACES = 4 }; /* of a closed body */
+
+/* Can component s be closed, though some of its edges have an odd number of faces? */
+static bool may_be_complete(const roberts_scene *scene, const uint8_t *open, uint32_t s)
+{
+    const scene_solid *own = &scene->solid[s];
+    bool may = open[s] == OPENING_EDGES && own[1].face - own->face >= FEWEST_FACES;
+    for (uint32_t v = own->vertex; may && v < own[1].vertex; v++)
+        may = mesh_position(scene->point[v]);
+    return may;
+}
+
+/* Gives each component that may be complete a group of its own, numbered from 1, and lists its faces. Returns whether
+ * there is one. */
+static bool group_components(const assembly *a, const uint8_t *open, uint8_t *listed)
+{
+    const roberts_scene *scene = a->scene;
+    bool any = false;
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        if (!may_be_complete(scene, open, s))
+            continue;
+        any = true;
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
+            a->group[scene_vertex_number(scene, v)] = s + 1;
+        for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
+            listed[scene_face_number(scene, f)] = 1;
+    }
+    return any;
+}
+
+/* Slits to holes and vertices on edges make components look open that are closed: they are complete, and need no
+ * welding. Finds the edges of each component as if it were alone. If all have an even number of faces, it is marked as
+ * not open. Its vertices are a group of their own, so that its edges are not compared with those of other bodies.
+ * *any_open: is any component still open? False: no memory. */
+static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
+{
+    const roberts_scene *scene = a->scene;
+    const double touching = bodies_touching(scene, a->mesh);
+    const face_rules rules = {a->mesh->vertex, a->options->tolerance, touching, scene->unit, a->options->even_odd};
+    surface s = {.mesh = a->mesh};
+    uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
+    s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
+    bool enough = listed && odd && a->group;
+    if (enough && group_components(a, open, listed)) {
+        enough = surface_take_faces(&s, listed, &rules) && surface_find_edges(&s, touching);
+        for (size_t i = 0; enough && i < s.edge_count; i++) {
+            const uint32_t p = s.edge[i].piece[0];
+            if (p != ROBERTS_NONE && !surface_is_even(&s, &s.edge[i]))
+                odd[a->group[a->mesh->corner[a->mesh->face_start[s.face[piece_of(p)]]]] - 1] = 1;
+        }
+        for (uint32_t v = 0; enough && v < a->mesh->vertex_count; v++) {
+            uint32_t *own = &a->group[v];
+            if (*own == 0)
+                continue;
+            if (odd[*own - 1])
+                *own = 0;
+            else
+                open[*own - 1] = OPENING_NONE;
+        }
+    }
+    *any_open = memchr(open, OPENING_EDGES, scene->solid_count) || memchr(open, OPENING_PARTS, scene->solid_count);
+    surface_free(&s);
+    free(listed);
+    free(odd);
+    return enough;
 }
 
 /* Frees what is not needed for components that will be laid out again. */
@@ -96,6 +169,8 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
     if (!laid || !(open = alloc_zeroed(a->scene->solid_count, 1)) || !(convex = alloc_zeroed(a->scene->solid_count, 1)))
         goto done;
     status = known && a->scene->solid_count == 1 ? ROBERTS_OK : find_kinds(a, open, convex, &any_open, error);
+    if (status == ROBERTS_OK && any_open && !find_complete(a, open, &any_open))
+        status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && any_open) {
         status = weld_open(a->scene, open, a->mesh, &a->name) ? regroup(a->scene, open, &a->faces, a->mesh, true, error)
                                                               : ROBERTS_NO_MEMORY;
@@ -141,11 +216,6 @@ double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
     return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, scene_float32_step(scene, mesh)));
-}
-
-static uint32_t piece_of(uint32_t incidence)
-{
-    return incidence & ~SURFACE_TURNED;
 }
 
 /* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];
@@ -579,6 +649,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
         a.surface.name = a.name;
+        a.surface.group = a.group;
         double touching = bodies_touching(scene, mesh);
         face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
@@ -597,6 +668,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     builder_free(&a.work);
     free(a.listed);
     free(a.name);
+    free(a.group);
     free(a.of);
     free(a.number);
     free(a.is_convex);

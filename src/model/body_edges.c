@@ -59,6 +59,7 @@ typedef struct finder {
     uint32_t *odd;        /* [odd_count] sides of edges that are not complete */
     uint32_t *vertex;     /* [vertex_count] ends of the odd sides */
     uint32_t *parent;     /* [vertex_count of s] sets of coincident vertices, by their smallest */
+    uint32_t *group;      /* [vertex_count of s] groups of the ends of odd sides; NULL: all are one group */
     part_side *half_side; /* [half_count] the odd sides after division */
     surface_edge *odd_edge;
     side_stop *stop;
@@ -244,6 +245,15 @@ static bool take_groups(finder *f)
 
 /* ---- sides that are compared in space ---------------------------------------------------------------------------- */
 
+/* Returns the group of a side. */
+static uint32_t group_of(const surface *s, const surface_side *side)
+{
+    const roberts_mesh *mesh = s->mesh;
+    if (is_wire_side(side))
+        return s->group[side->v[0]];
+    return s->group[mesh->corner[mesh->face_start[s->face[piece_of(side->piece)]]]];
+}
+
 /* Lists the ends of odd sides, each once. False: no memory. */
 static bool list_vertices(finder *f)
 {
@@ -251,9 +261,15 @@ static bool list_vertices(finder *f)
     f->parent = alloc_array(f->s->vertex_count, sizeof *f->parent);
     if (!f->vertex || !f->parent)
         return false;
+    if (f->s->group && !(f->group = alloc_array(f->s->vertex_count, sizeof *f->group)))
+        return false;
     for (size_t i = 0; i < f->odd_count; i++) {
-        f->vertex[2 * i] = f->s->side[f->odd[i]].v[0];
-        f->vertex[2 * i + 1] = f->s->side[f->odd[i]].v[1];
+        const surface_side *side = &f->s->side[f->odd[i]];
+        for (int k = 0; k < 2; k++) {
+            f->vertex[2 * i + (size_t)k] = side->v[k];
+            if (f->group)
+                f->group[side->v[k]] = group_of(f->s, side);
+        }
     }
     qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, sort_compare_numbers);
     for (size_t i = 0; i < 2 * f->odd_count; i++)
@@ -288,7 +304,7 @@ static bool find_stops(finder *f, const point_grid *grid, const surface_side *si
         return false;
     for (size_t i = 0; i < f->found.count; i++) {
         uint32_t v = f->found.item[i];
-        if (v == a || v == b)
+        if (v == a || v == b || (f->group && f->group[v] != f->group[a]))
             continue;
         double t;
         surface_touch touch = surface_touches(point[a], point[b], point[v], f->touching, &t);
@@ -551,6 +567,7 @@ bool surface_find_edges(surface *s, double touching)
     free(f.odd);
     free(f.vertex);
     free(f.parent);
+    free(f.group);
     free(f.half_side);
     free(f.odd_edge);
     free(f.stop);
@@ -560,6 +577,26 @@ bool surface_find_edges(surface *s, double touching)
     s->side = NULL;
     s->side_part = NULL;
     return enough && s->edge_count < ROBERTS_NONE;
+}
+
+enum { EVEN_MOST = 16 }; /* faces at an edge; to count more would take long */
+
+bool surface_is_even(const surface *s, const surface_edge *e)
+{
+    uint32_t face[EVEN_MOST], count = 0;
+    if (e->piece[1] == ROBERTS_NONE)
+        return false;
+    for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++) {
+        const uint32_t own = s->face[piece_of(s->many[k])];
+        uint32_t i = 0;
+        while (i < count && face[i] != own)
+            i++;
+        if (i == EVEN_MOST)
+            return false;
+        face[i] = own;
+        count += i == count;
+    }
+    return count % 2 == 0;
 }
 
 /* ---- in the order of the file ------------------------------------------------------------------------------------ */
@@ -669,27 +706,6 @@ static bool store_part(body_edges *list, scene_surface *to, const surface_edge *
     return true;
 }
 
-enum { EVEN_MOST = 16 }; /* faces at an edge; to count more would take long */
-
-/* Do the edge's pieces belong to an even number of faces? More than EVEN_MOST count as odd. */
-static bool is_even(const surface *s, const surface_edge *e)
-{
-    uint32_t face[EVEN_MOST], count = 0;
-    if (e->piece[1] == ROBERTS_NONE)
-        return false;
-    for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++) {
-        const uint32_t own = s->face[piece_of(s->many[k])];
-        uint32_t i = 0;
-        while (i < count && face[i] != own)
-            i++;
-        if (i == EVEN_MOST)
-            return false;
-        face[i] = own;
-        count += i == count;
-    }
-    return count % 2 == 0;
-}
-
 /* Does the edge run opposite to the file's edge of which it is a part? */
 static bool runs_back(const surface *s, const surface_edge *e)
 {
@@ -726,7 +742,7 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b)
             (is & EDGE_PART && !store_part(list, to, e, edge)))
             return false;
         to->edge_is[edge] = is;
-        closed = closed && is_even(s, e);
+        closed = closed && surface_is_even(s, e);
     }
     to->kind[b] = closed ? ROBERTS_CLOSED : ROBERTS_OPEN;
     return true;

@@ -48,6 +48,8 @@ typedef struct surface_wound {
 typedef struct surface {
     const roberts_mesh *mesh;
     const uint32_t *name; /* [vertices of the mesh] the new name of each vertex; NULL: vertices keep their names */
+    /* [vertices of the mesh] Only sides of one group are compared in space. NULL: all are one group. */
+    const uint32_t *group;
     uint32_t vertex_count, piece_count;
     const roberts_vec3 *point; /* [vertex_count] the mesh's own array, unless some border crosses itself */
     roberts_vec3 *own_point, *low;

@@ -12,6 +12,8 @@
 #include "base/array.h"
 #include "base/dd.h"
 #include "base/error.h"
+#include "base/search.h"
+#include "base/sort.h"
 #include "model/face_pieces.h"
 #include "model/face_plane.h"
 
@@ -550,37 +552,104 @@ static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
     return low;
 }
 
-/* Joins all lines into one ring. Each line is followed by one that begins or ends where it ends. Between loops, the
- * ring goes to its first vertex and back: by the odd-even rule, a path that runs both ways bounds nothing. `both` lists
- * each line in both directions; used[] has an entry for each of them. */
+/* Moves the vertices that begin or end an odd number of lines to the front, each once, ascending. Returns how many. */
+static size_t keep_odd(uint32_t *vertex, size_t count)
+{
+    size_t odd = 0;
+    qsort(vertex, count, sizeof *vertex, sort_compare_numbers);
+    for (size_t i = 0, next; i < count; i = next) {
+        for (next = i + 1; next < count && vertex[next] == vertex[i];)
+            next++;
+        if ((next - i) % 2)
+            vertex[odd++] = vertex[i];
+    }
+    return odd;
+}
+
+/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide. Replaces each of them by the
+ * smallest one, so that lines which meet there have a common end. False: no memory. */
+static bool join_lines(const cutter *c, cut_lines *lines)
+{
+    const roberts_vec3 *point = c->clip->scene.point;
+    const size_t ends = 2 * lines->count;
+    uint32_t *end = alloc_array(ends, sizeof *end), *first = alloc_array(ends, sizeof *first);
+    point_grid grid = {0};
+    point_list near = {0};
+    size_t odd = 0;
+    bool enough = end && first;
+    for (size_t i = 0; enough && i < lines->count; i++) {
+        end[2 * i] = lines->item[i].from;
+        end[2 * i + 1] = lines->item[i].to;
+    }
+    if (enough && (odd = keep_odd(end, ends)) > 0)
+        enough = point_grid_build(&grid, point, end, odd);
+    for (size_t i = 0; enough && i < odd; i++) {
+        first[i] = end[i];
+        near.count = 0;
+        enough = point_grid_near(&grid, point[end[i]], point[end[i]], c->touching, &near);
+        for (size_t k = 0; enough && k < near.count; k++)
+            if (near.item[k] < first[i] && vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) <= c->touching)
+                first[i] = near.item[k];
+    }
+    for (size_t i = 0; enough && odd > 0 && i < ends; i++) {
+        uint32_t *own = i % 2 ? &lines->item[i / 2].to : &lines->item[i / 2].from;
+        const uint32_t *found = bsearch(own, end, odd, sizeof *end, sort_compare_numbers);
+        *own = found ? first[found - end] : *own;
+    }
+    point_grid_free(&grid);
+    free(near.item);
+    free(end);
+    free(first);
+    return enough;
+}
+
+/* Marks a line as used, in both directions. */
+static void use_line(const cut_line *both, size_t count, uint8_t *used, size_t i)
+{
+    const cut_line back = {both[i].to, both[i].from};
+    used[i] = 1;
+    for (size_t k = first_from(both, count, back.from); k < count && both[k].from == back.from; k++)
+        if (both[k].to == back.to && !used[k]) {
+            used[k] = 1;
+            return;
+        }
+}
+
+/* Adds a loop to the ring, from the start of a line on: each line is followed by one that begins or ends where it
+ * ends. Returns the length of the ring. */
+static size_t add_loop(const cut_line *both, size_t count, uint8_t *used, uint32_t start, uint32_t *ring, size_t length)
+{
+    uint32_t at = start;
+    ring[length++] = start;
+    for (;;) {
+        size_t low = first_from(both, count, at);
+        while (low < count && both[low].from == at && used[low])
+            low++;
+        if (low == count || both[low].from != at)
+            break;
+        use_line(both, count, used, low);
+        at = both[low].to;
+        ring[length++] = at;
+    }
+    if (at != start)
+        ring[length++] = start; /* left open by rounding: closed by a straight line */
+    ring[length++] = ring[0];
+    return length;
+}
+
+/* Joins all lines into one ring. What rounding leaves open is walked from end to end, then come closed loops. Between
+ * them, the ring goes to its first vertex and back: by the odd-even rule, a path that runs both ways bounds nothing.
+ * `both` lists each line in both directions, sorted; used[] has an entry for each of them. */
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
 {
     size_t length = 0;
-    for (size_t i = 0; i < count; i++) {
-        if (used[i])
-            continue;
-        uint32_t start = both[i].from, at = start;
-        ring[length++] = start;
-        for (;;) {
-            size_t low = first_from(both, count, at);
-            while (low < count && both[low].from == at && used[low])
-                low++;
-            if (low == count || both[low].from != at)
-                break;
-            cut_line back = {both[low].to, both[low].from};
-            used[low] = 1;
-            at = both[low].to;
-            for (size_t k = first_from(both, count, back.from); k < count && both[k].from == back.from; k++)
-                if (both[k].to == back.to && !used[k]) {
-                    used[k] = 1;
-                    break;
-                }
-            ring[length++] = at;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t i = 0, next; i < count; i = next) {
+            next = first_from(both, count, both[i].from + 1);
+            for (size_t k = i; k < next && (pass == 1 || (next - i) % 2 == 1); k++)
+                if (!used[k])
+                    length = add_loop(both, count, used, both[k].from, ring, length);
         }
-        if (at != start)
-            ring[length++] = start; /* left open by rounding: closed by a straight line */
-        ring[length++] = ring[0];
-    }
     return length;
 }
 
@@ -612,9 +681,11 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
     return enough;
 }
 
-static bool cap_lines(cutter *c, const cut_lines *lines)
+static bool cap_lines(cutter *c, cut_lines *lines)
 {
     size_t count = 0;
+    if (!join_lines(c, lines))
+        return false;
     cut_line *both = alloc_array(2 * lines->count, sizeof *both);
     uint8_t *used = alloc_zeroed(2 * lines->count, 1);
     uint32_t *ring = alloc_array(6 * lines->count + 1, sizeof *ring);

@@ -116,6 +116,14 @@ static const body_case cases[] = {
     {"... with another such face along the cut, that does not fold",
      "OFF\n5 2 0\n3 3 0\n0 0 3\n1 2 0\n3 2 3\n1 3 1\n4 3 4 2 1\n4 1 3 0 2\n", BACK, "o", ROOT_10 + 3 + ROOT_13,
      2 + 3 + 1 + 2 * ROOT_2, 0, 0, false, false},
+    {"washers on one another, whose faces have slits to the holes: neither is welded",
+     "OFF\n32 20 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n"
+     "1 1 1\n1 2 1\n2 2 1\n2 1 1\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n1 1 1\n1 2 1\n2 2 1\n2 1 1\n0 0 2\n3 0 2\n"
+     "3 3 2\n0 3 2\n1 1 2\n1 2 2\n2 2 2\n2 1 2\n10 0 1 2 3 0 4 5 6 7 4\n10 8 9 10 11 8 12 13 14 15 12\n"
+     "4 0 1 9 8\n4 1 2 10 9\n4 2 3 11 10\n4 3 0 8 11\n4 4 5 13 12\n4 5 6 14 13\n4 6 7 15 14\n4 7 4 12 15\n"
+     "10 16 17 18 19 16 20 21 22 23 20\n10 24 25 26 27 24 28 29 30 31 28\n4 16 17 25 24\n4 17 18 26 25\n"
+     "4 18 19 27 26\n4 19 16 24 27\n4 20 21 29 28\n4 21 22 30 29\n4 22 23 31 30\n4 23 20 28 31\n",
+     TOP, "cc", 12 + 4, 0, 0, 0, false, false},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
