@@ -1,15 +1,16 @@
 /* arrangement.c - cuts a face that is not convex: its border as a graph whose lines meet only in nodes.
  *
  * Stretches of the border that coincide become one line, with a count of how often the border runs along it. A line
- * that the border runs along equally often both ways bounds nothing and is left out. Then the graph is swept
- * (triangulate.c). If the sweep finds lines that cross, or nodes on lines, those lines are divided there, nodes that
- * touch are merged, and the graph is swept again. Rounding bends the divided lines, which may cause new crossings; the
- * next sweep finds them. A sweep that finds no crossing gives a tiling, whatever the rounding. The winding number of a
- * region follows from the lines crossed on the way to it. */
+ * that the border runs along equally often both ways bounds nothing and is left out. Nodes that touch are merged, and
+ * lines are divided at the nodes that they touch. Then the graph is swept (triangulate.c). If the sweep finds lines
+ * that cross, these are divided there, and all begins again. Rounding bends the divided lines, which may cause new
+ * crossings; the next sweep finds them. A sweep that finds no crossing gives a tiling, whatever the rounding. The
+ * winding number of a region follows from the lines crossed on the way to it. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
+#include "base/search.h"
 #include "base/orient.h"
 #include "model/face_pieces.h"
 
@@ -128,6 +129,81 @@ static bool cross_all(face_pieces *f, border *b)
         }
     }
     free(item);
+    return enough;
+}
+
+/* ---- nodes on lines ---------------------------------------------------------------------------------------------- */
+
+/* Up to this many pairs of lines and nodes are compared directly; with more, a grid finds the nodes near a line. */
+enum { FEW_PAIRS = 4096 };
+
+/* Does the node lie within `touching` of a line, between its ends and apart from them? */
+static bool lies_on(const face_pieces *f, const border_line *line, uint32_t node, double touching)
+{
+    const roberts_vec2 A = f->node[line->v[0]].at, B = f->node[line->v[1]].at, P = f->node[node].at;
+    const double dx = B.x - A.x, dy = B.y - A.y, x = P.x - A.x, y = P.y - A.y, length = hypot(dx, dy);
+    if (node == line->v[0] || node == line->v[1] || fabs(dx * y - dy * x) > touching * length)
+        return false;
+    const double at = (dx * x + dy * y) / length;
+    return at > touching && at < length - touching;
+}
+
+/* Lists the nodes that are ends of lines, ascending. NULL: no memory. */
+static uint32_t *list_ends(const face_pieces *f, const border *b, uint32_t *count)
+{
+    uint32_t *listed = alloc_array(f->node_count, sizeof *listed);
+    uint8_t *is_end = alloc_zeroed(f->node_count, 1);
+    *count = 0;
+    for (size_t i = 0; is_end && i < b->count; i++)
+        is_end[b->item[i].v[0]] = is_end[b->item[i].v[1]] = 1;
+    for (uint32_t n = 0; listed && is_end && n < f->node_count; n++)
+        if (is_end[n])
+            listed[(*count)++] = n;
+    if (!is_end) {
+        free(listed);
+        listed = NULL;
+    }
+    free(is_end);
+    return listed;
+}
+
+/* Makes a grid of the nodes, in the plane. False: no memory; point_grid_free() is still needed. */
+static bool make_node_grid(const face_pieces *f, const uint32_t *listed, uint32_t count, point_grid *grid)
+{
+    roberts_vec3 *point = alloc_array(f->node_count, sizeof *point);
+    for (uint32_t n = 0; point && n < f->node_count; n++)
+        point[n] = (roberts_vec3){f->node[n].at.x, f->node[n].at.y, 0.0};
+    const bool enough = point && point_grid_build(grid, point, listed, count);
+    free(point);
+    return enough;
+}
+
+/* Adds a stop wherever a node lies on a line. An exact sweep finds such a node only if it lies on the line exactly, and
+ * would otherwise leave a sliver of a piece. False: no memory. */
+static bool stop_at_nodes(const face_pieces *f, border *b, double touching)
+{
+    uint32_t count;
+    uint32_t *listed = list_ends(f, b, &count);
+    point_grid grid = {0};
+    point_list near = {0};
+    const bool few = (double)count * (double)b->count <= FEW_PAIRS;
+    bool enough = listed && (few || make_node_grid(f, listed, count, &grid));
+    for (uint32_t i = 0; enough && i < b->count; i++) {
+        const border_line *own = &b->item[i];
+        if (!few) {
+            const roberts_vec2 A = f->node[own->v[0]].at, B = f->node[own->v[1]].at;
+            near.count = 0;
+            enough =
+                point_grid_near(&grid, (roberts_vec3){A.x, A.y, 0.0}, (roberts_vec3){B.x, B.y, 0.0}, touching, &near);
+        }
+        const uint32_t *item = few ? listed : near.item;
+        for (size_t k = 0, end = few ? count : near.count; enough && k < end; k++)
+            if (lies_on(f, own, item[k], touching))
+                enough = border_add_stop(b, (border_stop){i, item[k], 0.0});
+    }
+    point_grid_free(&grid);
+    free(near.item);
+    free(listed);
     return enough;
 }
 
@@ -282,17 +358,33 @@ static bool join_ring(face_pieces *f, double touching, bool *apart)
     return enough;
 }
 
-/* Sweeps and divides until no lines cross. *crossed: some did. */
+/* Finds where lines are to be divided. If nowhere, the face is cut into triangles. first: all crossings are still to be
+ * found. */
+static tiling find_stops(face_pieces *f, border *b, const face_rules *rules, bool first, bool crossed)
+{
+    const double touching = rules->touching / rules->unit;
+    b->stop_count = 0;
+    if (!stop_at_nodes(f, b, touching))
+        return TILING_NO_MEMORY;
+    if (b->stop_count > 0)
+        return TILING_CROSSED;
+    tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || crossed);
+    if (found == TILING_CROSSED && first && !cross_all(f, b))
+        return TILING_NO_MEMORY;
+    return found;
+}
+
+/* Sweeps and divides until no lines cross, and no node lies on a line. *crossed: some did. */
 static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, bool *crossed)
 {
     double touching = rules->touching / rules->unit;
     size_t corners = f->node_count;
+    bool first = true;
     for (int sweeps = 0; sweeps < MOST_SWEEPS; sweeps++) {
-        tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || *crossed);
+        tiling found = find_stops(f, b, rules, first, *crossed);
         if (found != TILING_CROSSED)
             return found;
-        if (sweeps == 0 && !cross_all(f, b))
-            return TILING_NO_MEMORY;
+        first = first && f->node_count == corners;
         *crossed = true;
         if (f->node_count - corners > MOST_CROSSINGS)
             return TILING_BROKEN;

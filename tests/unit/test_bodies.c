@@ -124,6 +124,12 @@ static const body_case cases[] = {
      "10 16 17 18 19 16 20 21 22 23 20\n10 24 25 26 27 24 28 29 30 31 28\n4 16 17 25 24\n4 17 18 26 25\n"
      "4 18 19 27 26\n4 19 16 24 27\n4 20 21 29 28\n4 21 22 30 29\n4 22 23 31 30\n4 23 20 28 31\n",
      TOP, "cc", 12 + 4, 0, 0, 0, false, false},
+    {"sides on one line, which another side crosses",
+     "OFF\n6 1 0\n0 2 0\n1 1 0\n3 3 0\n0 1 0\n2 0 0\n1 3 0\n7 0 1 2 3 0 4 5\n", TOP, "o", 0,
+     (0.4 + 1 + 1 + 1.5) * ROOT_2 + 1 + (6.0 / 11 + 0.2) * ROOT_13 + (0.5 + 4.0 / 11) * ROOT_10, 0, 0, false, false},
+    {"a spike hides nothing, though rounding gives it a width",
+     "OFF\n6 2 0\n0 0 0\n0.9 0.3 0\n0.3 0.1 0\n0 1 0\n0.6 0.2 -1\n0.75 0.25 -1\n4 0 1 2 3\n2 4 5\n", TOP, "oo", 0,
+     0.1 * ROOT_10 + 0.3 * ROOT_10 + 1, 0, 0.05 * ROOT_10, false, false},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
