@@ -135,21 +135,36 @@ static void sort(const hide_fronts *fronts, uint32_t *item, uint32_t count)
     }
 }
 
-/* Does the path a, b, c certainly turn left? If rounding could turn it right, b does not count as a corner. */
-static bool is_left_turn(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
+/* A turn of a path: to the left or to the right if rounding cannot change that. Otherwise it is straight on, or
+ * straight back. */
+typedef enum turn { TURN_LEFT, TURN_RIGHT, TURN_ON, TURN_BACK } turn;
+
+/* Finds how the path a, b, c turns at b. */
+static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
 {
     const roberts_vec3 *P = fronts->P;
     roberts_vec3 AB = vec3_sub(P[b], P[a]), AC = vec3_sub(P[c], P[a]);
-    return AB.x * AC.y - AB.y * AC.x > TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
+    const double left = AB.x * AC.y - AB.y * AC.x;
+    const double plain = TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
+    if (fabs(left) > plain)
+        return left > 0.0 ? TURN_LEFT : TURN_RIGHT;
+    return AB.x * (AC.x - AB.x) + AB.y * (AC.y - AB.y) < 0.0 ? TURN_BACK : TURN_ON;
 }
 
-/* Drops the last corners of a chain at which the path to c does not turn left. The first `kept` corners stay. */
-static uint32_t drop_corners(const hide_fronts *fronts, const uint32_t *chain, uint32_t count, uint32_t kept,
-                             uint32_t c)
+/* Adds c to a chain, in place of the last corners at which the path to c does not turn left. The first `kept` corners
+ * stay. If the path turns straight back, c lies on the chain's last side, and is no corner. Returns how many corners
+ * the chain then has. */
+static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t count, uint32_t kept, uint32_t c)
 {
-    while (count > kept && !is_left_turn(fronts, chain[count - 2], chain[count - 1], c))
-        count--;
-    return count;
+    for (; count > kept; count--) {
+        const turn t = turn_of(fronts, chain[count - 2], chain[count - 1], c);
+        if (t == TURN_BACK)
+            return count;
+        if (t == TURN_LEFT)
+            break;
+    }
+    chain[count] = c;
+    return count + 1;
 }
 
 /* Andrew's monotone chain: from the first point to the last and back, along the corners below and above the line
@@ -162,21 +177,19 @@ static uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t
     for (uint32_t v = 0; v < size; v++)
         order[v] = own->vertex + v;
     sort(fronts, order, size);
-    uint32_t first = outline[0] = order[0], last = order[size - 1];
-    for (uint32_t i = 1; i < size; i++) {
-        count = drop_corners(fronts, outline, count, 1, order[i]);
-        outline[count++] = order[i];
-    }
-    uint32_t below = count;
+    const uint32_t first = outline[0] = order[0];
+    for (uint32_t i = 1; i < size; i++)
+        count = add_corner(fronts, outline, count, 1, order[i]);
+    const uint32_t below = count, last = outline[count - 1];
     for (uint32_t i = size - 1; i-- > 1;) {
-        if (!is_left_turn(fronts, first, last, order[i]))
+        if (turn_of(fronts, first, last, order[i]) != TURN_LEFT)
             continue;
-        count = drop_corners(fronts, outline, count, below, order[i]);
         if (count == size)
             return 0; /* by rounding, a vertex above the line is also a corner below it */
-        outline[count++] = order[i];
+        count = add_corner(fronts, outline, count, below, order[i]);
     }
-    count = drop_corners(fronts, outline, count, below, first);
+    while (count > below && turn_of(fronts, outline[count - 2], outline[count - 1], first) != TURN_LEFT)
+        count--;
     return count >= 3 ? count : 0;
 }
 

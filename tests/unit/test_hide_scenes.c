@@ -691,6 +691,34 @@ static void side_that_weaves_through_the_near_plane(void **state)
     model_free(&m);
 }
 
+/* Two corners of a pyramid lie in the near plane, and in the picture four vertices lie on one upright line within
+ * rounding. The triangle is half behind the cut. */
+static void cap_whose_border_is_upright_within_rounding(void **state)
+{
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 2, 3}, .look_at = {1, 1, 3}, .has_look_at = true,
+                             .near_distance = 0.70710678118654757};
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    const double point[8][3] = {{0, 1, 0}, {1, 1, 0}, {1, 2, 0},     {0, 2, 0},
+                                {2, 2, 3}, {0, 0, 3}, {1.1, 1.9, 1}, {3, 3, 3}};
+    (void)state;
+    for (uint32_t v = 0; v < 5; v++)
+        model_vertex(&m, (roberts_vec3){point[v][0], point[v][1], point[v][2]});
+    model_face(&m, (uint32_t[]){0, 1, 2, 3}, 4);
+    for (uint32_t v = 0; v < 4; v++)
+        model_face(&m, (uint32_t[]){v, (v + 1) % 4, 4}, 3);
+    model_close_solid(&m);
+    for (uint32_t v = 5; v < 8; v++)
+        model_vertex(&m, (roberts_vec3){point[v][0], point[v][1], point[v][2]});
+    model_face(&m, (uint32_t[]){5, 6, 7}, 3);
+    model_close_solid(&m);
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    expect_edge("cap", "eye", &d, "5-6 v 60/73 h0");
+    expect_edge("cap", "eye", &d, "6-7 h0 1/11 v");
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
 /* The picture is a square about the look-at point, at whose depth lengths are true: 10 tan(fov / 2) to each side. */
 static void field_of_view(void **state)
 {
@@ -1194,6 +1222,7 @@ int main(void)
         cmocka_unit_test(perspective_by_hand),
         cmocka_unit_test(near_plane_by_hand),
         cmocka_unit_test(side_that_weaves_through_the_near_plane),
+        cmocka_unit_test(cap_whose_border_is_upright_within_rounding),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
         cmocka_unit_test(eyes_very_near),
