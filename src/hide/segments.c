@@ -100,7 +100,7 @@ static uint32_t layers(const roberts_scene *scene, const level_hit *hit, size_t 
 
 /* Counts the layers in front of X, a hidden point of the line; at least 1. A convex or closed body counts once each
  * time the line of sight enters it; an open body counts once for each face that the line of sight meets. Requires a
- * grid that lists every front, as it does when hidden lines are wanted. False: no memory. */
+ * grid that lists every front or the first of its copies, as it does when hidden lines are wanted. False: no memory. */
 static BITS_RARE bool level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32_t *level)
 {
     const hide_fronts *fronts = w->fronts;
@@ -111,10 +111,13 @@ static BITS_RARE bool level_at(hide_worker *w, const seen_line *line, roberts_ve
     hits->count = 0;
     for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
         const uint32_t index = w->grid->entry[k].front;
-        const hide_front *front = &fronts->front[index];
-        if (may_hide(fronts, &fronts->front_box[index], X) &&
-            !seen_owns(fronts->scene, &line->own, hide_key(fronts, front)) && !take_front(fronts, index, X, hits))
-            return false;
+        const bool copied = fronts->next_copy && index < fronts->whole_count;
+        if (!may_hide(fronts, &fronts->front_box[index], X))
+            continue;
+        for (uint32_t i = index; i != ROBERTS_NONE; i = copied ? fronts->next_copy[i] : ROBERTS_NONE)
+            if (!seen_owns(fronts->scene, &line->own, hide_key(fronts, &fronts->front[i])) &&
+                !take_front(fronts, i, X, hits))
+                return false;
     }
     if (hits->count > 1)
         qsort(hits->item, hits->count, sizeof *hits->item, by_body);
