@@ -360,6 +360,27 @@ static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
         c, &(union_contact){body, face, union_plane_number(scene, face), true, 0.0, 1.0, n, w, o.plus, o.minus});
 }
 
+/* Does the line, seen along itself, lie in the face or within `touch` of it? Pieces are convex. */
+static bool pierces(const union_cutter *c, uint32_t face, double touch)
+{
+    const roberts_scene *scene = c->all->scene;
+    const uint32_t *corner = scene->corner + scene->face_start[face];
+    uint32_t count = scene->face_start[face + 1] - scene->face_start[face];
+    bool left = false, right = false;
+    roberts_vec3 P = vec3_sub(union_place(scene, scene->point[corner[count - 1]]), c->A);
+    double x = vec3_dot(P, c->e1), y = vec3_dot(P, c->e2);
+    for (uint32_t i = 0; i < count; i++) {
+        P = vec3_sub(union_place(scene, scene->point[corner[i]]), c->A);
+        const double x1 = vec3_dot(P, c->e1), y1 = vec3_dot(P, c->e2), H = x * y1 - y * x1;
+        const double band = touch * hypot(x1 - x, y1 - y);
+        left = left || H > band;
+        right = right || H < -band;
+        x = x1;
+        y = y1;
+    }
+    return !left || !right;
+}
+
 /* Adds a contact, an event or nothing for a face of a body. Sets *beyond to true if the line lies completely on the
  * side of the plane where F < 0. False: no memory. */
 static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool *beyond)
@@ -375,8 +396,8 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
         return true;
     roberts_vec3 n = {F.a, F.b, F.c}, w = vec3_cross(n, c->u);
     double length = vec3_length(w);
-    if (!(length > ACROSS_LEAST)) /* it meets the plane in one point, whatever the face looks like */
-        return add_event(c, crossing(c, face));
+    if (!(length > ACROSS_LEAST)) /* it meets the plane in one point */
+        return !pierces(c, face, touch) || add_event(c, crossing(c, face));
     w = vec3_scale(1.0 / length, w);
     overlap o;
     if (!find_overlap(c, face, n, w, touch, &o))
