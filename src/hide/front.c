@@ -135,9 +135,9 @@ static void sort(const hide_fronts *fronts, uint32_t *item, uint32_t count)
     }
 }
 
-/* A turn of a path: to the left or to the right if rounding cannot change that. Otherwise it is straight on, or
- * straight back. */
-typedef enum turn { TURN_LEFT, TURN_RIGHT, TURN_ON, TURN_BACK } turn;
+/* A turn of a path: to the left or to the right if rounding cannot change that. Otherwise the path may go back along
+ * its last side, and end on it; or it goes straight on, or back beyond that side. */
+typedef enum turn { TURN_LEFT, TURN_RIGHT, TURN_BACK, TURN_STRAIGHT } turn;
 
 /* Finds how the path a, b, c turns at b. */
 static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
@@ -148,11 +148,12 @@ static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t 
     const double plain = TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
     if (fabs(left) > plain)
         return left > 0.0 ? TURN_LEFT : TURN_RIGHT;
-    return AB.x * (AC.x - AB.x) + AB.y * (AC.y - AB.y) < 0.0 ? TURN_BACK : TURN_ON;
+    const double along = AB.x * AC.x + AB.y * AC.y;
+    return along > 0.0 && along < AB.x * AB.x + AB.y * AB.y ? TURN_BACK : TURN_STRAIGHT;
 }
 
 /* Adds c to a chain, in place of the last corners at which the path to c does not turn left. The first `kept` corners
- * stay. If the path turns straight back, c lies on the chain's last side, and is no corner. Returns how many corners
+ * stay. If the path goes back along its last side, c lies on that, and is no corner. Returns how many corners
  * the chain then has. */
 static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t count, uint32_t kept, uint32_t c)
 {

@@ -719,6 +719,22 @@ static void cap_whose_border_is_upright_within_rounding(void **state)
     model_free(&m);
 }
 
+/* The same where the first corner of the outline lies in the middle of the upright line: the lower end is kept. */
+static void cap_that_begins_in_the_middle_of_its_border(void **state)
+{
+    roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {0, 2, 4}, .look_at = {2, 4, 4}, .has_look_at = true,
+                             .near_distance = 1.4142135623730951};
+    roberts_hide_options options = with_hidden();
+    model m = {0};
+    (void)state;
+    model_tetrahedron(&m, (roberts_vec3[]){{2, 2, 6}, {0, 2, 6}, {6, 0, 4}, {6, 2, 4}});
+    model_tetrahedron(&m, (roberts_vec3[]){{4, 4, 6}, {6, 0, 2}, {4, 4, 4}, {6, 2, 6}});
+    roberts_drawing d = model_draw(&m, &camera, &options);
+    expect_edge("cap", "eye", &d, "5-7 v 1/2 h0");
+    roberts_drawing_free(&d);
+    model_free(&m);
+}
+
 /* The picture is a square about the look-at point, at whose depth lengths are true: 10 tan(fov / 2) to each side. */
 static void field_of_view(void **state)
 {
@@ -1223,6 +1239,7 @@ int main(void)
         cmocka_unit_test(near_plane_by_hand),
         cmocka_unit_test(side_that_weaves_through_the_near_plane),
         cmocka_unit_test(cap_whose_border_is_upright_within_rounding),
+        cmocka_unit_test(cap_that_begins_in_the_middle_of_its_border),
         cmocka_unit_test(field_of_view),
         cmocka_unit_test(eyes_refused),
         cmocka_unit_test(eyes_very_near),
