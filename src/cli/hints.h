@@ -72,7 +72,7 @@ bool hint_idle_union(const roberts_scene *scene);
 /* Is no body a hull, and none left out, so that --hull changes nothing? `faces`: of the mesh. */
 bool hint_idle_hull(const roberts_scene *scene, size_t faces);
 
-/* Are all faces convex, so that --fill-rule changes nothing? */
+/* Are all faces convex, so that --fill-rule changes nothing? Others need not cross themselves; then nothing is said. */
 bool hint_idle_rule(const roberts_scene *scene);
 
 #endif

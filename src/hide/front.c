@@ -153,9 +153,10 @@ static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t 
 }
 
 /* Adds c to a chain, in place of the last corners at which the path to c does not turn left. The first `kept` corners
- * stay. If the path goes back along its last side, c lies on that, and is no corner. Returns how many corners
- * the chain then has. */
-static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t count, uint32_t kept, uint32_t c)
+ * stay. If the path goes back along its last side, c lies on that, and is no corner. Returns how many corners the chain
+ * then has; 0: more than `room`. */
+static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t count, uint32_t kept, uint32_t room,
+                           uint32_t c)
 {
     for (; count > kept; count--) {
         const turn t = turn_of(fronts, chain[count - 2], chain[count - 1], c);
@@ -164,6 +165,8 @@ static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t 
         if (t == TURN_LEFT)
             break;
     }
+    if (count == room)
+        return 0;
     chain[count] = c;
     return count + 1;
 }
@@ -180,14 +183,14 @@ static uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t
     sort(fronts, order, size);
     const uint32_t first = outline[0] = order[0];
     for (uint32_t i = 1; i < size; i++)
-        count = add_corner(fronts, outline, count, 1, order[i]);
+        count = add_corner(fronts, outline, count, 1, size, order[i]);
     const uint32_t below = count, last = outline[count - 1];
     for (uint32_t i = size - 1; i-- > 1;) {
         if (turn_of(fronts, first, last, order[i]) != TURN_LEFT)
             continue;
-        if (count == size)
+        count = add_corner(fronts, outline, count, below, size, order[i]);
+        if (count == 0)
             return 0; /* by rounding, a vertex above the line is also a corner below it */
-        count = add_corner(fronts, outline, count, below, order[i]);
     }
     while (count > below && turn_of(fronts, outline[count - 2], outline[count - 1], first) != TURN_LEFT)
         count--;

@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/search.h"
 #include "base/orient.h"
+#include "base/search.h"
 #include "model/face_pieces.h"
 
 /* Sweeps of one face. From FIRST_WIDER on, the merging distance of nodes doubles with each sweep, which forces an
@@ -134,7 +134,7 @@ static bool cross_all(face_pieces *f, border *b)
 
 /* ---- nodes on lines ---------------------------------------------------------------------------------------------- */
 
-/* Up to this many pairs of lines and nodes are compared directly; with more, a grid finds the nodes near a line. */
+/* Up to this many pairs of lines and nodes are compared directly; with more, a tree finds the lines near a node. */
 enum { FEW_PAIRS = 4096 };
 
 /* Does the node lie within `touching` of a line, between its ends and apart from them? */
@@ -167,15 +167,39 @@ static uint32_t *list_ends(const face_pieces *f, const border *b, uint32_t *coun
     return listed;
 }
 
-/* Makes a grid of the nodes, in the plane. False: no memory; point_grid_free() is still needed. */
-static bool make_node_grid(const face_pieces *f, const uint32_t *listed, uint32_t count, point_grid *grid)
+/* Makes a tree over the boxes of the lines, widened by `touching`. False: no memory. */
+static bool make_line_tree(const face_pieces *f, const border *b, double touching, box_tree *tree)
 {
-    roberts_vec3 *point = alloc_array(f->node_count, sizeof *point);
-    for (uint32_t n = 0; point && n < f->node_count; n++)
-        point[n] = (roberts_vec3){f->node[n].at.x, f->node[n].at.y, 0.0};
-    const bool enough = point && point_grid_build(grid, point, listed, count);
-    free(point);
+    box3 *box = alloc_array(b->count, sizeof *box);
+    uint32_t root;
+    for (size_t i = 0; box && i < b->count; i++) {
+        const roberts_vec2 A = f->node[b->item[i].v[0]].at, B = f->node[b->item[i].v[1]].at;
+        box[i] = (box3){{lesser(A.x, B.x) - touching, lesser(A.y, B.y) - touching, 0.0},
+                        {greater(A.x, B.x) + touching, greater(A.y, B.y) + touching, 0.0}};
+    }
+    const bool enough = box && box_tree_add(tree, box, (uint32_t)b->count, 0, &root);
+    free(box);
     return enough;
+}
+
+/* Adds a stop to each line of the tree on which the node lies. False: no memory. */
+static bool stop_near_lines(const face_pieces *f, border *b, const box_tree *tree, uint32_t node, double touching)
+{
+    const roberts_vec2 P = f->node[node].at;
+    const box3 at = {{P.x, P.y, 0.0}, {P.x, P.y, 0.0}};
+    for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
+        const box_tree_node *own = &tree->node[i];
+        if (!box3_meet(&own->box, &at)) {
+            i = own->skip;
+            continue;
+        }
+        for (uint32_t k = own->first; k < own->first + own->count; k++)
+            if (lies_on(f, &b->item[tree->item[k]], node, touching) &&
+                !border_add_stop(b, (border_stop){tree->item[k], node, 0.0}))
+                return false;
+        i++;
+    }
+    return true;
 }
 
 /* Adds a stop wherever a node lies on a line. An exact sweep finds such a node only if it lies on the line exactly, and
@@ -184,25 +208,17 @@ static bool stop_at_nodes(const face_pieces *f, border *b, double touching)
 {
     uint32_t count;
     uint32_t *listed = list_ends(f, b, &count);
-    point_grid grid = {0};
-    point_list near = {0};
+    box_tree tree = {0};
     const bool few = (double)count * (double)b->count <= FEW_PAIRS;
-    bool enough = listed && (few || make_node_grid(f, listed, count, &grid));
-    for (uint32_t i = 0; enough && i < b->count; i++) {
-        const border_line *own = &b->item[i];
-        if (!few) {
-            const roberts_vec2 A = f->node[own->v[0]].at, B = f->node[own->v[1]].at;
-            near.count = 0;
-            enough =
-                point_grid_near(&grid, (roberts_vec3){A.x, A.y, 0.0}, (roberts_vec3){B.x, B.y, 0.0}, touching, &near);
-        }
-        const uint32_t *item = few ? listed : near.item;
-        for (size_t k = 0, end = few ? count : near.count; enough && k < end; k++)
-            if (lies_on(f, own, item[k], touching))
-                enough = border_add_stop(b, (border_stop){i, item[k], 0.0});
+    bool enough = listed && (few || make_line_tree(f, b, touching, &tree));
+    for (uint32_t k = 0; enough && k < count; k++) {
+        if (!few)
+            enough = stop_near_lines(f, b, &tree, listed[k], touching);
+        for (uint32_t i = 0; few && enough && i < b->count; i++)
+            if (lies_on(f, &b->item[i], listed[k], touching))
+                enough = border_add_stop(b, (border_stop){i, listed[k], 0.0});
     }
-    point_grid_free(&grid);
-    free(near.item);
+    box_tree_free(&tree);
     free(listed);
     return enough;
 }
@@ -358,33 +374,34 @@ static bool join_ring(face_pieces *f, double touching, bool *apart)
     return enough;
 }
 
-/* Finds where lines are to be divided. If nowhere, the face is cut into triangles. first: all crossings are still to be
- * found. */
-static tiling find_stops(face_pieces *f, border *b, const face_rules *rules, bool first, bool crossed)
+/* Finds where lines are to be divided. If nowhere, the face is cut into triangles. first: cross_all() has not run yet.
+ */
+static tiling find_stops(face_pieces *f, border *b, const face_rules *rules, bool *first, bool divided)
 {
-    const double touching = rules->touching / rules->unit;
     b->stop_count = 0;
-    if (!stop_at_nodes(f, b, touching))
+    if (!stop_at_nodes(f, b, rules->touching / rules->unit))
         return TILING_NO_MEMORY;
     if (b->stop_count > 0)
         return TILING_CROSSED;
-    tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || crossed);
-    if (found == TILING_CROSSED && first && !cross_all(f, b))
-        return TILING_NO_MEMORY;
+    tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || divided);
+    if (found == TILING_CROSSED && *first) {
+        *first = false;
+        if (!cross_all(f, b))
+            return TILING_NO_MEMORY;
+    }
     return found;
 }
 
-/* Sweeps and divides until no lines cross, and no node lies on a line. *crossed: some did. */
+/* Sweeps and divides until no lines cross, and no node lies on a line. *crossed: lines were divided. */
 static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, bool *crossed)
 {
     double touching = rules->touching / rules->unit;
     size_t corners = f->node_count;
     bool first = true;
     for (int sweeps = 0; sweeps < MOST_SWEEPS; sweeps++) {
-        tiling found = find_stops(f, b, rules, first, *crossed);
+        tiling found = find_stops(f, b, rules, &first, *crossed);
         if (found != TILING_CROSSED)
             return found;
-        first = first && f->node_count == corners;
         *crossed = true;
         if (f->node_count - corners > MOST_CROSSINGS)
             return TILING_BROKEN;

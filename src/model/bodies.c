@@ -47,11 +47,6 @@ typedef struct assembly {
     builder work;
 } assembly;
 
-static uint32_t piece_of(uint32_t incidence)
-{
-    return incidence & ~SURFACE_TURNED;
-}
-
 /* ---- which components are convex solids ------------------------------------------------------------------------ */
 
 /* Finds which components are convex solids, and which may become closed when welded or split: open[] has their kind of
@@ -102,7 +97,7 @@ static bool group_components(const assembly *a, const uint8_t *open, uint8_t *li
     return any;
 }
 
-/* Slits to holes and vertices on edges make components look open that are closed: they are complete, and need no
+/* A closed component looks open if vertices lie on its edges, or slits lead to its holes. It is complete, and needs no
  * welding. Finds the edges of each component as if it were alone. If all have an even number of faces, it is marked as
  * not open. Its vertices are a group of their own, so that its edges are not compared with those of other bodies.
  * *any_open: is any component still open? False: no memory. */
@@ -114,23 +109,26 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
     surface s = {.mesh = a->mesh};
     uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
     s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
-    bool enough = listed && odd && a->group;
+    bool enough = listed && odd && a->group, any = false;
     if (enough && group_components(a, open, listed)) {
         enough = surface_take_faces(&s, listed, &rules) && surface_find_edges(&s, touching);
         for (size_t i = 0; enough && i < s.edge_count; i++) {
             const uint32_t p = s.edge[i].piece[0];
             if (p != ROBERTS_NONE && !surface_is_even(&s, &s.edge[i]))
-                odd[a->group[a->mesh->corner[a->mesh->face_start[s.face[piece_of(p)]]]] - 1] = 1;
+                odd[a->group[a->mesh->corner[a->mesh->face_start[s.face[surface_piece(p)]]]] - 1] = 1;
         }
         for (uint32_t v = 0; enough && v < a->mesh->vertex_count; v++) {
             uint32_t *own = &a->group[v];
-            if (*own == 0)
-                continue;
-            if (odd[*own - 1])
+            if (*own > 0 && odd[*own - 1])
                 *own = 0;
-            else
+            if (*own > 0)
                 open[*own - 1] = OPENING_NONE;
+            any = any || *own > 0;
         }
+    }
+    if (!any) {
+        free(a->group);
+        a->group = NULL;
     }
     *any_open = memchr(open, OPENING_EDGES, scene->solid_count) || memchr(open, OPENING_PARTS, scene->solid_count);
     surface_free(&s);
@@ -233,11 +231,11 @@ static void join_pieces(const surface *s, uint32_t *parent, uint32_t *owner)
         const surface_edge *e = &s->edge[i];
         uint32_t own = s->piece_count + (uint32_t)i;
         if (e->piece[0] != ROBERTS_NONE) {
-            sets_join(parent, own, piece_of(e->piece[0]));
+            sets_join(parent, own, surface_piece(e->piece[0]));
             if (e->piece[1] != ROBERTS_NONE)
-                sets_join(parent, own, piece_of(e->piece[1]));
+                sets_join(parent, own, surface_piece(e->piece[1]));
             for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++)
-                sets_join(parent, own, piece_of(s->many[k]));
+                sets_join(parent, own, surface_piece(s->many[k]));
             continue;
         }
         for (int k = 0; k < 2; k++) {

@@ -29,11 +29,6 @@ static inline int compare_ends(const uint32_t v[2], const uint32_t w[2])
     return (v[1] > w[1]) - (v[1] < w[1]);
 }
 
-static uint32_t piece_of(uint32_t incidence)
-{
-    return incidence & ~SURFACE_TURNED;
-}
-
 /* ---- sides with the same ends ------------------------------------------------------------------------------------ */
 
 /* A side, or a part of one, with its ends in ascending order. */
@@ -200,25 +195,23 @@ static bool add_complete(finder *f, const uint32_t *side, uint32_t count)
     return true;
 }
 
-enum { COMPLETE_MOST = 16 }; /* pieces of a complete edge; comparing all pairs of more would take long */
-
 /* Makes an edge of sides with the same ends if it is complete; otherwise lists the sides as odd. They are also odd if
  * another face crosses itself on this edge, and so has only parts of it. False: no memory. */
 static bool take_group(finder *f, const uint64_t *half, size_t count)
 {
     surface *s = f->s;
-    uint32_t side[COMPLETE_MOST];
+    uint32_t side[SURFACE_EVEN_MOST];
     size_t real = 0;
     bool shadow = false;
     for (size_t i = 0; i < count; i++)
         if (s->side[(uint32_t)half[i]].piece == SURFACE_SHADOW) {
             shadow = true;
         } else if (!is_wire_side(&s->side[(uint32_t)half[i]])) {
-            if (real < COMPLETE_MOST)
+            if (real < SURFACE_EVEN_MOST)
                 side[real] = (uint32_t)half[i];
             real++;
         }
-    if (real > 0 && real % 2 == 0 && real <= COMPLETE_MOST && !any_same_face(s, side, real) &&
+    if (real > 0 && real % 2 == 0 && real <= SURFACE_EVEN_MOST && !any_same_face(s, side, real) &&
         !is_divided(f, &s->side[side[0]]))
         return add_complete(f, side, (uint32_t)real);
     if (!array_reserve(&f->odd, &f->odd_room, f->odd_count + count, sizeof *f->odd))
@@ -245,13 +238,14 @@ static bool take_groups(finder *f)
 
 /* ---- sides that are compared in space ---------------------------------------------------------------------------- */
 
-/* Returns the group of a side. */
-static uint32_t group_of(const surface *s, const surface_side *side)
+/* Returns the group of end k of a side: that of its face, since an end may be a crossing, which is no vertex of the
+ * mesh. A wire may join two groups. */
+static uint32_t group_of(const surface *s, const surface_side *side, int k)
 {
     const roberts_mesh *mesh = s->mesh;
     if (is_wire_side(side))
-        return s->group[side->v[0]];
-    return s->group[mesh->corner[mesh->face_start[s->face[piece_of(side->piece)]]]];
+        return s->group[side->v[k]];
+    return s->group[mesh->corner[mesh->face_start[s->face[surface_piece(side->piece)]]]];
 }
 
 /* Lists the ends of odd sides, each once. False: no memory. */
@@ -268,7 +262,7 @@ static bool list_vertices(finder *f)
         for (int k = 0; k < 2; k++) {
             f->vertex[2 * i + (size_t)k] = side->v[k];
             if (f->group)
-                f->group[side->v[k]] = group_of(f->s, side);
+                f->group[side->v[k]] = group_of(f->s, side, k);
         }
     }
     qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, sort_compare_numbers);
@@ -579,19 +573,17 @@ bool surface_find_edges(surface *s, double touching)
     return enough && s->edge_count < ROBERTS_NONE;
 }
 
-enum { EVEN_MOST = 16 }; /* faces at an edge; to count more would take long */
-
 bool surface_is_even(const surface *s, const surface_edge *e)
 {
-    uint32_t face[EVEN_MOST], count = 0;
+    uint32_t face[SURFACE_EVEN_MOST], count = 0;
     if (e->piece[1] == ROBERTS_NONE)
         return false;
     for (uint32_t k = e->many; e->many != ROBERTS_NONE && k < e->many_end; k++) {
-        const uint32_t own = s->face[piece_of(s->many[k])];
+        const uint32_t own = s->face[surface_piece(s->many[k])];
         uint32_t i = 0;
         while (i < count && face[i] != own)
             i++;
-        if (i == EVEN_MOST)
+        if (i == SURFACE_EVEN_MOST)
             return false;
         face[i] = own;
         count += i == count;
@@ -646,7 +638,7 @@ static void sort_by_body(body_edges *list, const uint32_t *of, uint32_t bodies)
     for (int pass = 0; pass < 2; pass++) {
         uint32_t odd = s->piece_count, sum = 0;
         for (uint32_t i = 0; i < s->edge_count; i++) {
-            uint32_t body = of[s->edge[i].odd ? odd++ : piece_of(s->edge[i].piece[0])];
+            uint32_t body = of[s->edge[i].odd ? odd++ : surface_piece(s->edge[i].piece[0])];
             if (pass == 0)
                 list->first[body]++;
             else
@@ -692,7 +684,7 @@ static bool store_many(body_edges *list, scene_surface *to, const surface_edge *
     to->many[to->many_count++] = (scene_many){edge, first, first + count};
     for (uint32_t k = e->many; k < e->many_end; k++) {
         bool turned = ((many[k] & SURFACE_TURNED) != 0) != back;
-        to->many_face[list->many_faces++] = list->face[piece_of(many[k])] | (turned ? MANY_TURNED : 0);
+        to->many_face[list->many_faces++] = list->face[surface_piece(many[k])] | (turned ? MANY_TURNED : 0);
     }
     return true;
 }
@@ -733,7 +725,7 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b)
         bool back = runs_back(s, e); /* a part runs in the same direction as its edge of the file */
         *stored = (scene_edge){{back ? v1 : v0, back ? v0 : v1}, {ROBERTS_NONE, ROBERTS_NONE}};
         for (int k = 0; k < 2 && e->piece[k] != ROBERTS_NONE; k++) {
-            stored->f[k] = list->face[piece_of(e->piece[k])] - own->face;
+            stored->f[k] = list->face[surface_piece(e->piece[k])] - own->face;
             if (((e->piece[k] & SURFACE_TURNED) != 0) != back)
                 is |= (uint8_t)(k ? EDGE_TURNED_1 : EDGE_TURNED_0);
         }

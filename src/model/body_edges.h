@@ -18,7 +18,10 @@ surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, do
 /* Finds the edges: sides that coincide within `touching` become one edge. Frees the sides. False: no memory. */
 bool surface_find_edges(surface *s, double touching);
 
-/* Do the edge's pieces belong to an even number of faces? More than 16 count as odd. */
+/* An edge of more pieces counts as odd: comparing all pairs of them would take long. */
+enum { SURFACE_EVEN_MOST = 16 };
+
+/* Do the edge's pieces belong to an even number of faces? */
 bool surface_is_even(const surface *s, const surface_edge *e);
 
 /* ---- edges of bodies --------------------------------------------------------------------------------------------- */

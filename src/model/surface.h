@@ -28,6 +28,12 @@ typedef struct surface_side {
 #define SURFACE_SHADOW (SURFACE_CUT - 2) /* instead of a piece: the side belongs to a face of another body */
 #define SURFACE_TURNED 0x80000000u
 
+/* Returns the number of a piece, without its flag. */
+static inline uint32_t surface_piece(uint32_t flagged)
+{
+    return flagged & ~SURFACE_TURNED;
+}
+
 /* An edge, v[0] < v[1]. A piece has the flag SURFACE_TURNED if it is on the right of v[0] -> v[1]. */
 typedef struct surface_edge {
     uint32_t v[2];

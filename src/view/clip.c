@@ -587,9 +587,12 @@ static bool join_lines(const cutter *c, cut_lines *lines)
         first[i] = end[i];
         near.count = 0;
         enough = point_grid_near(&grid, point[end[i]], point[end[i]], c->touching, &near);
-        for (size_t k = 0; enough && k < near.count; k++)
-            if (near.item[k] < first[i] && vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) <= c->touching)
-                first[i] = near.item[k];
+        for (size_t k = 0; enough && k < near.count; k++) {
+            if (near.item[k] >= end[i] || vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) > c->touching)
+                continue;
+            const uint32_t *found = bsearch(&near.item[k], end, i, sizeof *end, sort_compare_numbers);
+            first[i] = found && first[found - end] < first[i] ? first[found - end] : first[i];
+        }
     }
     for (size_t i = 0; enough && odd > 0 && i < ends; i++) {
         uint32_t *own = i % 2 ? &lines->item[i / 2].to : &lines->item[i / 2].from;
@@ -643,13 +646,16 @@ static size_t add_loop(const cut_line *both, size_t count, uint8_t *used, uint32
 static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
 {
     size_t length = 0;
-    for (int pass = 0; pass < 2; pass++)
-        for (size_t i = 0, next; i < count; i = next) {
-            next = first_from(both, count, both[i].from + 1);
-            for (size_t k = i; k < next && (pass == 1 || (next - i) % 2 == 1); k++)
-                if (!used[k])
-                    length = add_loop(both, count, used, both[k].from, ring, length);
-        }
+    for (size_t i = 0, next; i < count; i = next) {
+        bool odd = false;
+        for (next = i; next < count && both[next].from == both[i].from; next++)
+            odd = odd != !used[next];
+        if (odd)
+            length = add_loop(both, count, used, both[i].from, ring, length);
+    }
+    for (size_t i = 0; i < count; i++)
+        if (!used[i])
+            length = add_loop(both, count, used, both[i].from, ring, length);
     return length;
 }
 

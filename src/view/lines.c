@@ -23,8 +23,12 @@ static int facing_of_face(const seen *s, const roberts_scene *scene, uint32_t fa
 /* `turned`: the face lies on the right of the edge. A face that is edge-on lies on neither side. */
 static void add_edge_face(int facing, bool turned, edge_faces *to)
 {
-    to->left += facing != VIEW_EDGE_ON && (facing == VIEW_FRONT) != turned;
-    to->right += facing != VIEW_EDGE_ON && (facing == VIEW_FRONT) == turned;
+    if (facing == VIEW_EDGE_ON)
+        return;
+    if ((facing == VIEW_FRONT) != turned)
+        to->left++;
+    else
+        to->right++;
 }
 
 /* Do all faces lie on one side? */
@@ -94,7 +98,11 @@ static bool is_folded_cut(const seen_walk *w, const roberts_scene *scene, uint32
     if (edge->f[1] == ROBERTS_NONE)
         return false;
     if (!(scene->surface->edge_is[e] & EDGE_MANY)) {
-        const edge_faces faces = faces_of_edge(w, scene, edge, e, 0.0);
+        const uint32_t first = scene->solid[w->body].face;
+        const uint8_t is = scene->surface->edge_is[e];
+        edge_faces faces = {0};
+        add_edge_face(facing_of_face(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &faces);
+        add_edge_face(facing_of_face(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &faces);
         return is_fold(&faces);
     }
     const scene_many *many = scene_many_at(scene, e);
