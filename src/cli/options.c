@@ -128,6 +128,18 @@ static bool is_option(const option_table *table, const char *word)
     return strncmp(word, "--", 2) == 0 && (!word[2] || find_option(table, word + 2, strcspn(word + 2, "=")));
 }
 
+/* Applies an option, given as `shown`, with the next argument as its value. */
+static int apply_next(parser *p, int *i, const option *o, const char *shown)
+{
+    if (*i + 1 >= p->argc)
+        return message_misuse("%s needs a value", shown);
+    const char *value = p->argv[++*i];
+    if (is_option(p->given.table, value))
+        return message_misuse("%s needs a value, but %s follows; to have that as its value: --%s=%s", shown, value,
+                              o->name, value);
+    return apply(p, o, value);
+}
+
 /* argv[*i] is --name or --name=value; `*i` moves to the last argument that is used. */
 static int take_long(parser *p, int *i)
 {
@@ -142,14 +154,8 @@ static int take_long(parser *p, int *i)
     }
     if (value && !o->value)
         return message_misuse("--%s takes no value", o->name);
-    if (!value && o->value && !(o->flags & OPTION_OPTIONAL)) {
-        if (*i + 1 >= p->argc)
-            return message_misuse("--%s needs a value", o->name);
-        value = p->argv[++*i];
-        if (is_option(p->given.table, value))
-            return message_misuse("--%s needs a value, but %s follows; to have that as its value: --%s=%s", o->name,
-                                  value, o->name, value);
-    }
+    if (!value && o->value && !(o->flags & OPTION_OPTIONAL))
+        return apply_next(p, i, o, p->argv[*i]);
     return apply(p, o, value);
 }
 
@@ -173,9 +179,7 @@ static int take_short(parser *p, int *i)
             return message_misuse("-%s: only long options have \"=\"; did you mean -%c %s?", word, *letter, letter + 2);
         if (letter[1])
             return apply(p, o, letter + 1);
-        if (*i + 1 >= p->argc)
-            return message_misuse("-%c needs a value", *letter);
-        return apply(p, o, p->argv[++*i]);
+        return apply_next(p, i, o, (const char[]){'-', *letter, '\0'});
     }
     return EXIT_DONE;
 }

@@ -1,7 +1,6 @@
 /* parts.c - a drawing in parts. See parts.h. */
 #include "cli/parts.h"
 
-#include <string.h>
 #include <sys/resource.h>
 
 #include "cli/hints.h"

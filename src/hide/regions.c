@@ -13,7 +13,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/error.h"
 #include "base/sets.h"
 #include "base/sort.h"
 #include "base/threads.h"

@@ -9,7 +9,6 @@
 #include "write/formats.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "base/error.h"
 #include "base/output.h"

@@ -128,6 +128,7 @@ static const struct {
     {"--taste --hull a.off", "--taste needs a value, but --hull follows; to have that as its value: --taste=--hull\n"},
     {"--taste --page=a4 a.off", "--taste needs a value, but --page=a4 follows; "},
     {"--taste -- a.off", "--taste needs a value, but -- follows; "},
+    {"-T --hull a.off", "-T needs a value, but --hull follows; to have that as its value: --taste=--hull\n"},
     {"--tast sour", "--tast is unknown; did you mean --taste?\n"},
 };
 
