@@ -125,7 +125,8 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
  *
  * Some files give each face its own vertices ("soup"), so that each face is a component. Components with open edges are
  * welded with one another where positions are exactly equal, but never with closed ones: a body that is complete in
- * the file (see find_complete() in bodies.c) stays as it is, even if it touches others. So do closed parts that share a vertex: these are only split. */
+ * the file (see find_complete() in bodies.c) stays as it is, even if it touches others. So do closed parts that share a
+ * vertex: these are only split. */
 
 /* The faces of open components, merged into one solid and then split. Zeroed = empty. */
 typedef struct regrouping {
