@@ -130,6 +130,12 @@ static const body_case cases[] = {
     {"a spike hides nothing, though rounding gives it a width",
      "OFF\n6 2 0\n0 0 0\n0.9 0.3 0\n0.3 0.1 0\n0 1 0\n0.6 0.2 -1\n0.75 0.25 -1\n4 0 1 2 3\n2 4 5\n", TOP, "oo", 0,
      0.1 * ROOT_10 + 0.3 * ROOT_10 + 1, 0, 0.05 * ROOT_10, false, false},
+    {"two boxes with a vertex on an edge each, and a wire between these vertices",
+     "OFF\n18 13 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n0.5 0 0\n3 0 0\n4 0 0\n3 1 0\n"
+     "4 1 0\n3 0 1\n4 0 1\n3 1 1\n4 1 1\n3.5 0 0\n5 0 2 3 1 8\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n"
+     "4 1 3 7 5\n5 9 11 12 10 17\n4 13 14 16 15\n4 9 10 14 13\n4 11 15 16 12\n4 9 13 15 11\n4 10 12 16 14\n"
+     "2 17 8\n",
+     TOP, "coc", 8, 0, 0, 2, false, false},
     {"a box open above: one sees into it",
      "OFF\n8 5 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 1\n2 0 1\n2 2 1\n0 2 1\n4 0 1 2 3\n"
      "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
