@@ -162,14 +162,15 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
         return true;
     const double high = is_high ? 5.0 : 2.5, height = fmin(high, high * width / letters_width(text, high));
     title_lines title = {0};
-    bool done = !is_high || break_title(&title, text, width, height);
+    bool enough = !is_high || break_title(&title, text, width, height);
     warn_small(s, cell, title.count > 0 ? title.height : height);
     line = (text_line){text, {left, bottom - (is_high ? 5.0 : 1.7)}, height, 0.0, TEXT_LEVEL};
-    if (done)
-        done = title.count > 0 ? put_lines(s, &title, (roberts_vec2){left, bottom - inset_mm})
-                               : notes_add_text(&s->notes, &line, false);
+    if (enough && title.count > 0)
+        enough = put_lines(s, &title, (roberts_vec2){left, bottom - inset_mm});
+    else if (enough)
+        enough = notes_add_text(&s->notes, &line, false);
     free(title.text);
-    return done;
+    return enough;
 }
 
 /* The border of the block. Its right and lower sides lie on the frame, if there is one. */

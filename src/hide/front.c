@@ -135,9 +135,9 @@ static void sort(const hide_fronts *fronts, uint32_t *item, uint32_t count)
     }
 }
 
-/* A turn of a path: to the left or to the right if rounding cannot change that. Otherwise the path may go back along
- * its last side, and end on it; or it goes straight on, or back beyond that side. */
-typedef enum turn { TURN_LEFT, TURN_RIGHT, TURN_BACK, TURN_STRAIGHT } turn;
+/* A turn of a path: certainly to the left, whatever the rounding; back along its last side, to end on it; or any other,
+ * at which there is no corner. */
+typedef enum turn { TURN_LEFT, TURN_BACK, TURN_OTHER } turn;
 
 /* Finds how the path a, b, c turns at b. */
 static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t c)
@@ -146,10 +146,10 @@ static turn turn_of(const hide_fronts *fronts, uint32_t a, uint32_t b, uint32_t 
     roberts_vec3 AB = vec3_sub(P[b], P[a]), AC = vec3_sub(P[c], P[a]);
     const double left = AB.x * AC.y - AB.y * AC.x;
     const double plain = TURN_ROUNDINGS * fronts->seen->view.across_rounding * hypot(AC.x, AC.y);
-    if (fabs(left) > plain)
-        return left > 0.0 ? TURN_LEFT : TURN_RIGHT;
+    if (left > plain)
+        return TURN_LEFT;
     const double along = AB.x * AC.x + AB.y * AC.y;
-    return along > 0.0 && along < AB.x * AB.x + AB.y * AB.y ? TURN_BACK : TURN_STRAIGHT;
+    return left >= -plain && along > 0.0 && along < AB.x * AB.x + AB.y * AB.y ? TURN_BACK : TURN_OTHER;
 }
 
 /* Adds c to a chain, in place of the last corners at which the path to c does not turn left. The first `kept` corners

@@ -148,25 +148,6 @@ static bool lies_on(const face_pieces *f, const border_line *line, uint32_t node
     return at > touching && at < length - touching;
 }
 
-/* Lists the nodes that are ends of lines, ascending. NULL: no memory. */
-static uint32_t *list_ends(const face_pieces *f, const border *b, uint32_t *count)
-{
-    uint32_t *listed = alloc_array(f->node_count, sizeof *listed);
-    uint8_t *is_end = alloc_zeroed(f->node_count, 1);
-    *count = 0;
-    for (size_t i = 0; is_end && i < b->count; i++)
-        is_end[b->item[i].v[0]] = is_end[b->item[i].v[1]] = 1;
-    for (uint32_t n = 0; listed && is_end && n < f->node_count; n++)
-        if (is_end[n])
-            listed[(*count)++] = n;
-    if (!is_end) {
-        free(listed);
-        listed = NULL;
-    }
-    free(is_end);
-    return listed;
-}
-
 /* Makes a tree over the boxes of the lines, widened by `touching`. False: no memory. */
 static bool make_line_tree(const face_pieces *f, const border *b, double touching, box_tree *tree)
 {
@@ -206,20 +187,23 @@ static bool stop_near_lines(const face_pieces *f, border *b, const box_tree *tre
  * would otherwise leave a sliver of a piece. False: no memory. */
 static bool stop_at_nodes(const face_pieces *f, border *b, double touching)
 {
-    uint32_t count;
-    uint32_t *listed = list_ends(f, b, &count);
+    const bool few = (double)f->node_count * (double)b->count <= FEW_PAIRS;
+    uint8_t *is_end = alloc_zeroed(f->node_count, 1); /* of a line; others have been merged */
     box_tree tree = {0};
-    const bool few = (double)count * (double)b->count <= FEW_PAIRS;
-    bool enough = listed && (few || make_line_tree(f, b, touching, &tree));
-    for (uint32_t k = 0; enough && k < count; k++) {
+    bool enough = is_end && (few || make_line_tree(f, b, touching, &tree));
+    for (size_t i = 0; enough && i < b->count; i++)
+        is_end[b->item[i].v[0]] = is_end[b->item[i].v[1]] = 1;
+    for (uint32_t n = 0; enough && n < f->node_count; n++) {
+        if (!is_end[n])
+            continue;
         if (!few)
-            enough = stop_near_lines(f, b, &tree, listed[k], touching);
+            enough = stop_near_lines(f, b, &tree, n, touching);
         for (uint32_t i = 0; few && enough && i < b->count; i++)
-            if (lies_on(f, &b->item[i], listed[k], touching))
-                enough = border_add_stop(b, (border_stop){i, listed[k], 0.0});
+            if (lies_on(f, &b->item[i], n, touching))
+                enough = border_add_stop(b, (border_stop){i, n, 0.0});
     }
     box_tree_free(&tree);
-    free(listed);
+    free(is_end);
     return enough;
 }
 

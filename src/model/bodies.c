@@ -115,7 +115,7 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
         for (size_t i = 0; enough && i < s.edge_count; i++) {
             const uint32_t p = s.edge[i].piece[0];
             if (p != ROBERTS_NONE && !surface_is_even(&s, &s.edge[i]))
-                odd[a->group[a->mesh->corner[a->mesh->face_start[s.face[surface_piece(p)]]]] - 1] = 1;
+                odd[surface_group(&s, surface_piece(p)) - 1] = 1;
         }
         for (uint32_t v = 0; enough && v < a->mesh->vertex_count; v++) {
             uint32_t *own = &a->group[v];

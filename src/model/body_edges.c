@@ -242,10 +242,7 @@ static bool take_groups(finder *f)
  * mesh. A wire may join two groups. */
 static uint32_t group_of(const surface *s, const surface_side *side, int k)
 {
-    const roberts_mesh *mesh = s->mesh;
-    if (is_wire_side(side))
-        return s->group[side->v[k]];
-    return s->group[mesh->corner[mesh->face_start[s->face[surface_piece(side->piece)]]]];
+    return is_wire_side(side) ? s->group[side->v[k]] : surface_group(s, surface_piece(side->piece));
 }
 
 /* Lists the ends of odd sides, each once. False: no memory. */

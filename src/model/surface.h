@@ -78,6 +78,12 @@ typedef struct surface {
     bool whole_sides; /* some side may end at a point that is not a corner of its piece */
 } surface;
 
+/* Returns the group of a piece; the surface has groups. */
+static inline uint32_t surface_group(const surface *s, uint32_t piece)
+{
+    return s->group[s->mesh->corner[s->mesh->face_start[s->face[piece]]]];
+}
+
 /* Cuts the faces f with listed[f] into pieces. Elements of two corners become edges without a face. False: no
  * memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
