@@ -44,7 +44,7 @@ typedef struct finder {
     four_entries *four; /* the entries of this cell */
     size_t four_room;
     face_list list[2];
-    crossing_face last; /* the first face of the last pair, if hidden lines are kept */
+    crossing_face last; /* the first face of the last pair */
     char apart[THREADS_APART];
 } finder;
 
@@ -81,29 +81,37 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
     return true;
 }
 
-/* Tests the faces of two pieces. False: no memory. */
+/* A face in several pieces is tested at the end, once, and is not computed here. *done: the pair needs nothing more.
+ * False: no memory. */
+static bool leave_pieces(finder *t, const uint32_t body[2], const uint32_t piece[2], bool *done)
+{
+    const roberts_scene *scene = t->rules.scene;
+    *done = scene_is_in_pieces(scene, body[0], piece[0]) || scene_is_in_pieces(scene, body[1], piece[1]);
+    if (!*done)
+        return true;
+    uint32_t f = scene_first_piece(scene, body[0], piece[0]), g = scene_first_piece(scene, body[1], piece[1]);
+    return f == g || add_pair(t, f, g);
+}
+
+/* In a fixed order, so that the result is the same. */
 static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 {
-    if (f->body == g->body && f->first == g->first)
-        return true;
-    if (crossing_in_pieces(f) || crossing_in_pieces(g))
-        return add_pair(t, f->first, g->first);
-    /* in a fixed order, so that the result is the same */
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
-/* The same for pieces of which nothing is known yet. Nothing crosses a cap: everything ends at the near plane. */
+/* Tests the faces of two pieces. Nothing crosses a cap: everything ends at the near plane. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
+    bool done;
     if (seen_is_cap(t->rules.scene, pair->piece[0]) || seen_is_cap(t->rules.scene, pair->piece[1]))
         return true;
-    if (t->last.end == 0 || pair->piece[0] < t->last.first || pair->piece[0] >= t->last.end)
+    if (!leave_pieces(t, pair->body, pair->piece, &done))
+        return false;
+    if (done)
+        return true;
+    if (t->last.end == 0 || t->last.first != pair->piece[0])
         t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
-    /* For a face in several pieces, the first one is enough: meet_pairs() looks at the rest, once. */
-    uint32_t first = scene_first_piece(t->rules.scene, pair->body[1], pair->piece[1]);
-    if (crossing_in_pieces(&t->last) || first != pair->piece[1])
-        return first == t->last.first || add_pair(t, t->last.first, first);
     crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
     return meet_faces(t, &t->last, &G);
 }
@@ -174,6 +182,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[list[i].front], *g = &fronts->front[list[k].front];
     crossing_face other[2];
+    bool done;
     if (hide_key(fronts, f) == hide_key(fronts, g))
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
@@ -181,7 +190,9 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     if (seen_is_cap(fronts->scene, f->piece) || seen_is_cap(fronts->scene, g->piece) ||
         filter_faces(fronts, list[i].front, list[k].front))
         return true;
-    return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
+    if (!leave_pieces(t, (uint32_t[]){f->solid, g->solid}, (uint32_t[]){f->piece, g->piece}, &done))
+        return false;
+    return done || meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
 /* The entries of a cell that are tested. */
@@ -484,9 +495,10 @@ static bool meet_some_pairs(void *context, size_t first, size_t end)
     const uint64_t *pair = finders->pair;
     for (size_t k = first; k < end; k++) {
         uint32_t f = (uint32_t)(pair[k] >> 32), g = (uint32_t)pair[k];
-        crossing_face F = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
+        if (k == first || t->last.first != f)
+            t->last = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
         crossing_face G = crossing_face_of(&t->rules, scene_body_of_face(scene, g), g);
-        if (!crossing_find(&t->rules, &F, &G, &t->found))
+        if (!crossing_find(&t->rules, &t->last, &G, &t->found))
             return false;
     }
     return true;

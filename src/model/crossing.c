@@ -77,7 +77,9 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     f.error *= 2.0 * (40.0 + 3.0 * count) * 0x1p-53;
     f.mean = count > 3 ? vec3_dot(f.n, sum) / count : 0.0;
     f.length = vec3_length(f.n);
-    f.touch = f.length * (rules->touching + scene_deviation(scene, f.first)) / scene->unit;
+    const double deviation = scene_deviation(scene, f.first);
+    f.bent = deviation > rules->touching;
+    f.touch = f.length * (rules->touching + deviation) / scene->unit;
     return f;
 }
 
@@ -127,16 +129,16 @@ typedef struct corner_height {
     int sign;        /* 0: on it */
 } corner_height;
 
-/* Vertex v, of `body`, over the plane of f. */
+/* Vertex v, of `body`, over the plane of f. Whether it is a corner of f is asked only where that may matter, since f
+ * may have thousands: if f is plane, none is farther off than f.touch and the error. */
 static corner_height height_of(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v)
 {
-    corner_height at = {0.0, 0.0, 0};
-    if (body == f->body && has_corner(rules, f, v))
-        return at;
     roberts_vec3 d = seen_from(rules, v, f->origin, f->low);
-    at.h = vec3_dot(f->n, d) - f->mean;
-    at.error = f->error * (vec3_largest(d) + f->chord);
-    if (at.error > TRUSTED * f->touch && !(fabs(at.h) > at.error + f->touch)) {
+    corner_height at = {.h = vec3_dot(f->n, d) - f->mean, .error = f->error * (vec3_largest(d) + f->chord)};
+    const bool clear = fabs(at.h) > at.error + f->touch;
+    if (body == f->body && (!clear || f->bent) && has_corner(rules, f, v))
+        return (corner_height){0.0, 0.0, 0};
+    if (at.error > TRUSTED * f->touch && !clear) {
         at.h = exact_height(rules, f, v).hi;
         at.error = 0x1p-52 * fabs(at.h);
     }
@@ -162,18 +164,20 @@ static inline corner_height kept_height(const crossing_rules *rules, crossing_fa
     return keep->at[k];
 }
 
-/* Is pq, of `body`, a side of g? If g has several pieces, pq may be a cut between them: then the answer is false. */
+/* Is pq, of `body`, a side of g, and no cut between its pieces? Both pieces at a cut have it as a side. */
 static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
 {
     const roberts_scene *scene = rules->scene;
-    uint32_t first = scene->face_start[g->first], end = scene->face_start[g->first + 1], a = scene->corner[end - 1];
-    for (uint32_t k = first; k < end && body == g->body && !crossing_in_pieces(g); k++) {
-        uint32_t b = scene->corner[k];
-        if ((a == p && b == q) || (a == q && b == p))
-            return true;
-        a = b;
+    uint32_t count = 0;
+    for (uint32_t piece = g->first; piece < g->end && body == g->body; piece++) {
+        uint32_t end = scene->face_start[piece + 1], a = scene->corner[end - 1];
+        for (uint32_t k = scene->face_start[piece]; k < end; k++) {
+            uint32_t b = scene->corner[k];
+            count += (a == p && b == q) || (a == q && b == p);
+            a = b;
+        }
     }
-    return false;
+    return count == 1;
 }
 
 /* Adds the position of one piece of f. keep: NULL, or the piece's heights over g. */
@@ -639,30 +643,28 @@ static bool add_touch(const crossing_face *f, const crossing_face *g, crossing_l
     return true;
 }
 
-/* Does face f lie on one side of g's plane, or straddle it? `a` has its position. */
-static bool find_touches(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_lie a,
-                         crossing_list *out)
-{
-    crossing_lie b = crossing_lie_of(rules, g, f);
-    return (!crossing_ends_on(a) || add_touch(f, g, out)) && (!crossing_ends_on(b) || add_touch(g, f, out));
-}
-
+/* The face with fewer corners is looked at first: it often decides, and the other may have thousands. */
 bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face *g, crossing_list *out)
 {
-    kept_heights over_g, over_f; /* of f and of g; not set, since the count says which are known */
-    over_g.count = over_f.count = 0;
-    crossing_lie a = lie_of(rules, f, g, &over_g), b;
-    if (!(a.over && a.under))
-        return !crossing_ends_on(a) || find_touches(rules, f, g, a, out);
-    b = lie_of(rules, g, f, &over_f);
-    if ((crossing_ends_on(a) && !add_touch(f, g, out)) || (crossing_ends_on(b) && !add_touch(g, f, out)))
-        return false;
-    if (!(b.over && b.under))
+    kept_heights over[2]; /* of f over g, and of g over f; not set, since the count says which are known */
+    crossing_face *face[2] = {f, g};
+    crossing_lie lie[2];
+    over[0].count = over[1].count = 0;
+    for (int k = 0, small = corners_of(rules, g) < corners_of(rules, f); k < 2; k++) {
+        int i = k == 0 ? small : !small;
+        lie[i] = lie_of(rules, face[i], face[1 - i], &over[i]);
+        if (!(lie[i].over && lie[i].under) && !crossing_ends_on(lie[i]))
+            return true; /* it meets the other plane in no more than a point, or in a common side, or lies in it */
+    }
+    for (int i = 0; i < 2; i++)
+        if (crossing_ends_on(lie[i]) && !add_touch(face[i], face[1 - i], out))
+            return false;
+    if (!(lie[0].over && lie[0].under && lie[1].over && lie[1].under))
         return true;
     pair w = pair_of(rules, f, g);
     if (crossing_in_pieces(f) || crossing_in_pieces(g))
         return find_in_pieces(&w, out);
-    contact c = contact_of(&w, 0, f->first, &over_g), d = contact_of(&w, 1, g->first, &over_f);
+    contact c = contact_of(&w, 0, f->first, &over[0]), d = contact_of(&w, 1, g->first, &over[1]);
     return add_common(&w, &c.on, &d.on, out);
 }
 

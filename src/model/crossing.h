@@ -45,6 +45,7 @@ typedef struct crossing_face {
     double error;             /* of n.(P - origin) - mean, for each unit of |P - origin| + chord */
     double chord;             /* no corner is farther from the origin */
     double touch;             /* of the plane; in lengths of n */
+    bool bent;                /* it departs from its plane by more than the touching distance */
     dd3 exact_n;              /* if `refined` */
     dd exact_mean;
     bool refined;

@@ -353,6 +353,21 @@ uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge)
     return body_of(scene, true, edge);
 }
 
+/* The pieces of a face are consecutive. Steps back grow while they stay in the face, then shrink. */
+uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
+{
+    if (!scene_is_in_pieces(scene, body, piece))
+        return piece;
+    const uint32_t *of = scene->surface->plane_of, least = scene->solid[body].face, number = of[piece];
+    uint32_t step = 1;
+    for (; piece - least >= step && of[piece - step] == number; step *= 2)
+        piece -= step;
+    for (; step > 0; step /= 2)
+        if (piece - least >= step && of[piece - step] == number)
+            piece -= step;
+    return piece;
+}
+
 size_t roberts_scene_solid_count(const roberts_scene *scene)
 {
     return scene->solid_count;

@@ -177,15 +177,17 @@ static inline uint32_t scene_plane_number(const roberts_scene *scene, uint32_t f
     return scene->surface->plane_of ? scene->surface->plane_of[face] : face;
 }
 
-/* Returns the first piece of the planar face that a piece belongs to. */
-static inline uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
+/* Is a piece one of several of a planar face? */
+static inline bool scene_is_in_pieces(const roberts_scene *scene, uint32_t body, uint32_t piece)
 {
-    if (!scene_is_convex(scene, body))
-        while (piece > scene->solid[body].face &&
-               scene_plane_number(scene, piece - 1) == scene_plane_number(scene, piece))
-            piece--;
-    return piece;
+    const uint32_t *of = scene_is_convex(scene, body) ? NULL : scene->surface->plane_of;
+    const scene_solid *own = &scene->solid[body];
+    return of && ((piece > own->face && of[piece - 1] == of[piece]) ||
+                  (piece + 1 < own[1].face && of[piece + 1] == of[piece]));
 }
+
+/* Returns the first piece of the planar face that a piece belongs to. */
+uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece);
 
 /* Returns edge e of solid s as it is stored: vertices and faces count from the solid's first. */
 static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, uint32_t s, uint32_t e)

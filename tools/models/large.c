@@ -292,6 +292,15 @@ static void fans_solid(body *b, const plan *p, uint64_t index)
     body_free(&fan);
 }
 
+/* A prism over a star of N points: a wheel with N pointed teeth. */
+static void gear_solid(body *b, const plan *p, uint64_t index)
+{
+    (void)index;
+    column_make(b, (uint32_t)(2 * p->n), 1, 0, 0.25);
+    for (size_t v = 1; v < b->vertex_count; v += 2)
+        b->vertex[v] = vec3(0.5 * b->vertex[v].x, 0.5 * b->vertex[v].y, b->vertex[v].z);
+}
+
 /* Two interpenetrating balls of about n faces, and a box that is larger in proportion to its distance, so that the
  * balls cover one spot of the picture. */
 static uint64_t three(uint64_t n)
@@ -415,6 +424,7 @@ static const struct {
      two,
      fans_solid,
      NULL},
+    {{"gear", "N", "Wheel of N pointed teeth: a prism over a star.", 3, 100000, false}, single, gear_solid, NULL},
     {{"speck", "N", "Two balls of about N faces each, one through the other, and a large box far away.", 8, 10000000,
       false},
      three,
