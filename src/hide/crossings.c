@@ -37,7 +37,8 @@ typedef struct finder {
     const float *nearest; /* [cells] everything deeper is hidden in the cell; NULL: not known, or not needed */
     crossing_rules rules;
     crossing_list found;
-    uint64_t *pair; /* [pair_count] first pieces of two faces, one of them in several; they are tested at the end */
+    uint64_t *pair; /* [pair_count] first pieces of two faces, that of one in several before that of one in one; they
+                       are tested at the end */
     size_t pair_count, pair_room;
     crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
@@ -72,7 +73,7 @@ static bool is_unseen(const void *context, roberts_vec3 A, roberts_vec3 B)
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
-    uint64_t pair = f < g ? (uint64_t)f << 32 | g : (uint64_t)g << 32 | f;
+    uint64_t pair = (uint64_t)f << 32 | g;
     if (t->pair_count > 0 && t->pair[t->pair_count - 1] == pair)
         return true;
     if (!array_reserve(&t->pair, &t->pair_room, t->pair_count + 1, sizeof *t->pair))
@@ -86,11 +87,17 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
 static bool leave_pieces(finder *t, const uint32_t body[2], const uint32_t piece[2], bool *done)
 {
     const roberts_scene *scene = t->rules.scene;
-    *done = scene_is_in_pieces(scene, body[0], piece[0]) || scene_is_in_pieces(scene, body[1], piece[1]);
+    bool several[2];
+    uint32_t first[2];
+    for (int i = 0; i < 2; i++)
+        several[i] = scene_is_in_pieces(scene, body[i], piece[i]);
+    *done = several[0] || several[1];
     if (!*done)
         return true;
-    uint32_t f = scene_first_piece(scene, body[0], piece[0]), g = scene_first_piece(scene, body[1], piece[1]);
-    return f == g || add_pair(t, f, g);
+    for (int i = 0; i < 2; i++)
+        first[i] = scene_first_piece(scene, body[i], piece[i]);
+    const int k = several[0] == several[1] ? first[1] < first[0] : several[1];
+    return first[0] == first[1] || add_pair(t, first[k], first[1 - k]);
 }
 
 /* In a fixed order, so that the result is the same. */
@@ -498,7 +505,7 @@ static bool meet_some_pairs(void *context, size_t first, size_t end)
         if (k == first || t->last.first != f)
             t->last = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
         crossing_face G = crossing_face_of(&t->rules, scene_body_of_face(scene, g), g);
-        if (!crossing_find(&t->rules, &t->last, &G, &t->found))
+        if (!meet_faces(t, &t->last, &G))
             return false;
     }
     return true;

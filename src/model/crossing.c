@@ -164,19 +164,31 @@ static inline corner_height kept_height(const crossing_rules *rules, crossing_fa
     return keep->at[k];
 }
 
+/* Is corner k of f next to vertex q in its piece? */
+static bool is_next_to(const roberts_scene *scene, const crossing_face *f, uint32_t k, uint32_t q)
+{
+    uint32_t piece = f->first, end = f->end;
+    while (end - piece > 1) {
+        uint32_t middle = piece + (end - piece) / 2;
+        if (scene->face_start[middle] <= k)
+            piece = middle;
+        else
+            end = middle;
+    }
+    uint32_t first = scene->face_start[piece], last = scene->face_start[piece + 1] - 1;
+    return scene->corner[k == first ? last : k - 1] == q || scene->corner[k == last ? first : k + 1] == q;
+}
+
 /* Is pq, of `body`, a side of g, and no cut between its pieces? Both pieces at a cut have it as a side. */
 static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t count = 0;
-    for (uint32_t piece = g->first; piece < g->end && body == g->body; piece++) {
-        uint32_t end = scene->face_start[piece + 1], a = scene->corner[end - 1];
-        for (uint32_t k = scene->face_start[piece]; k < end; k++) {
-            uint32_t b = scene->corner[k];
-            count += (a == p && b == q) || (a == q && b == p);
-            a = b;
-        }
-    }
+    if (body != g->body)
+        return false;
+    for (uint32_t k = scene->face_start[g->first], end = scene->face_start[g->end]; k < end; k++)
+        if (scene->corner[k] == p)
+            count += is_next_to(scene, g, k, q);
     return count == 1;
 }
 
