@@ -77,7 +77,7 @@ bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker
 
 /* What the tree finds: a convex solid, or one face of another body. */
 typedef struct unit {
-    uint32_t body, piece; /* piece: ROBERTS_NONE of a solid */
+    uint32_t body, piece; /* piece: the first of the face; ROBERTS_NONE of a solid */
 } unit;
 
 /* The data of one thread. */
@@ -112,7 +112,8 @@ static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
     return hide_box_around(&own);
 }
 
-/* A body that the near plane has removed has no vertices. */
+/* The pieces of a planar face are one unit: apart they would give the same pair many times. A body that the near plane
+ * has removed has no vertices. */
 static void add_units(pair_search *s, uint32_t body)
 {
     const hide_fronts *fronts = s->fronts;
@@ -120,10 +121,11 @@ static void add_units(pair_search *s, uint32_t body)
     bool convex = scene_is_convex(fronts->scene, body);
     if (own[1].vertex == own->vertex)
         return;
-    for (uint32_t f = own->face; f < (convex ? own->face + 1 : own[1].face); f++) {
+    for (uint32_t f = own->face, end; f < (convex ? own->face + 1 : own[1].face); f = end) {
+        end = convex ? own[1].face : scene_end_of_pieces(fronts->scene, body, f);
         if (!convex && fronts->seen->facing[f] == VIEW_EDGE_ON)
             continue;
-        hide_box box = convex ? box_of_body(fronts, body) : box_of_face(fronts, f);
+        hide_box box = convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end);
         s->box[s->count] = wide_box(&box);
         s->unit[s->count++] = (unit){body, convex ? ROBERTS_NONE : f};
     }

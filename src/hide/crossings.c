@@ -106,6 +106,15 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
     return f->first < g->first ? crossing_find(&t->rules, f, g, &t->found) : crossing_find(&t->rules, g, f, &t->found);
 }
 
+/* Tests two faces, given by their first pieces. The first one is kept, for the next pair. */
+static bool meet_whole(finder *t, const uint32_t body[2], const uint32_t first[2])
+{
+    if (t->last.end == 0 || t->last.first != first[0])
+        t->last = crossing_face_of(&t->rules, body[0], first[0]);
+    crossing_face other = crossing_face_of(&t->rules, body[1], first[1]);
+    return meet_faces(t, &t->last, &other);
+}
+
 /* Tests the faces of two pieces. Nothing crosses a cap: everything ends at the near plane. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
@@ -117,10 +126,7 @@ static bool meet_pair(void *context, int thread, const face_pair *pair)
         return false;
     if (done)
         return true;
-    if (t->last.end == 0 || t->last.first != pair->piece[0])
-        t->last = crossing_face_of(&t->rules, pair->body[0], pair->piece[0]);
-    crossing_face G = crossing_face_of(&t->rules, pair->body[1], pair->piece[1]);
-    return meet_faces(t, &t->last, &G);
+    return meet_whole(t, pair->body, pair->piece);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
@@ -502,10 +508,8 @@ static bool meet_some_pairs(void *context, size_t first, size_t end)
     const uint64_t *pair = finders->pair;
     for (size_t k = first; k < end; k++) {
         uint32_t f = (uint32_t)(pair[k] >> 32), g = (uint32_t)pair[k];
-        if (k == first || t->last.first != f)
-            t->last = crossing_face_of(&t->rules, scene_body_of_face(scene, f), f);
-        crossing_face G = crossing_face_of(&t->rules, scene_body_of_face(scene, g), g);
-        if (!meet_faces(t, &t->last, &G))
+        const uint32_t body[2] = {scene_body_of_face(scene, f), scene_body_of_face(scene, g)};
+        if (!meet_whole(t, body, (uint32_t[]){f, g}))
             return false;
     }
     return true;

@@ -60,12 +60,9 @@ static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
 crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
 {
     const roberts_scene *scene = rules->scene;
-    crossing_face f = {.body = body, .first = scene_first_piece(scene, body, piece), .end = piece + 1};
+    crossing_face f = {
+        .body = body, .first = scene_first_piece(scene, body, piece), .end = scene_end_of_pieces(scene, body, piece)};
     roberts_vec3 sum = {0.0, 0.0, 0.0};
-    if (!scene_is_convex(scene, body))
-        while (f.end < scene->solid[body + 1].face &&
-               scene_plane_number(scene, f.end) == scene_plane_number(scene, piece))
-            f.end++;
     uint32_t origin = scene->corner[scene->face_start[f.first]], count = corners_of(rules, &f);
     f.origin = scene->point[origin];
     if (scene->low)

@@ -368,6 +368,15 @@ uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t p
     return piece;
 }
 
+uint32_t scene_end_of_pieces(const roberts_scene *scene, uint32_t body, uint32_t piece)
+{
+    uint32_t end = piece + 1;
+    if (!scene_is_convex(scene, body))
+        while (end < scene->solid[body + 1].face && scene_plane_number(scene, end) == scene_plane_number(scene, piece))
+            end++;
+    return end;
+}
+
 size_t roberts_scene_solid_count(const roberts_scene *scene)
 {
     return scene->solid_count;

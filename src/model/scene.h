@@ -186,8 +186,9 @@ static inline bool scene_is_in_pieces(const roberts_scene *scene, uint32_t body,
                   (piece + 1 < own[1].face && of[piece + 1] == of[piece]));
 }
 
-/* Returns the first piece of the planar face that a piece belongs to. */
+/* Return the first piece of the planar face that a piece belongs to, and the piece after its last one. */
 uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece);
+uint32_t scene_end_of_pieces(const roberts_scene *scene, uint32_t body, uint32_t piece);
 
 /* Returns edge e of solid s as it is stored: vertices and faces count from the solid's first. */
 static inline const scene_edge *scene_edge_stored(const roberts_scene *scene, uint32_t s, uint32_t e)
