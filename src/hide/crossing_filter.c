@@ -112,6 +112,14 @@ static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
     return hide_box_around(&own);
 }
 
+/* Are all of these pieces edge-on? One alone may be, where the near plane leaves a sliver of it. */
+static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
+{
+    while (first < end && fronts->seen->facing[first] == VIEW_EDGE_ON)
+        first++;
+    return first == end;
+}
+
 /* The pieces of a planar face are one unit: apart they would give the same pair many times. A body that the near plane
  * has removed has no vertices. */
 static void add_units(pair_search *s, uint32_t body)
@@ -123,7 +131,7 @@ static void add_units(pair_search *s, uint32_t body)
         return;
     for (uint32_t f = own->face, end; f < (convex ? own->face + 1 : own[1].face); f = end) {
         end = convex ? own[1].face : scene_end_of_pieces(fronts->scene, body, f);
-        if (!convex && fronts->seen->facing[f] == VIEW_EDGE_ON)
+        if (!convex && are_edge_on(fronts, f, end))
             continue;
         hide_box box = convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end);
         s->box[s->count] = wide_box(&box);
@@ -149,13 +157,15 @@ static bool find_units(pair_search *s)
 /* Lists the faces of a unit that meet a box. */
 static bool list_faces(const hide_fronts *fronts, const unit *of, const box3 *box, face_list *to)
 {
-    const scene_solid *own = &fronts->scene->solid[of->body];
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[of->body];
     bool one = of->piece != ROBERTS_NONE;
     to->count = 0;
-    for (uint32_t f = one ? of->piece : own->face; f < (one ? of->piece + 1 : own[1].face); f++) {
-        boxed_face item = {box_of_face(fronts, f), f};
+    for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; f < last; f++) {
+        uint32_t end = one ? scene_end_of_pieces(scene, of->body, f) : f + 1;
+        boxed_face item = {box_of_pieces(fronts, f, end), f};
         box3 wide = wide_box(&item.box);
-        if (fronts->seen->facing[f] == VIEW_EDGE_ON || !box3_meet(&wide, box))
+        if (are_edge_on(fronts, f, end) || !box3_meet(&wide, box))
             continue;
         if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
             return false;
