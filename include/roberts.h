@@ -178,7 +178,8 @@ typedef struct roberts_scene roberts_scene;
 
 typedef struct roberts_scene_options {
     /** How far a corner may lie outside a face or beside its plane, as a part of the solid's size (the diagonal of its
-     * box) or of its largest coordinate, whichever is larger; 0 = 1e-5. */
+     * box); 0 = 1e-5. If all coordinates of a solid have six digits at most, or are float32, as a part of the largest
+     * of them, up to a hundred sizes. */
     double tolerance;
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;

@@ -942,7 +942,9 @@ static const option rows[] = {
      .brief = "how far from planar and convex",
      .help = "how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)",
      .manual = "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
-               "Default: 0, which is 1e-5.\nWhen a model is refused as not planar or not convex, the message names a "
+               "Default: 0, which is 1e-5. If all coordinates of a solid have six digits at most, as a part of the "
+               "largest of them, up to a hundred sizes.\nWhen a model is refused as not planar or not convex, the "
+               "message names a "
                "tolerance that would accept it, where there is one up to 0.01: the smallest 1, 2 or 5 times a power of "
                "ten that suffices. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
                "their number, and lower again for a solid that is farther from the origin than it is large: a greater "

@@ -633,7 +633,7 @@ static double allowance_of(const roberts_scene *scene, uint32_t s, double tolera
     if (!isfinite(sum.x + sum.y + sum.z) || largest > MESH_COORDINATE_MAX ||
         !(*size > GLANCE_SMALL && *size < GLANCE_LARGE))
         return 0.0;
-    return GLANCE_MARGIN * tolerance * greater(largest, *size);
+    return GLANCE_MARGIN * frame_loose(tolerance, largest, *size);
 }
 
 /* Finds how far the sampled vertices of solid s lie on either side of the plane, and returns the smaller distance. If
@@ -695,8 +695,7 @@ enum { FACES_TRIED = 200000 };
  * tolerance would accept any surface of many small faces, or any solid far from the origin. */
 static const double OUTSIDE_MOST = 0.025;
 
-/* Returns the size of solid s as a fraction of its largest coordinate, at most 1. If the solid is far from the origin,
- * the tolerance is relative to that coordinate. */
+/* Returns the size of solid s as a fraction of what the tolerance may be relative to, see frame_loose(): at most 1. */
 static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
 {
     const uint32_t first = scene->solid[s].vertex;
@@ -704,7 +703,7 @@ static double part_of_coordinates(const roberts_scene *scene, uint32_t s)
     box_add_all(&low, &high, scene->point + first, scene->solid[s + 1].vertex - first);
     const double size = fmax(high.x - low.x, fmax(high.y - low.y, high.z - low.z));
     const double largest = fmax(fmax(fmax(high.x, -low.x), fmax(high.y, -low.y)), fmax(high.z, -low.z));
-    return size < largest ? size / largest : 1.0;
+    return size < largest ? fmax(size / largest, 1.0 / FRAME_FAR) : 1.0;
 }
 
 /* Returns the greatest tolerance with which the shape of all solids still matters. */

@@ -535,6 +535,7 @@ static roberts_status replace(face_list *list, hull_maker *maker, uint32_t s, ui
         return error_no_memory(error);
     if (status != ROBERTS_OK)
         return hull_refuse(scene, s, mesh, status, "has none: one of them is not of finite numbers up to 1e150", error);
+    frame_loosen(&maker->frame, scene);
     switch (maker->frame.size > 0.0 ? make_hull(maker, s) : HULL_FLAT) {
     case HULL_OK:
         return add_facets(list, scene, s, &maker->facets) ? ROBERTS_OK : error_no_memory(error);

@@ -1,6 +1,7 @@
 /* solid.c - one solid: its frame, the planes of its faces, its winding and its edges. */
 #include "model/solid.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -253,10 +254,36 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->unit = 1.0 / scale;
     frame->scene_units = frame->unit / scene->unit;
     frame->size = vec3_length(vec3_scale(scale, diagonal));
-    frame->allowed = tolerance * (largest * scale > frame->size ? largest * scale : frame->size);
+    frame->allowed = tolerance * frame->size;
+    frame->loose = frame_loose(tolerance, largest * scale, frame->size);
     frame->flat = FLAT_PART * frame->size;
     /* if any number is not finite, neither is the sum */
     return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
+}
+
+/* Of the sixth digit: a coordinate nearer than this to a number of six digits was given to six. */
+static const double SIX_DIGITS = 1e-8;
+
+/* A coordinate of six digits at most, or of float32, may be off by more than a small part of a solid far away. */
+static bool is_rounded(double x)
+{
+    if (x == 0.0 || (double)(float)x == x)
+        return true;
+    double six = fabs(x) * pow(10.0, 5.0 - floor(log10(fabs(x))));
+    return fabs(six - rint(six)) <= SIX_DIGITS;
+}
+
+bool frame_loosen(solid_frame *frame, const roberts_scene *scene)
+{
+    if (!(frame->loose > frame->allowed))
+        return false;
+    for (uint32_t v = frame->vertex_first; v < frame->vertex_first + frame->vertex_count; v++) {
+        roberts_vec3 P = scene->point[v];
+        if (!is_rounded(P.x) || !is_rounded(P.y) || !is_rounded(P.z))
+            return false;
+    }
+    frame->allowed = frame->loose;
+    return true;
 }
 
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f)
@@ -753,7 +780,10 @@ build_result solid_build(roberts_scene *scene, builder *work, uint32_t s, const 
         return BUILD_OPEN;
     if (pairing == EDGES_MIXED && wind(scene, work, s, error) != ROBERTS_OK)
         return BUILD_REFUSED;
-    if (solid_check(scene, &work->frame, error) != ROBERTS_OK)
+    status = solid_check(scene, &work->frame, error);
+    if (status != ROBERTS_OK && frame_loosen(&work->frame, scene))
+        status = solid_check(scene, &work->frame, error);
+    if (status != ROBERTS_OK)
         return BUILD_REFUSED;
     if (work->opening != OPENING_NONE)
         return error_set(error, ROBERTS_NOT_CONVEX, 0, "solid %u is not convex: its surface has holes",

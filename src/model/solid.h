@@ -79,6 +79,7 @@ typedef struct solid_frame {
     double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
     double size;             /* diagonal of the box */
     double allowed;          /* the tolerance as a length */
+    double loose;            /* the same if coordinates are rounded: see frame_loosen() */
     double flat;             /* a solid thinner than this is flat */
     size_t point_room, face_room, ring_room;
 } solid_frame;
@@ -86,6 +87,19 @@ typedef struct solid_frame {
 /* Enters solid s: makes room, moves and scales its vertices, and measures it. Leaves frame->face unset. Returns
  * ROBERTS_OK, _NO_MEMORY or _BAD_NUMBER (a coordinate is not finite or exceeds 1e150). */
 roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint32_t s, double tolerance);
+
+/* How many sizes from the origin a solid may be for the rounding of its coordinates to count in full. */
+#define FRAME_FAR 100.0
+
+/* The tolerance as a length, for a solid whose coordinates are rounded. largest: its largest coordinate. */
+static inline double frame_loose(double tolerance, double largest, double size)
+{
+    return tolerance * greater(size, lesser(largest, FRAME_FAR * size));
+}
+
+/* Allows `loose`, if that is more and all coordinates have six digits at most, or are those of float32: then each may
+ * be off by a part of itself. False: nothing has changed. */
+bool frame_loosen(solid_frame *frame, const roberts_scene *scene);
 
 /* Copies the corners of face f (relative to the solid's first face) to frame->ring, relative to the first corner.
  * Returns their number. */

@@ -869,17 +869,19 @@ static void large_solids_are_checked(void **state)
 {
     static const struct {
         const char *name;
-        double height, digits, dent;
+        double height, digits, dent, far;
         roberts_status status;
         const char *says;
     } cases[] = {
-        {"ball", 1, 0, 0, ROBERTS_OK, ""},
-        {"ball to six digits", 1, 1e6, 0, ROBERTS_OK, ""},
-        {"lens", 1e-4, 0, 0, ROBERTS_OK, ""},
-        {"disc too thin", 1e-10, 0, 0, ROBERTS_FLAT, "solid 0 is flat: "},
-        {"one vertex pushed in a little, within the tolerance", 1, 0, 1e-6, ROBERTS_OK, ""},
-        {"the pole pushed in", 1, 0, 0.1, ROBERTS_NOT_CONVEX, "solid 0 is not convex: vertex "},
-        {"the pole pushed through", 1, 0, 2.5, ROBERTS_NOT_CONVEX, "solid 0 is not convex: vertex "},
+        {"ball", 1, 0, 0, 0, ROBERTS_OK, ""},
+        {"ball to six digits", 1, 1e6, 0, 0, ROBERTS_OK, ""},
+        {"ball to six digits, far from the origin", 1, 1e4, 0, 90, ROBERTS_OK, ""},
+        {"a dent far from the origin, in full digits", 1, 0, 0.02, 90, ROBERTS_NOT_CONVEX, "solid 0 is not convex: "},
+        {"lens", 1e-4, 0, 0, 0, ROBERTS_OK, ""},
+        {"disc too thin", 1e-10, 0, 0, 0, ROBERTS_FLAT, "solid 0 is flat: "},
+        {"one vertex pushed in a little, within the tolerance", 1, 0, 1e-6, 0, ROBERTS_OK, ""},
+        {"the pole pushed in", 1, 0, 0.1, 0, ROBERTS_NOT_CONVEX, "solid 0 is not convex: vertex "},
+        {"the pole pushed through", 1, 0, 2.5, 0, ROBERTS_NOT_CONVEX, "solid 0 is not convex: vertex "},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -888,12 +890,40 @@ static void large_solids_are_checked(void **state)
         roberts_error error = {0};
         add_ball(&mesh, 40, cases[i].height, cases[i].digits);
         mesh.vertex[0].z -= cases[i].dent;
+        for (size_t v = 0; v < mesh.vertex_count; v++)
+            mesh.vertex[v].x += cases[i].far;
         roberts_status status = roberts_scene_build(&mesh, &only_solids, &scene, &error);
         if (status != cases[i].status || strncmp(error.message, cases[i].says, strlen(cases[i].says)) != 0)
             fail_msg("%s: status %d, %s", cases[i].name, status, error.message);
         if (scene)
             check_scene(scene, cases[i].digits != 0 || cases[i].dent != 0 ? 2e-3 : 1e-14);
         roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* A prism over a T, in whole numbers, far away: as on a map. */
+static void a_dent_far_away_is_a_dent(void **state)
+{
+    static const int outline[8][2] = {{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 3}, {1, 3}, {1, 1}, {0, 1}};
+    static const double far[] = {0, 1e4, 1e5, 500000, 4649776, 4649776.25};
+    (void)state;
+    for (size_t i = 0; i < sizeof far / sizeof *far; i++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene;
+        roberts_error error = {0};
+        uint32_t up[8];
+        for (uint32_t k = 0; k < 16; k++) {
+            uint32_t v = add_vertex(&mesh, far[i] + outline[k % 8][0], far[i] + outline[k % 8][1], k / 8);
+            assert_int_equal(v, k);
+        }
+        for (uint32_t k = 0; k < 8; k++) {
+            up[k] = 8 + k;
+            add_face(&mesh, (uint32_t[]){k, (k + 1) % 8, 8 + (k + 1) % 8, 8 + k}, 4);
+        }
+        add_face(&mesh, (uint32_t[]){7, 6, 5, 4, 3, 2, 1, 0}, 8);
+        add_face(&mesh, up, 8);
+        assert_int_equal(roberts_scene_build(&mesh, &only_solids, &scene, &error), ROBERTS_NOT_CONVEX);
         roberts_mesh_free(&mesh);
     }
 }
@@ -1033,6 +1063,7 @@ int main(void)
         cmocka_unit_test(a_vertex_may_have_many_edges),
         cmocka_unit_test(a_face_may_have_many_corners),
         cmocka_unit_test(large_solids_are_checked),
+        cmocka_unit_test(a_dent_far_away_is_a_dent),
         cmocka_unit_test(a_shallow_dish_is_not_convex),
         cmocka_unit_test(models_of_others),
     };
