@@ -63,11 +63,17 @@ static void join_nodes(map_search *s, uint32_t p, uint32_t q)
     s->fate[p > q ? p : q].node = p < q ? p : q;
 }
 
+/* What is nearer to a node than this touches it. */
+static double reach_of(const map_search *s, uint32_t node)
+{
+    return node < s->loose_count && s->loose[node] ? s->reach : s->touching;
+}
+
 static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
 {
     const roberts_vec2 d = map_between(s->m->node[p], s->m->node[q]);
-    const double apart2 = map_product(d, d);
-    if (apart2 <= s->touching * s->touching)
+    const double apart2 = map_product(d, d), reach = greater(reach_of(s, p), reach_of(s, q));
+    if (apart2 <= reach * reach)
         join_nodes(s, p, q);
     else if (apart2 <= s->margin * s->margin)
         s->fate[p].open = s->fate[q].open = true;
@@ -91,8 +97,8 @@ static bool compare_with_node(map_search *s, uint32_t line, uint32_t node)
     double t = map_product(p, d) / map_product(d, d);
     t = t < 0.0 ? 0.0 : t > 1.0 ? 1.0 : t;
     const roberts_vec2 off = {p.x - t * d.x, p.y - t * d.y};
-    const double apart2 = map_product(off, off);
-    if (apart2 <= s->touching * s->touching) {
+    const double apart2 = map_product(off, off), reach = reach_of(s, node);
+    if (apart2 <= reach * reach) {
         add_stop(s, line, node);
         return true;
     }

@@ -25,9 +25,12 @@ typedef struct map_search {
     uint8_t *crowded; /* [line_count] a node is near the line, but does not touch it */
     double touching;  /* things nearer than this are joined: less in each round */
     double margin;    /* things nearer than this are near: the same in each round */
-    map_item *item;   /* [count] boxes within boxes; the items of the current box come last */
-    map_stop *stop;   /* [stop_count] */
-    map_fate *fate;   /* [fate_room] of each node */
+    uint8_t *loose;   /* [loose_count] nodes at which one line ended; what is nearer to them than `reach` is joined */
+    size_t loose_count;
+    double reach;   /* less in each round */
+    map_item *item; /* [count] boxes within boxes; the items of the current box come last */
+    map_stop *stop; /* [stop_count] */
+    map_fate *fate; /* [fate_room] of each node */
     size_t count, room, stop_count, stop_room, fate_room;
     bool joined, lost; /* lost: no memory */
 } map_search;

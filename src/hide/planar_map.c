@@ -215,24 +215,64 @@ static bool divide_lines(map_search *s)
     return unite_lines(s);
 }
 
+/* Finds the numbers of the lines at each node. NULL: no memory. */
+static uint32_t *count_lines(const planar_map *m)
+{
+    uint32_t *degree = alloc_zeroed(m->node_count, sizeof *degree);
+    for (size_t i = 0; degree && i < m->line_count; i++)
+        for (int k = 0; k < 2; k++)
+            degree[m->line[i][k]]++;
+    return degree;
+}
+
+/* Divides the lines until nothing changes. Frees what the search has. False: no memory. */
+static bool divide_all(map_search *s)
+{
+    planar_map *m = s->m;
+    s->open = alloc_array(m->line_count, 1);
+    bool enough = s->open != NULL, more;
+    if (enough)
+        memset(s->open, 1, m->line_count);
+    more = enough = enough && unite_lines(s);
+    for (int round = 0; more && round < MOST_ROUNDS; round++) {
+        enough = map_search_all(s) && ((!s->joined && s->stop_count == 0) || divide_lines(s));
+        more = enough && (s->joined || s->stop_count > 0) && memchr(s->open, 1, m->line_count);
+        s->touching *= 0.5;
+        s->reach *= 0.5;
+    }
+    free(s->item);
+    free(s->stop);
+    free(s->fate);
+    free(s->open);
+    free(s->crowded);
+    free(s->loose);
+    return enough;
+}
+
 bool planar_map_divide(planar_map *m, double touching)
 {
     map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * touching};
-    s.open = alloc_array(m->line_count, 1);
-    bool enough = s.open != NULL, more;
-    if (enough)
-        memset(s.open, 1, m->line_count);
-    more = enough = enough && join_equal(m) && unite_lines(&s);
-    for (int round = 0; more && round < MOST_ROUNDS; round++) {
-        enough = map_search_all(&s) && ((!s.joined && s.stop_count == 0) || divide_lines(&s));
-        more = enough && (s.joined || s.stop_count > 0) && memchr(s.open, 1, m->line_count);
-        s.touching *= 0.5;
+    return join_equal(m) && divide_all(&s);
+}
+
+bool planar_map_join_loose(planar_map *m, double touching, double reach)
+{
+    map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * reach, .reach = reach};
+    uint32_t *degree = reach > touching ? count_lines(m) : NULL;
+    bool any = false;
+    if (!(reach > touching))
+        return true;
+    s.loose = degree ? alloc_array(m->node_count, 1) : NULL;
+    s.loose_count = m->node_count;
+    for (size_t n = 0; s.loose && n < m->node_count; n++) {
+        s.loose[n] = degree[n] == 1;
+        any = any || s.loose[n];
     }
-    free(s.item);
-    free(s.stop);
-    free(s.fate);
-    free(s.open);
-    free(s.crowded);
+    free(degree);
+    if (s.loose && any)
+        return divide_all(&s);
+    bool enough = s.loose;
+    free(s.loose);
     return enough;
 }
 

@@ -503,12 +503,27 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
+/* The greatest departure of a face from its plane. The plane of a sliver may be far from right, but its corners are no
+ * farther apart than its width. */
+static double greatest_departure(const seen *s)
+{
+    const roberts_scene *scene = s->scene;
+    float most = 0.0f;
+    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++) {
+        float own = scene->face_deviation[f] < scene->face_width[f] ? scene->face_deviation[f] : scene->face_width[f];
+        most = own > most ? own : most;
+    }
+    return (double)most * scene->unit * s->view.per_unit;
+}
+
 bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest)
 {
     const view *v = &job->seen.view;
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
+    const double departure = greatest_departure(&job->seen), joined = touching + LOOSE_DEPARTURES * departure;
     region_work w = {.job = job};
-    bool enough = take_lines(&w, drawing, rest) && planar_map_divide(&w.map, touching) &&
+    bool enough = take_lines(&w, drawing, rest) && planar_map_divide(&w.map, joined) &&
+                  planar_map_join_loose(&w.map, joined, joined + REGION_DEPARTURES * departure) &&
                   map_cells_find(&w.cells, &w.map) && list_cycles(&w) &&
                   region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&
                   join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);

@@ -134,6 +134,10 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
  * this. */
 #define REGION_TOUCHING 8.0
 
+/* No unit: where faces depart from their planes, lines that should meet may miss one another by up to this times the
+ * greatest departure. An edge that ends in a face at a small angle may end that much earlier or later. */
+#define REGION_DEPARTURES 64.0
+
 /* Touching distances of regions: what is farther apart cannot meet by the division of lines. A round moves a line by at
  * most two of its touching distances, and each round has half the one of the round before, so a line moves by less than
  * four. The rest is for both lines, and for ends that are beside one another. */

@@ -11,7 +11,7 @@
 
 #include "roberts.h"
 
-enum { SCENES = 60, POINTS = 12, MOST_FACES = 80, MOST_CORNERS = 4 };
+enum { SCENES = 60, ROUNDED_SCENES = 600, POINTS = 12, MOST_FACES = 80, MOST_CORNERS = 4 };
 
 /* ---- scenes ---------------------------------------------------------------------------------------------------- */
 
@@ -439,6 +439,52 @@ static void test_random_scenes(void **state)
     }
 }
 
+/* Adds what is seen of each face, times `way`. */
+static void add_areas(const roberts_scene *scene, double epsilon, double way, double area[12])
+{
+    roberts_region_list l;
+    roberts_hide_options options = roberts_hide_options_default();
+    options.epsilon = epsilon;
+    assert_int_equal(roberts_regions(scene, &from_above, &options, &l, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < l.count; i++)
+        area[l.region[i].face] += way * l.region[i].area;
+    roberts_regions_free(&l);
+}
+
+/* A box on another, both turned and then rounded, as in files of few digits: what should touch misses by some units of
+ * the last digit. Nearly always the areas are then as right as with a touching distance of some such units. (In the
+ * other cases, a face is seen to enter another where neither is known so exactly, and a line is missing.) */
+static void test_rounded(void **state)
+{
+    rng r = {31};
+    int wrong = 0;
+    (void)state;
+    for (int n = 0; n < ROUNDED_SCENES; n++) {
+        roberts_mesh mesh = {0};
+        double area[12] = {0}, most = 0;
+        const double digits = pow(10, rng_int(&r, 4, 7));
+        const mat3 turn = mat3_turn(&r);
+        for (int z = 0; z < 2; z++)
+            mesh_block(&mesh, (roberts_vec3){z * rng_int(&r, -1, 1), z * rng_int(&r, -1, 1), z},
+                       (roberts_vec3){rng_int(&r, 2, 3), 0, 0}, (roberts_vec3){0, 2, 0}, (roberts_vec3){0, 0, 1});
+        for (size_t v = 0; v < mesh.vertex_count; v++) {
+            roberts_vec3 p = mat3_map(turn, mesh.vertex[v]);
+            mesh.vertex[v] = (roberts_vec3){round(p.x * digits) / digits, round(p.y * digits) / digits,
+                                            round(p.z * digits) / digits};
+        }
+        roberts_scene *scene = scene_of_mesh(&mesh, NULL);
+        add_areas(scene, 0, 1, area);
+        add_areas(scene, 4 / digits, -1, area);
+        for (size_t f = 0; f < 12; f++)
+            most = fmax(most, fabs(area[f]));
+        wrong += most > 300 / digits;
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+    print_message("note: stacked boxes, rounded: %d of %d scenes have wrong regions\n", wrong, ROUNDED_SCENES);
+    assert_true(wrong < ROUNDED_SCENES / 30);
+}
+
 /* The near plane cuts solids, and what it cuts is seen. */
 static void test_near_plane(void **state)
 {
@@ -767,6 +813,7 @@ int main(void)
         cmocka_unit_test(test_normal_of_a_bent_face),
         cmocka_unit_test(test_depths_of_pieces),
         cmocka_unit_test(test_merged),
+        cmocka_unit_test(test_rounded),
         cmocka_unit_test(test_near_plane),
         cmocka_unit_test(test_threads_and_grid),
         cmocka_unit_test(test_refused),
