@@ -32,12 +32,6 @@ const char *off_explain_word(const char *token, size_t length)
     return is_negative(token, length) ? ", which is negative" : explain_commas(token, length);
 }
 
-void off_warn_fewer(reader *r, uint64_t found)
-{
-    warning_send(r->warnings, r->name, 0, "%llu faces declared, but there are %llu",
-                 (unsigned long long)r->off->header.faces, (unsigned long long)found);
-}
-
 /* ---- colours --------------------------------------------------------------------------------------------------- */
 
 /* Three or four integers are 0..255. Other numbers are 0..1, unless one of them is greater than 1, as in "255.0 0.0
@@ -314,8 +308,7 @@ static roberts_status read_header(reader *r)
 
 /* ---- the whole file -------------------------------------------------------------------------------------------- */
 
-/* Counts faces without corners. Elements of one corner or two are points and lines, which OFF may hold as well. */
-static size_t count_empty(const reader *r)
+size_t off_count_empty(const reader *r)
 {
     const roberts_mesh *mesh = r->mesh;
     size_t count = 0;
@@ -327,7 +320,10 @@ static size_t count_empty(const reader *r)
 /* Warns of anything left out. */
 static void warn_of_left_out(reader *r)
 {
-    const size_t empty = count_empty(r);
+    const size_t empty = off_count_empty(r);
+    if (off_faces_read(r) < r->off->header.faces)
+        warning_send(r->warnings, r->name, 0, "%llu faces declared, but there are %llu",
+                     (unsigned long long)r->off->header.faces, (unsigned long long)off_faces_read(r));
     if (empty > 0)
         warning_send(r->warnings, r->name, 0, "%zu face%s without corners", empty, empty == 1 ? "" : "s");
     read_warn_colors(r->warnings, r->name, r->off->first_odd_color, r->off->odd_colors);
@@ -342,7 +338,7 @@ static roberts_status read_all(reader *r)
     if (status != ROBERTS_OK)
         return status;
     warn_of_left_out(r);
-    if (r->thin_faces || r->off->odd_colors || r->mesh->face_count - r->mark.faces < r->off->header.faces)
+    if (r->thin_faces || r->off->odd_colors || r->off->runs_on || off_faces_read(r) < r->off->header.faces)
         off_explain_warning(r);
     r->thin_faces = 0; /* so that no other code warns of them */
     return ROBERTS_OK;

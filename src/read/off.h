@@ -22,18 +22,33 @@ typedef struct off_header {
 
 struct off_division;
 
+/* A vertex or a face, and the line where it begins; line 0: none. */
+typedef struct off_place {
+    size_t line;
+    uint64_t number;
+} off_place;
+
 /* State of the OFF reader besides `reader`. */
 typedef struct off_state {
     off_header header;
     const struct off_division *division; /* how to divide the text into pieces for threads */
     unsigned tries_in_vain;              /* to read pieces */
     size_t odd_colors, first_odd_color;  /* number of invalid colours, and the line of the first */
+    off_place uneven;                    /* the first vertex that does not end with its line */
+    off_place short_face;                /* the first face that ends within the line of another face, it seems */
+    bool runs_on;                        /* the first face begins behind a vertex, on the same line */
 } off_state;
 
 /* ---- off.c ----------------------------------------------------------------------------------------------------- */
 
-/* Warns that there are fewer faces than declared. */
-void off_warn_fewer(reader *r, uint64_t found);
+/* Returns how many faces were read. */
+static inline uint64_t off_faces_read(const reader *r)
+{
+    return r->mesh->face_count - r->mark.faces;
+}
+
+/* Returns how many faces have no corners. Elements of one corner or two are points and lines, which OFF may hold. */
+size_t off_count_empty(const reader *r);
 
 enum { COLOR_MOST = 4 };
 

@@ -228,10 +228,8 @@ static roberts_status read_faces(reader *r, words *w)
     w->colors = faces_fit(r, w, true) || !faces_fit(r, w, false);
     for (uint64_t f = 0; f < r->off->header.faces; f++) {
         uint32_t count;
-        if (!input_need(&r->in, 1) && !r->in.failure) {
-            off_warn_fewer(r, f);
-            return ROBERTS_OK;
-        }
+        if (!input_need(&r->in, 1) && !r->in.failure)
+            return ROBERTS_OK; /* there are fewer faces than declared */
         if (!next_word(r, w, &count))
             return ends_in(r, "face", f, r->off->header.faces);
         roberts_status status = read_corners(r, w, f, count);

@@ -361,7 +361,7 @@ void off_explain_error(reader *r)
     if (r->off->header.line == 0)
         return;
     t = text_begin(r);
-    if (odd_find(&r->off->header, &t, ended ? r->error->line : r->error->line - 1, &odd))
+    if (odd_find(&r->off->header, &t, ended ? r->in.line : r->in.line - 1, &odd))
         add_to_message(r->error, odd.hint);
 }
 

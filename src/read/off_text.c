@@ -5,6 +5,10 @@
  * are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on its line is
  * assumed to be laid out freely: the next four numbers are its colour, on whatever line they are.
  *
+ * So a number that is missing, or one too many, shifts all words after it, and faces are read that are not there. Two
+ * signs together tell this from a free layout: an item begins or ends where no item should, and what was read makes no
+ * sense. Then the file is refused.
+ *
  * Most of the time goes into plain lines (off.h), so two loops read these with everything written out. That saves a
  * fifth of the time, and threads (off_pieces.c) read nothing else. */
 #include "read/off.h"
@@ -356,6 +360,17 @@ static uint64_t vertices_read(const reader *r)
     return r->mesh->vertex_count - r->mark.vertices;
 }
 
+/* Reads a vertex, and notes where the first one is that does not end with its line. */
+static roberts_status read_any_vertex(reader *r, uint64_t v)
+{
+    (void)input_skip(&r->in); /* to its line */
+    const size_t line = r->in.line;
+    const roberts_status status = read_vertex(r, v);
+    if (status == ROBERTS_OK && r->off->uneven.line == 0 && input_skip_in_line(&r->in))
+        r->off->uneven = (off_place){line, v};
+    return status;
+}
+
 static roberts_status read_vertices(reader *r)
 {
     const bool plain =
@@ -369,7 +384,7 @@ static roberts_status read_vertices(reader *r)
             tried(&lines, take_vertices(r, count - vertices_read(r)));
         if (vertices_read(r) == count)
             break;
-        roberts_status status = read_vertex(r, vertices_read(r));
+        roberts_status status = read_any_vertex(r, vertices_read(r));
         if (status != ROBERTS_OK)
             return status;
     }
@@ -433,9 +448,15 @@ static roberts_status bad_off_corner(reader *r, uint64_t f, uint64_t i, uint64_t
                      next && !names_first(r, i) ? "; up to here no face names vertex 0: do they count from 1?" : "");
 }
 
+/* The line on which the corners of a face end, if they do not begin there. */
+typedef struct last_line {
+    uint64_t first, words; /* its first number, and how many corners are on it; 0: the face begins there */
+} last_line;
+
 /* Reads the corners of face f into the mesh. Room grows as they come: a count alone takes no memory. */
-static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
+static roberts_status read_corners(reader *r, uint64_t f, uint64_t count, last_line *last)
 {
+    size_t line = r->in.line;
     const uint32_t first = (uint32_t)r->mark.vertices;
     const uint64_t vertices = r->off->header.vertices;
     roberts_mesh *mesh = r->mesh;
@@ -450,6 +471,10 @@ static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
                 return bad_off_corner(r, f, done + i, count);
             if (!index_number(r, vertices, &index))
                 return bad_off_corner(r, f, done + i, count);
+            if (r->in.line != line)
+                *last = (last_line){.first = index};
+            line = r->in.line;
+            last->words++;
             corner[i] = first + (uint32_t)index;
         }
         mesh->corner_count += part;
@@ -460,8 +485,9 @@ static roberts_status read_corners(reader *r, uint64_t f, uint64_t count)
     return ROBERTS_OK;
 }
 
-/* Reads the rest of the line of the last face: a colour, or something that is ignored with a warning. */
-static roberts_status face_color(reader *r)
+/* Reads the rest of the line of the last face: a colour, or something that is ignored with a warning. Adds its words to
+ * *words. */
+static roberts_status face_color(reader *r, uint64_t *words)
 {
     off_color_numbers raw = {0};
     bool good = true;
@@ -470,6 +496,7 @@ static roberts_status face_color(reader *r)
         if (r->in.taken - start > INPUT_BLANK_MAX)
             return read_fail(r, ROBERTS_BAD_SYNTAX, "the line of face %zu does not end",
                              r->mesh->face_count - 1 - r->mark.faces);
+        ++*words;
         if (good && raw.count < COLOR_MOST && color_number(r, &raw.value[raw.count++], &raw.real))
             continue;
         good = false;
@@ -482,16 +509,21 @@ static roberts_status face_color(reader *r)
     return off_color_face(r, &raw);
 }
 
-/* Reads a face. A token is known to follow. */
+/* Reads a face. A token is known to follow. A face that ends amid the words of a face of its own lacks a corner. */
 static roberts_status read_face(reader *r, uint64_t f)
 {
-    uint64_t count;
+    const size_t begun = r->in.line;
+    uint64_t count, words;
+    last_line last = {0};
     if (!index_number(r, UINT64_MAX, &count))
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of corners of face %llu of 0..%llu",
                              (unsigned long long)f, (unsigned long long)r->off->header.faces - 1);
-    roberts_status status = read_corners(r, f, count);
+    roberts_status status = read_corners(r, f, count, &last);
+    words = last.words;
     if (status == ROBERTS_OK && *r->in.at != '\n')
-        status = face_color(r);
+        status = face_color(r, &words);
+    if (r->off->short_face.line == 0 && last.first >= 3 && words > last.words && words > last.first)
+        r->off->short_face = (off_place){begun, f};
     return status;
 }
 
@@ -515,33 +547,63 @@ static size_t take_faces(reader *r, uint64_t left)
     return faces.count;
 }
 
-static uint64_t faces_read(const reader *r)
-{
-    return r->mesh->face_count - r->mark.faces;
-}
-
 static roberts_status read_faces(reader *r)
 {
     const uint64_t count = r->off->header.faces;
     patience lines = {0};
-    while (faces_read(r) < count) {
-        if (faces_read(r) > 0)
+    if (count > 0 && off_faces_read(r) == 0 && r->off->uneven.line > 0)
+        r->off->runs_on = input_skip_in_line(&r->in) && *r->in.at != '}';
+    while (off_faces_read(r) < count) {
+        if (off_faces_read(r) > 0)
             off_read_pieces(r);
         if (r->mesh->face_count + 1 < r->mesh->face_room && worth_trying(&lines))
-            tried(&lines, take_faces(r, count - faces_read(r)));
-        uint64_t f = faces_read(r);
+            tried(&lines, take_faces(r, count - off_faces_read(r)));
+        uint64_t f = off_faces_read(r);
         if (f == count)
             break;
         if (!input_skip(&r->in) || (*r->in.at == '}' && r->off->header.braces)) {
             if (r->in.failure || r->in.too_blank)
                 return read_expected(r, ROBERTS_BAD_SYNTAX, "face %llu", (unsigned long long)f);
-            off_warn_fewer(r, f);
-            return ROBERTS_OK;
+            return ROBERTS_OK; /* there are fewer faces than declared */
         }
         roberts_status status = read_face(r, f);
         if (status != ROBERTS_OK)
             return status;
     }
+    return ROBERTS_OK;
+}
+
+/* ---- the end --------------------------------------------------------------------------------------------------- */
+
+/* Returns what makes no sense in the faces, or NULL. */
+static const char *find_nonsense(const reader *r)
+{
+    if (off_faces_read(r) < r->off->header.faces)
+        return "there are fewer faces than declared";
+    if (r->thin_faces > 0 && off_count_empty(r) > 0)
+        return "a face has no corners";
+    if (r->off->odd_colors)
+        return "a colour makes no sense";
+    const uint32_t *first = r->mesh->face_start + r->mark.faces;
+    return r->off->runs_on && first[1] - first[0] < 3 ? "the first face has fewer than 3 corners" : NULL;
+}
+
+/* Refuses a text whose words have run out of step with its lines, if that has led to nonsense: for a face that lacks a
+ * corner, one face less. */
+static roberts_status check_layout(reader *r)
+{
+    const off_state *off = r->off;
+    const char *nonsense = off->runs_on ? find_nonsense(r) : NULL;
+    if (nonsense)
+        return error_set(r->error, ROBERTS_BAD_SYNTAX, off->uneven.line,
+                         "vertex %llu of 0..%llu does not end with its line, and then %s%s",
+                         (unsigned long long)off->uneven.number, (unsigned long long)off->header.vertices - 1, nonsense,
+                         off->header.line == 0 ? "; each face must begin a line" : "");
+    if (off->short_face.line > 0 && off_faces_read(r) < off->header.faces)
+        return error_set(r->error, ROBERTS_BAD_SYNTAX, off->short_face.line,
+                         "face %llu of 0..%llu runs into the line of the next, and then there are fewer faces than "
+                         "declared",
+                         (unsigned long long)off->short_face.number, (unsigned long long)off->header.faces - 1);
     return ROBERTS_OK;
 }
 
@@ -566,5 +628,7 @@ roberts_status off_read_text(reader *r)
     roberts_status status = read_vertices(r);
     if (status == ROBERTS_OK)
         status = read_faces(r);
+    if (status == ROBERTS_OK)
+        status = check_layout(r);
     return status == ROBERTS_OK ? ending(r) : status;
 }

@@ -85,6 +85,32 @@ static void one_model_after_another(void **state)
     assert_string_equal(last.err, "");
 }
 
+/* The drawing would be wrong: from files and from pipes. */
+static void numbers_that_are_missing(void **state)
+{
+    static const struct {
+        const char *text, *said;
+    } rows[] = {
+        {"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+         ":5: vertex 2 of 0..3 does not end with its line, and then a face has no corners"},
+        {"OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2\n3 2 0 3\n",
+         ":9: face 2 of 0..3 runs into the line of the next, and then there are fewer faces than declared"},
+        {"OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+         ":7: vertex 4 of 0..4 does not end with its line, and then there are fewer faces than declared"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        put("v.off", rows[i].text);
+        assert_int_equal(run("v.off -o v.svg"), 1);
+        assert_int_equal(strncmp(last.err, "roberts: v.off:", 15), 0);
+        assert_said(rows[i].said);
+        finish(start("- -o v.svg", "v.off", -1));
+        assert_int_equal(last.status, 1);
+        assert_said(rows[i].said);
+        assert_int_equal(access("v.svg", F_OK), -1);
+    }
+}
+
 /* A solid whose faces are turned to match their neighbours, which only the last check finds; and a one-sided
  * surface. */
 static void every_refusal_names_the_file(void **state)
@@ -1021,6 +1047,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(one_model_after_another),
+        IN_FOLDER(numbers_that_are_missing),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(a_tolerance_that_helps_is_named),
         IN_FOLDER(a_tolerance_below_the_limit_is_named),

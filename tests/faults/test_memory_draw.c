@@ -15,7 +15,7 @@
 /* A scene with vertices whose distance is seen in true length. */
 static roberts_scene *tetrahedron(void)
 {
-    static const char text[] = "OFF 4 4 6  0 0 0  9 0 0  0 9 0  0 0 9  3 0 2 1  3 0 1 3  3 0 3 2  3 1 2 3";
+    static const char text[] = "OFF 4 4 6  0 0 0  9 0 0  0 9 0  0 0 9\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3";
     return scene_of_text(text);
 }
 

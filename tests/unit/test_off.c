@@ -233,43 +233,24 @@ static const struct {
      "8: text after the last face ignored; the header says 3 vertices and 1 face;"},
     {"numbers of all kinds", "OFF 3 0 0\n+1 -0 1.\n.5 1e3 -1E-3\n0.1 1e150 -1e-320\n",
      "(1 -0 1)(0.5 1000 -0.001)(0.10000000000000001 9.9999999999999998e+149 -9.9998886718268301e-321)", ""},
-    {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
-     "(0 0 0)(1 0 0)(1 0 0)(0 1 3)[][0 2 3]",
-     "0: 1 face without corners;7: 1 colour that makes no sense ignored;"
+    {"a number missing, and faces that make sense", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n4 3 2 1 0\n3 0 2 3\n",
+     "(0 0 0)(1 0 0)(1 0 0)(0 1 4)[2 1 0][0 2 3]",
      "4: is a number missing? line 4 has 2 words, and the vertices before it have 3;"},
-    {"a number missing at once", "OFF\n4 2 0\n# none\n\n0 0\n1 0 0 # 7\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
-     "(0 0 1)(0 0 0)(1 0 0)(0 1 3)[][0 2 3]",
-     "0: 1 face without corners;9: 1 colour that makes no sense ignored;"
-     "5: is a number missing? line 5 has 2 words, and the next vertices have 3;"},
-    {"a vertex missing", "OFF\r\n5 2 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 1 2\r\n3 0 2 3\r\n",
-     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)(3 0 1)[3 0]",
-     "0: 2 faces declared, but there are 1;8: 1 colour that makes no sense ignored;7: line 7 looks like a face, but "
-     "the header says 5 vertices, and 4 "
-     "stand before it;"},
-    {"a number too many", "OFF\n4 1 0\n0 0 0\n1 0 0 7\n0 1 0\n0 0 1\n3 0 1 2\n",
-     "(0 0 0)(1 0 0)(7 0 1)(0 0 0)[3/0,0.00392157,0.00784314]",
-     "4: is a number too many? line 4 has 4 words, and the vertices before it have 3;"},
+    {"vertices on one line with a face", "OFF\n3 2 0\n0 0 0 1 0 0 0\n1 0 3 0 1 2\n3 2 1 0\n",
+     "(0 0 0)(1 0 0)(0 1 0)[0 1 2][2 1 0]", ""},
+    {"wrapped faces with colours, and fewer of them",
+     "OFF\n4 5 0\n" POINTS "0 0 1\n4 0 1\n2 3 255 0 0\n3 0\n1 2 0 255 0\n",
+     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 2 3/1,0,0][0 1 2/0,1,0]", "0: 5 faces declared, but there are 2;"},
     {"a vertex too many", "OFF\n3 1 0\n" POINTS "0 0 1\n3 0 1 3\n", "(0 0 0)(1 0 0)(0 1 0)[]",
      "7: text after the last face ignored; the header says 3 vertices and 1 face;"
      "0: 1 face without corners;6: 1 colour that makes no sense ignored;"
      "6: line 6 looks like a vertex, but the header says 3 vertices, and 3 stand before it;"},
     {"vertices of whole numbers and edges", "OFF\n3 3 0\n" POINTS "2 0 1\n1 2\n3 0 1 2\n",
      "(0 0 0)(1 0 0)(0 1 0)[0 1][2][0 1 2]", ""},
-    {"a corner missing", "OFF\n4 3 0\n" POINTS "0 0 1\n3 0 1\n3 0 1 3\n3 1 2 3\n",
-     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 3/0,0.00392157,0.0117647][1 2 3]",
-     "0: 3 faces declared, but there are 2;7: line 7 begins a face of 3 corners, and 2 numbers follow on it;"},
-    {"a face over several lines, and a corner missing",
-     "OFF\n4 4 0\n" POINTS "0 0 1\n4 0\n1\n2 3\n3 0 1\n3 0 1 3\n3 1 2 3\n",
-     "(0 0 0)(1 0 0)(0 1 0)(0 0 1)[0 1 2 3][0 1 3/0,0.00392157,0.0117647][1 2 3]",
-     "0: 4 faces declared, but there are 3;10: line 10 begins a face of 3 corners, and 2 numbers follow on it;"},
     {"faces without the number of corners", "OFF\n3 3 0\n" POINTS "0 1 2 0\n2 1 0 1 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0)(0 1 0)[/0.00392157,0.00784314,0][1 0][0 1 2]",
      "0: 1 face without corners;7: 1 colour that makes no sense ignored;"
      "7: line 7 begins a face of 2 corners, and 4 numbers follow on it;"},
-    {"normals without NOFF", "OFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 -1\n0 1 0 0 1 0\n3 0 1 2\n", "(0 0 0)(0 0 1)(1 0 0)[]",
-     "5: text after the last face ignored; the header says 3 vertices and 1 face;"
-     "0: 1 face without corners;4: 1 colour that makes no sense ignored;"
-     "3: line 3 has 6 words, and the vertices of OFF have 3; is NOFF or COFF meant?;"},
     {"vertices with colours or without, and a thin face", "COFF\n3 2 0\n0 0 0\n1 0 0 255 0 0\n0 1 0\n2 0 1\n3 0 1 2\n",
      "(0 0 0)(1 0 0/1,0,0)(0 1 0)[0 1][0 1 2]", ""},
     {"all numbers on lines of their own, and a thin face", "OFF\n3 2 0\n0\n0\n0\n1 0\n0\n0\n1\n0\n2 0 1\n3 0 1 2\n",
@@ -487,6 +468,43 @@ static const struct {
     {"more vertices than can be counted", "OFF\n99999999999999999999999 1 0\n0 0 0\n", ROBERTS_BAD_NUMBER, 2,
      "there can be no more than 4294967294 vertices or faces"},
     {"brace too early", "{OFF\n3 1 0\n0 0 0\n}", ROBERTS_BAD_SYNTAX, 4, "x of vertex 1 of 0..2 expected, found \"}\""},
+    {"a number missing, and faces without corners", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
+     ROBERTS_BAD_SYNTAX, 4,
+     "vertex 1 of 0..3 does not end with its line, and then a face has no corners; look: line 4 has 2 words, and the "
+     "vertices before it have 3"},
+    {"a number missing at once", "OFF\n4 2 0\n# none\n\n0 0\n1 0 0 # 7\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 3\n",
+     ROBERTS_BAD_SYNTAX, 5,
+     "vertex 0 of 0..3 does not end with its line, and then a face has no corners; look: line 5 has 2 words, and the "
+     "next vertices have 3"},
+    {"a number missing, and a first face of one corner", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1\n0 0 1\n3 1 2 0\n3 0 2 3\n",
+     ROBERTS_BAD_SYNTAX, 5,
+     "vertex 2 of 0..3 does not end with its line, and then the first face has fewer than 3 corners; look: line 5 has "
+     "2 words, and the vertices before it have 3"},
+    {"a number missing, and a colour", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1\n0 0 1\n4 1 2 0 3\n3 0 2 3\n", ROBERTS_BAD_SYNTAX,
+     5,
+     "vertex 2 of 0..3 does not end with its line, and then a colour makes no sense; look: line 5 has 2 words, and the "
+     "vertices before it have 3"},
+    {"a number too many", "OFF\n4 1 0\n0 0 0\n1 0 0 7\n0 1 0\n0 0 1\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 4,
+     "vertex 1 of 0..3 does not end with its line, and then the first face has fewer than 3 corners; look: line 4 has "
+     "4 words, and the vertices before it have 3"},
+    {"a vertex less than told", "OFF\r\n5 2 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n0 0 1\r\n3 0 1 2\r\n3 0 2 3\r\n",
+     ROBERTS_BAD_SYNTAX, 7,
+     "vertex 4 of 0..4 does not end with its line, and then there are fewer faces than declared; look: line 7 looks "
+     "like a face, but the header says 5 vertices, and 4 stand before it"},
+    {"normals without NOFF", "OFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 -1\n0 1 0 0 1 0\n3 0 1 2\n", ROBERTS_BAD_SYNTAX, 3,
+     "vertex 0 of 0..2 does not end with its line, and then a face has no corners; look: line 3 has 6 words, and the "
+     "vertices of OFF have 3; is NOFF or COFF meant?"},
+    {"several faces on one line", "OFF 3 2 0 0 0 0 1 0 0 0 1 0 3 0 1 2 3 2 1 0", ROBERTS_BAD_SYNTAX, 1,
+     "vertex 0 of 0..2 does not end with its line, and then there are fewer faces than declared; each face must begin "
+     "a "
+     "line"},
+    {"a corner missing", "OFF\n4 3 0\n" POINTS "0 0 1\n3 0 1\n3 0 1 3\n3 1 2 3\n", ROBERTS_BAD_SYNTAX, 7,
+     "face 0 of 0..2 runs into the line of the next, and then there are fewer faces than declared; look: line "
+     "7 begins a face of 3 corners, and 2 numbers follow on it"},
+    {"a face over several lines, and a corner missing",
+     "OFF\n4 4 0\n" POINTS "0 0 1\n4 0\n1\n2 3\n3 0 1\n3 0 1 3\n3 1 2 3\n", ROBERTS_BAD_SYNTAX, 10,
+     "face 1 of 0..3 runs into the line of the next, and then there are fewer faces than declared; look: line "
+     "10 begins a face of 3 corners, and 2 numbers follow on it"},
     {"a number missing", "OFF\n4 2 0\n0 0 0\n1 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 8,
      "face 1 names vertex 9, but there are 4; look: line 4 has 2 words, and the vertices before it have 3"},
     {"the first vertex beside the counts", "OFF 3 2 0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 2 9\n", ROBERTS_BAD_INDEX, 5,
