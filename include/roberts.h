@@ -139,7 +139,8 @@ typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,
                                  const roberts_warnings *warnings, roberts_error *error);
 
-/** The same from a file; "-" is standard input. Colours of an OBJ come from the .mtl files beside it, if they exist. */
+/** The same from a file; "-" is standard input. Pipes are read to their end, or to 1 GiB behind the last element, so
+ * that their writers can end well. Colours of an OBJ come from the .mtl files beside it, if they exist. */
 roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, const roberts_warnings *warnings,
                                       roberts_error *error);
 

@@ -41,11 +41,10 @@ static bool go_in_file(void *context, uint64_t offset)
 
 input_source input_from_file(input_file *f)
 {
-    input_source source = {.read = read_file, .context = f};
+    input_source source = {.read = read_file, .context = f, .to_end = true};
     struct stat about;
     if (fstat(f->descriptor, &about) != 0 || !S_ISREG(about.st_mode))
         return source;
-    source.finite = true;
     f->start = lseek(f->descriptor, 0, SEEK_CUR);
     if (f->start >= 0 && about.st_size > f->start) {
         source.read_at = read_file_at;
@@ -88,7 +87,7 @@ input_source input_from_memory(input_memory *m)
                           .read_at = read_memory_at,
                           .go = go_in_memory,
                           .size = m->size,
-                          .finite = true};
+                          .to_end = true};
 }
 
 /* ---- blocks ---------------------------------------------------------------------------------------------------- */
@@ -139,6 +138,14 @@ void input_go(input *in, uint64_t offset)
     in->at = in->end = in->buffer + 1;
     in->buffer[0] = ' '; /* not a CR */
     memset(in->buffer + 1, 0, 1 + NUMBER_PADDING);
+}
+
+void input_drain(input *in)
+{
+    const uint64_t start = in->taken;
+    do
+        in->at = in->end;
+    while (in->taken - start < INPUT_REST_MAX && input_more(in));
 }
 
 bool input_need(input *in, size_t count)

@@ -22,6 +22,9 @@
  * reading an endless one must end. */
 #define INPUT_BLANK_MAX ((size_t)1 << 26)
 
+/* Bytes: the most that is read after a model, so that an endless writer ends. It takes less than a second. */
+#define INPUT_REST_MAX ((uint64_t)1 << 30)
+
 /* ---- sources of bytes ------------------------------------------------------------------------------------------- */
 
 typedef struct input_source {
@@ -32,7 +35,7 @@ typedef struct input_source {
     ptrdiff_t (*read_at)(void *context, uint64_t offset, void *buffer, size_t size);
     bool (*go)(void *context, uint64_t offset);
     uint64_t size;    /* total bytes, as far as known; only with read_at */
-    bool finite;      /* reading to the end cannot wait forever */
+    bool to_end;      /* read what follows the model too; otherwise it may belong to someone else */
     const char *path; /* of the file; NULL: none. Files that it names are searched for beside it */
 } input_source;
 
@@ -123,6 +126,9 @@ bool input_not_finite(input *in);
 
 /* Moves to the end of the line. False: it is longer than INPUT_BLANK_MAX. */
 bool input_pass_line(input *in);
+
+/* Reads the rest of the input, up to INPUT_REST_MAX, and discards it. */
+void input_drain(input *in);
 
 /* Reports that the input has something other than `wanted` here: fills `error`, and returns the status. The message
  * quotes the text and adds `hint`, or says that the input ends or that reading failed. line: 0 if lines have no

@@ -254,7 +254,7 @@ roberts_status off_read_binary(reader *r)
         status = read_faces(r, &w);
     if (status != ROBERTS_OK)
         return status;
-    r->in.ended |= !r->in.source.finite; /* as for text: input that may wait forever is not read on */
+    r->in.ended |= !r->in.source.to_end; /* as for text: the rest of the input may belong to someone else */
     while (input_need(&r->in, 1) && (input_separator(*r->in.at) || *r->in.at == '}'))
         r->in.at++;
     if (r->in.at < r->in.end)

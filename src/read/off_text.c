@@ -607,13 +607,12 @@ static roberts_status check_layout(reader *r)
     return ROBERTS_OK;
 }
 
-/* Warns of text after the last face. An input that may wait forever (a pipe, a terminal) is not read on for that: only
- * the last block is examined. */
+/* Warns of text after the last face. If the rest of the input may belong to someone else, only the last block is
+ * examined. */
 static roberts_status ending(reader *r)
 {
     input *in = &r->in;
-    if (!r->in.source.finite)
-        in->ended = true;
+    in->ended |= !in->source.to_end;
     for (; r->off->header.braces && input_skip(in) && *in->at == '}'; r->off->header.braces--)
         in->at++;
     if (input_skip(in))

@@ -493,7 +493,7 @@ static roberts_status read_elements(ply_reader *p, const element *e)
 static roberts_status ending(ply_reader *p)
 {
     reader *r = p->r;
-    r->in.ended |= !r->in.source.finite; /* input that may wait forever is not read on */
+    r->in.ended |= !r->in.source.to_end; /* the rest of the input may belong to someone else */
     if (r->binary ? input_need(&r->in, 1) : input_skip(&r->in))
         warning_send(r->warnings, r->name, r->binary ? 0 : r->in.line, "data after the last element ignored");
     return r->in.failure ? read_expected(r, ROBERTS_IO, "the end") : ROBERTS_OK;

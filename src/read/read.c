@@ -265,6 +265,13 @@ static roberts_status read_any(reader *r, const off_division *division)
     return is_obj_word(in->at, length) ? obj_read(r) : off_read(r, division);
 }
 
+/* Reads a pipe to its end, so that its writer can end well. */
+static roberts_status read_rest_of_pipe(reader *r)
+{
+    input_drain(&r->in);
+    return r->in.failure ? read_expected(r, ROBERTS_IO, "the end") : ROBERTS_OK;
+}
+
 /* ---- sources --------------------------------------------------------------------------------------------------- */
 
 roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_source *source, const off_division *division,
@@ -281,6 +288,8 @@ roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_sourc
     error_set_file(error, name);
     if (input_open(&r.in, source) && mesh_source(mesh, name))
         status = read_any(&r, division);
+    if (status == ROBERTS_OK && source->to_end && !source->read_at)
+        status = read_rest_of_pipe(&r);
     if (status == ROBERTS_OK && !mesh_color_rest(mesh, r.vertices_filled, r.faces_filled))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_NO_MEMORY)

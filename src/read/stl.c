@@ -285,7 +285,7 @@ roberts_status stl_read_binary(reader *r)
         done += part;
     }
     free(table.slot);
-    r->in.ended |= !r->in.source.finite; /* input that may wait forever is not read on */
+    r->in.ended |= !r->in.source.to_end; /* the rest of the input may belong to someone else */
     if (status == ROBERTS_OK && input_need(&r->in, 1))
         warning_send(r->warnings, r->name, 0, "data after the last triangle ignored");
     return status;

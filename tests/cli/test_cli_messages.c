@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <sys/resource.h>
+#include <time.h>
 
 #include "program.h"
 #include "roberts.h"
@@ -83,6 +84,31 @@ static void one_model_after_another(void **state)
     assert_said("roberts: standard input:11: warning: another model begins here and is ignored; ");
     assert_int_equal(run("-f null -q two.off"), 0);
     assert_string_equal(last.err, "");
+}
+
+/* The second model comes late: the warning is certain, and the writer can write to its end. */
+static void one_model_after_another_in_a_pipe(void **state)
+{
+    static char text[400000]; /* more than a pipe holds */
+    static const char tail[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 0 2 3\n3 1 2 3\n";
+    const struct timespec while_waiting = {.tv_nsec = 200000000};
+    void (*before)(int) = signal(SIGPIPE, SIG_IGN);
+    (void)state;
+    memset(text, '#', sizeof text);
+    assert_int_equal(mkfifo("in/pipe", 0600), 0);
+    for (int by_name = 0; by_name < 2; by_name++) {
+        pid_t child = start(by_name ? "-f null in/pipe" : "-f null -", by_name ? NULL : "in/pipe", -1);
+        int end = open("in/pipe", O_WRONLY);
+        assert_int_equal(write(end, tail, sizeof tail - 1), sizeof tail - 1);
+        nanosleep(&while_waiting, NULL);
+        assert_int_equal(write(end, tail, sizeof tail - 1), sizeof tail - 1);
+        assert_int_equal(write(end, text, sizeof text), sizeof text);
+        close(end);
+        finish(child);
+        assert_int_equal(last.status, 0);
+        assert_said(":11: warning: another model begins here and is ignored; ");
+    }
+    signal(SIGPIPE, before);
 }
 
 /* The drawing would be wrong: from files and from pipes. */
@@ -1047,6 +1073,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(messages_name_the_file),
         IN_FOLDER(one_model_after_another),
+        IN_FOLDER(one_model_after_another_in_a_pipe),
         IN_FOLDER(numbers_that_are_missing),
         IN_FOLDER(every_refusal_names_the_file),
         IN_FOLDER(a_tolerance_that_helps_is_named),

@@ -57,8 +57,8 @@ static void input_is_a_fifo(void **state)
     pid_t child = start("-f csv in/pipe", NULL, -1);
     int end = open("in/pipe", O_WRONLY);
     write_all(end, cube);
-    finish(child); /* it does not wait for more than it needs: the pipe is still open */
-    close(end);
+    close(end); /* it waits for that: another model might follow */
+    finish(child);
     assert_int_equal(last.status, 0);
     assert_string_equal(last.out, table);
     child = start("-f csv in/pipe", NULL, -1);

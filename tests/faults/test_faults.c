@@ -81,6 +81,18 @@ static void feed_comment(int pipe)
     feed_often(pipe, "x", TWO_GIGABYTES);
 }
 
+#define CUBE(zero, one)                                                                                                \
+    "OFF\n8 6 0\n" zero " " zero " " zero "\n" one " " zero " " zero "\n" zero " " one " " zero "\n" one " " one       \
+    " " zero "\n" zero " " zero " " one "\n" one " " zero " " one "\n" zero " " one " " one "\n" one " " one " " one   \
+    "\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
+
+/* Until nobody reads on. */
+static void feed_for_ever(int pipe)
+{
+    feed_text(pipe, CUBE("0", "1"));
+    feed_often(pipe, "and so on\n", UINT64_MAX);
+}
+
 static void feed_counts(int pipe)
 {
     feed_text(pipe, "OFF\n4000000000 4000000000 4000000000\n0 0 0\n1 0 0\n");
@@ -171,11 +183,6 @@ static void feed_one_corner(int pipe)
     feed_text(pipe, "\n");
 }
 
-#define CUBE(zero, one)                                                                                                \
-    "OFF\n8 6 0\n" zero " " zero " " zero "\n" one " " zero " " zero "\n" zero " " one " " zero "\n" one " " one       \
-    " " zero "\n" zero " " zero " " one "\n" one " " zero " " one "\n" zero " " one " " one "\n" one " " one " " one   \
-    "\n4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n"
-
 #define FEED(name, text)                                                                                               \
     static void name(int pipe)                                                                                         \
     {                                                                                                                  \
@@ -207,6 +214,7 @@ static const struct {
     {"2 GB of numbers behind a face", feed_digits_in_color, NULL, 128, 1, "standard input:6: "},
     {"2 GB of blanks", feed_blanks, NULL, 128, 1, "standard input:3: "},
     {"a comment of 2 GB", feed_comment, NULL, 128, 1, "standard input:1: "},
+    {"a cube, and text for ever", feed_for_ever, NULL, 128, 0, NULL},
     {"counts of 4e9", feed_counts, NULL, 128, 1, "standard input:"},
     {"4e9 faces, one given", feed_face_count, NULL, 128, 1, "is not closed"},
     {"a face of 4e9 corners", feed_corner_count, NULL, 128, 1, "standard input:"},

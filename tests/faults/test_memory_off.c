@@ -154,7 +154,7 @@ static void pieces_survive(void **state)
     for (int i = 0; i < 60; i++)
         length += (size_t)sprintf(text + length, "3 0 1 %d\n", i);
     const input_source source = {
-        .read = read_on, .context = text, .read_at = read_at, .go = go, .size = length, .finite = true};
+        .read = read_on, .context = text, .read_at = read_at, .go = go, .size = length, .to_end = true};
     for (size_t n = 1;; n++) {
         roberts_mesh mesh = {0};
         roberts_error error;

@@ -105,7 +105,7 @@ static void read_input(test_input *in, const off_division *division, result *r)
 {
     const roberts_warnings warnings = {keep_warning, r->warnings};
     const input_source source = {
-        .read = read_on, .context = in, .read_at = read_at, .go = go, .size = in->size, .finite = true};
+        .read = read_on, .context = in, .read_at = read_at, .go = go, .size = in->size, .to_end = true};
     *r = (result){0};
     for (size_t i = 0; i < in->first; i++)
         mesh_vertex(&r->mesh, (roberts_vec3){1, 2, 3});
