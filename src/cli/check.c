@@ -173,6 +173,8 @@ static int check_inputs(const cli_options *options, bool output_given)
         else if (stat(name, &input) != 0 && !output_given && !options->batch && roberts_format_by_path(name, &format))
             return message_misuse("%s: there is no such file to read; to draw into it: -o %s", name, name);
     }
+    if (options->names && strcmp(options->names, "-") == 0)
+        return message_misuse("--labels: names cannot be read from standard input; a file called - is ./-");
     return streams > 1 ? message_misuse("standard input (-) can be read only once") : EXIT_DONE;
 }
 

@@ -48,7 +48,9 @@ static roberts_status read_stream(FILE *file, const char *path, size_t most, cha
         got = fread(*text + *size, 1, PIECE - 1, file);
     }
     (*text)[*size] = '\0';
-    return ferror(file) ? lists_fail(error, ROBERTS_IO, path, 0, "cannot be read") : ROBERTS_OK;
+    if (!ferror(file))
+        return ROBERTS_OK;
+    return lists_fail(error, ROBERTS_IO, path, 0, errno == EISDIR ? "is a folder" : "cannot be read");
 }
 
 /* The same for a file by its name. */
@@ -62,6 +64,21 @@ static roberts_status read_whole(const char *path, size_t most, char **text, siz
     const roberts_status status = read_stream(file, path, most, text, size, error);
     fclose(file);
     return status;
+}
+
+/* Skips a byte-order mark, as editors and spreadsheets write it. */
+static char *skip_mark(char *text)
+{
+    static const char mark[] = "\xef\xbb\xbf";
+    return strncmp(text, mark, sizeof mark - 1) == 0 ? text + sizeof mark - 1 : text;
+}
+
+/* Ends a line, which a NUL follows, before the CR of a CR LF. */
+static void cut_cr(char *line)
+{
+    const size_t length = strlen(line);
+    if (length > 0 && line[length - 1] == '\r')
+        line[length - 1] = '\0';
 }
 
 /* ---- names of files ---- */
@@ -95,11 +112,13 @@ roberts_status list_read(file_list *list, const char *path, roberts_error *error
     if (status != ROBERTS_OK)
         return status;
     const char end = memchr(list->text, '\0', size) ? '\0' : '\n';
-    for (char *at = list->text, *next; at < list->text + size; at = next) {
+    for (char *at = skip_mark(list->text), *next; at < list->text + size; at = next) {
         char *stop = memchr(at, end, (size_t)(list->text + size - at));
         next = stop ? stop + 1 : list->text + size;
         if (stop)
             *stop = '\0'; /* a NUL follows the last name in any case */
+        if (end == '\n')
+            cut_cr(at);
         line++;
         if (*at == '\0')
             continue;
@@ -147,6 +166,8 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
     return status;
 }
 
+static const char wrong_kind[] = "the kind is none of vertex, edge, face and body",
+                  no_row[] = "the kind is none of vertex, edge, face and body, and the number is none";
 static const char wrong_quotes[] =
     "a field that begins with a quotation mark ends with one; two within it stand for one";
 
@@ -202,7 +223,8 @@ static bool take_number(const char *text, uint32_t *number)
     return parse_integer(*text == 'v' || *text == 'V' ? text + 1 : text, number);
 }
 
-/* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL. */
+/* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL; no_row: it may be the titles
+ * of the columns. */
 static const char *read_line(char *line, char comma, roberts_name *name)
 {
     static const char *const kinds[] = {"vertex", "edge", "face", "body", NULL};
@@ -219,7 +241,7 @@ static const char *read_line(char *line, char comma, roberts_name *name)
         *c = (char)(*c >= 'A' && *c <= 'Z' ? *c - 'A' + 'a' : *c);
     const size_t kind = parse_find(word, kinds);
     if (!kinds[kind])
-        return "the kind is none of vertex, edge, face and body";
+        return strpbrk(number, "0123456789") ? wrong_kind : no_row;
     *name = (roberts_name){.of = of[kind]};
     const char *why = take_name(text, comma, &name->text);
     if (why)
@@ -309,25 +331,23 @@ static char separator(const char *line)
 /* Reads all lines of the text. */
 static roberts_status read_lines(listed_names *l, char *text, const char *path, roberts_error *error)
 {
-    static const char mark[] = "\xef\xbb\xbf"; /* a byte order mark, as spreadsheets write it */
     size_t line = 0;
     char comma = '\0';
-    if (text && strncmp(text, mark, sizeof mark - 1) == 0)
-        text += sizeof mark - 1;
-    for (char *at = text, *next; at && *at; at = next) {
+    for (char *at = skip_mark(text), *next; at && *at; at = next) {
         roberts_name name;
         next = strchr(at, '\n');
         if (next)
             *next++ = '\0';
         line++;
-        const size_t length = strlen(at);
-        if (length > 0 && at[length - 1] == '\r')
-            at[length - 1] = '\0';
+        cut_cr(at);
         if (*at == '#' || at[strspn(at, " \t,;")] == '\0')
             continue;
-        if (!comma)
+        const bool first = !comma;
+        if (first)
             comma = separator(at);
         const char *why = read_line(at, comma, &name);
+        if (first && why == no_row)
+            continue;
         if (why)
             return lists_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
         if (!add_name(l, &name, line))

@@ -16,8 +16,8 @@ typedef struct file_list {
     char *text;
 } file_list;
 
-/* Reads one name per line ("-" is standard input). A name may hold any byte but a newline; empty lines are skipped. If
- * the list holds a NUL, each name ends in a NUL instead, as find -print0 writes them: no name can hold one. On failure
+/* Reads one name per line ("-" is standard input). Lines end with LF or CR LF; empty lines are skipped. If the list
+ * holds a NUL, each name ends in a NUL instead, as find -print0 writes them, and may hold any other byte. On failure
  * `error` has file, line and reason. */
 roberts_status list_read(file_list *list, const char *path, roberts_error *error);
 
@@ -46,7 +46,7 @@ typedef struct name_list {
 } name_list;
 
 /* Reads lines like "vertex,4,A", "edge,4-17,a", "face,3,base" and "body,0,leg". Empty lines and those that begin with #
- * are skipped. On failure `error` has file, line and reason. */
+ * are skipped, and so is a first line with the titles of the columns. On failure `error` has file, line and reason. */
 roberts_status names_read(name_list *n, const char *path, roberts_error *error);
 /* Refuses names that a drawing in parts cannot have. Returns ROBERTS_OK or _BAD_ARGUMENT. */
 roberts_status names_check_part(const name_list *n, const char *path, roberts_error *error);

@@ -254,8 +254,8 @@ static const option rows[] = {
      .brief = "names of files from a list",
      .help = "draw the files that LIST names too, one a line, or as find -print0 writes them (-: standard input)",
      .manual = "Draws the files that LIST names, after those of the command. - is standard input. Each line is a name, "
-               "blanks and all; empty lines are skipped. If the list holds a zero byte, each name ends in one instead, "
-               "as find -print0 writes them, and may hold newlines."},
+               "blanks and all; empty lines are skipped. Lines may end as on Windows. If the list holds a zero byte, "
+               "each name ends in one instead, as find -print0 writes them, and may hold newlines."},
     {.group = GROUP_BATCH,
      .name = "root",
      .flags = OPTION_FOLDER,
@@ -692,7 +692,8 @@ static const option rows[] = {
          "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
          "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, and semicolons or tabs may "
          "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same.) Lines that "
-         "begin with # are skipped. Everything with a name is labelled; with --label, the rest is labelled by its "
+         "begin with # are skipped, and so is a first line with the titles of the columns. Everything with a name is "
+         "labelled; with --label, the rest is labelled by its "
          "numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",

@@ -67,10 +67,17 @@ static void lists_name_files(void **state)
     put_cube("new\nline.off");
     put_cube(" c.off ");
     put_cube("#d.off");
+    put_cube("e.off");
     assert_int_equal(RUN_LIST("--batch in --list -", "a b.off\n\n c.off \n#d.off"), 0);
     assert_string_equal(last.err, "");
     assert_int_equal(access("in/a b.svg", F_OK) + access("in/ c.svg", F_OK) + access("in/#d.svg", F_OK), 0);
     assert_int_equal(entries("in", true), 3);
+    assert_int_equal(RUN_LIST("--batch in --list -", "\xef\xbb\xbf"
+                                                     "a b.off\r\n\r\ne.off\r"),
+                     0); /* made on Windows */
+    assert_string_equal(last.err, "");
+    assert_int_equal(access("in/a b.svg", F_OK) + access("in/e.svg", F_OK), 0);
+    assert_int_equal(entries("in", true), 2);
     assert_int_equal(RUN_LIST("--batch in --label vertices,edges,faces --page 20x20 --margin 0 --list -", "a b.off\n"),
                      0);
     assert_int_equal(strncmp(last.err, "roberts: a b.off: warning: no room for ", 39), 0);
@@ -88,7 +95,7 @@ static const struct {
     {"--batch in --list list models/table.off", "\n", "list: the list is empty\n", 1},
     {"--batch in --list -", "models/table.off\n-\n", "standard input:2: - is no file; a file of this name is ./-\n", 1},
     {"--batch in --list missing", "", "missing: No such file or directory\n", 1},
-    {"--batch in --list in", "", "in: cannot be read\n", 1},
+    {"--batch in --list in", "", "in: is a folder\n", 1},
     {"--batch in --list - -", "models/table.off\n", "--batch needs names of files: --batch DIR FILE..., or --batch", 2},
     {"--batch in --list -", "models/table.off\nmodels/../models/table.off\n", "would both be drawn to in/table.svg", 2},
     {"--batch in --list in/table.svg", "models/table.off\n", "in/table.svg: No such file or directory\n", 1},

@@ -345,6 +345,7 @@ static const struct {
     {"--regions copy.off models/table.off -o a.svg",
      "--regions: copy.off is a model; the regions would take its place"},
     {"--regions a.json models/table.off -f json -o a.json", "--regions: a.json is the file of the drawing, too"},
+    {"--labels - copy.off -o a.svg", "--labels: names cannot be read from standard input; a file called - is ./-"},
     {"--labels faces.csv --part 1/2 copy.off -o a", "faces.csv: names of faces and bodies need the whole scene"},
     {"--labels faces.csv --plan copy.off -o a", "faces.csv: names of faces and bodies need the whole scene"},
     {"--labels faces.csv --join copy.off -o a.svg", "faces.csv: names of faces and bodies need the whole scene"},

@@ -58,7 +58,9 @@ static void spreadsheets(void **state)
 {
     (void)state;
     static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n", "vertex\t1\tA\nedge\t7-2\ta, b\n",
-                                        "\"vertex\",\"1\",\"A\",,\n,,,,\n\"edge\",\"v7-v2\",\"a, b\",,\n"};
+                                        "\"vertex\",\"1\",\"A\",,\n,,,,\n\"edge\",\"v7-v2\",\"a, b\",,\n",
+                                        "\xef\xbb\xbfkind,number,name\r\nvertex,1,A\r\nedge,2-7,\"a, b\"\r\n",
+                                        "# mine\n\nKind;Number;Name;\nvertex;1;A;\nedge;v2-v7;a, b;\n"};
     assert_int_equal(chdir(temporary), 0);
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         name_list n;
@@ -83,6 +85,12 @@ static void faults(void **state)
         const char *message;
     } cases[] = {
         {"vertex,1,A\nvertx,2,B\n", 2, "the kind is none of vertex, edge, face and body"},
+        {"vertx,2,B\nvertex,1,A\n", 1, "the kind is none of vertex, edge, face and body"},
+        {"vertex,1,A\nkind,number,name\n", 2,
+         "the kind is none of vertex, edge, face and body, and the number is none"},
+        {"kind,number,name\nkind,number,name\n", 2,
+         "the kind is none of vertex, edge, face and body, and the number is none"},
+        {"vertex,number,name\n", 1, "the number is not a whole number from 0 on"},
         {"vertex 1 A\n", 1, "a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a"},
         {"\n\nface,-1,A\n", 3, "the number is not a whole number from 0 on"},
         {"edge,4,A\n", 1,
@@ -109,6 +117,10 @@ static void faults(void **state)
     name_list none = {0};
     roberts_error error = {0};
     assert_int_equal(names_read(&none, "nowhere.csv", &error), ROBERTS_IO);
+    names_free(&none);
+    none = (name_list){0};
+    assert_int_equal(names_read(&none, ".", &error), ROBERTS_IO);
+    assert_string_equal(error.message, "is a folder");
     names_free(&none);
 }
 
