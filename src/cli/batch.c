@@ -661,6 +661,17 @@ static void tell_batch(const batch *b, roberts_time start)
     message_close(stderr);
 }
 
+/* The messages of files that failed may be far up. */
+static void tell_failed(const batch *b)
+{
+    if (b->failed == 0 || b->files.count == 1)
+        return;
+    message_open(stderr);
+    fprintf(stderr, "roberts: %zu of %zu models %s not drawn\n", b->failed, b->files.count,
+            b->failed == 1 ? "was" : "were");
+    message_close(stderr);
+}
+
 int batch_make(const cli_options *options)
 {
     batch b = {.options = options, .manifest = {.descriptor = -1}};
@@ -670,6 +681,8 @@ int batch_make(const cli_options *options)
         make_all(&b);
         if (options->verbose)
             tell_batch(&b, start);
+        else if (!options->quiet)
+            tell_failed(&b);
         if (b.failed > 0)
             b.result = EXIT_FAILED;
     }

@@ -380,6 +380,21 @@ static void warn_ending(const cli_options *options)
     message_warning(stderr, options->output, 0, text);
 }
 
+/* Neither a part nor a plan is a drawing yet. */
+static void warn_part(const cli_options *options)
+{
+    char text[120];
+    roberts_format told;
+    const char *is = options->plan ? "it is a plan, for --part" : "it is a part of a drawing, for --join";
+    if (ends_like_model(options->output))
+        snprintf(text, sizeof text, "its ending says that it is a model, but %s", is);
+    else if (roberts_format_by_path(options->output, &told))
+        snprintf(text, sizeof text, "its ending says %s, but %s", values_format_name(told), is);
+    else
+        return;
+    message_warning(stderr, options->output, 0, text);
+}
+
 /* Regions are JSON, unless the name ends in .csv. */
 static void warn_regions(const cli_options *options)
 {
@@ -516,6 +531,10 @@ void check_warn(const cli_options *options, const options_given *given)
 {
     if (options->quiet)
         return;
+    if (options->plan || options->part.of) {
+        warn_part(options);
+        return; /* of all else when the parts are joined */
+    }
     if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output"))
         warn("--output", "the format null writes nothing");
     if (options_is_given(given, "format"))

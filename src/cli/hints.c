@@ -11,6 +11,7 @@
 
 #include "cli/lists.h"
 #include "cli/message.h"
+#include "cli/parse.h"
 #include "cli/values.h"
 
 /* ---- words ---- */
@@ -157,6 +158,9 @@ static const char *converter(const char *name)
     return NULL;
 }
 
+/* Bytes of binary STL before its triangles: the header and their number. */
+enum { STL_LEAST = 84 };
+
 /* If -o was forgotten, a drawing of an earlier run is read as a model. */
 void hint_unread(const cli_options *options, const char *name, roberts_error *error)
 {
@@ -168,10 +172,13 @@ void hint_unread(const cli_options *options, const char *name, roberts_error *er
     if (S_ISDIR(found.st_mode))
         snprintf(error->message, sizeof error->message, "is a folder; name the files in it, as *.off or *.stl");
     else if (error->status == ROBERTS_BAD_SYNTAX && strcmp(options->output, "-") == 0 &&
-             roberts_format_by_path(name, &format))
+             roberts_format_by_path(name, &format) && !strstr(error->message, "to convert it"))
         snprintf(error->message + used, room, "; to draw into it, name it with -o");
     else if (error->status == ROBERTS_BAD_SYNTAX && converter(name) && !strstr(error->message, "to convert it"))
         snprintf(error->message + used, room, "; to convert it: %s", converter(name));
+    else if (error->status == ROBERTS_BAD_SYNTAX && parse_has_ending(name, ".stl") && found.st_size < STL_LEAST &&
+             strstr(error->message, "the beginning of OFF"))
+        snprintf(error->message + used, room, "; as STL it is cut off: it would have %d bytes or more", STL_LEAST);
 }
 
 void hint_label(const char *name, roberts_error *error)

@@ -352,7 +352,6 @@ int options_parse(const option_table *table, int argc, char **argv, cli_options 
         return status;
     choose_scale(given, options);
     set_camera(given, options);
-    if (!options->plan && !options->part.of)
-        check_warn(options, given); /* of a drawing in parts, when they are joined */
+    check_warn(options, given);
     return EXIT_DONE;
 }

@@ -434,6 +434,21 @@ static roberts_status save_page(const cli_options *options, const roberts_draw_o
     return status;
 }
 
+/* The library names what is wrong with a page by a word, "dimensions: ...". If that is an option, it gets its dashes.
+ */
+static void name_option(roberts_error *error)
+{
+    const size_t length = strcspn(error->message, ":");
+    char message[sizeof error->message];
+    for (size_t i = 0; i < option_table_all.count && error->status == ROBERTS_BAD_ARGUMENT; i++)
+        if (strlen(option_table_all.row[i].name) == length &&
+            strncmp(error->message, option_table_all.row[i].name, length) == 0) {
+            memcpy(message, error->message, sizeof message);
+            snprintf(error->message, sizeof error->message, "--%.*s", (int)sizeof message - 3, message);
+            return;
+        }
+}
+
 static roberts_status save(const cli_options *options, const roberts_scene *scene, const views *v, run_stats *run,
                            roberts_error *error)
 {
@@ -452,6 +467,8 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     page.lettering.distance = options->distance;
     page.lettering.distance_count = options->distance_count;
     roberts_status status = save_page(options, &page, v, error);
+    if (status != ROBERTS_OK)
+        name_option(error);
     run->draw = report_sum(run->draw, report_since(start));
     return status;
 }

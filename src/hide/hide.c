@@ -71,8 +71,8 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     const view *v = &job->seen.view;
     if (v->epsilon > EPSILON_MOST * v->diameter && options->epsilon > 0.0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                         "the touching distance, %.6g, is more than a hundredth of the scene (%.6g)", options->epsilon,
-                         v->diameter * v->unit);
+                         "the touching distance, %.6g, is more than %.6g, a hundredth of the scene", options->epsilon,
+                         EPSILON_MOST * v->diameter * v->unit);
     return ROBERTS_OK;
 }
 

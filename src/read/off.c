@@ -277,7 +277,7 @@ static roberts_status count_points(reader *r)
 /* Refuses an input that begins with a word that is not a keyword. */
 static roberts_status refuse_word(reader *r, size_t length)
 {
-    const roberts_status status = read_refuse_foreign(r, r->in.at, length);
+    const roberts_status status = read_refuse_foreign(r, length);
     if (status != ROBERTS_OK)
         return status;
     return read_expected(r, ROBERTS_BAD_SYNTAX, "the beginning of OFF (keyword or counts), STL, OBJ or PLY");

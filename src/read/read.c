@@ -92,7 +92,7 @@ void read_rest(reader *r, char *text, size_t room)
 
 static const struct foreign {
     const char *begins, *format, *command;
-    bool whole; /* it must be the whole word */
+    bool whole; /* the first word must be the whole word */
 } foreign[] = {
     {"glTF", "glTF", "assimp export model.glb model.stl", false},
     {"\"", "JSON (as glTF is)", "assimp export model.gltf model.stl", false},
@@ -122,19 +122,21 @@ static const struct foreign {
     {"MeshVersionFormatted", "Medit", "gmsh -0 model.mesh -o model.stl", true},
     {"LIST", "a Geomview LIST", "", true},
     {"MESH", "a Geomview MESH", "", true},
-    {"roberts", "a part or a plan of a drawing", "roberts --join -o drawing.svg part-*, or roberts --part 1/1 x.plan",
-     true},
+    {"roberts part", "a part of a drawing", "roberts --join -o drawing.svg part-*", true},
+    {"roberts plan", "the plan of a drawing",
+     "roberts --part 1/1 x.plan -o part-1 && roberts --join part-1 -o drawing.svg", true},
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
     {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
     {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
 };
 
-roberts_status read_refuse_foreign(reader *r, const char *word, size_t length)
+roberts_status read_refuse_foreign(reader *r, size_t length)
 {
     for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
-        size_t wanted = strlen(foreign[i].begins);
-        if ((foreign[i].whole ? length == wanted : length >= wanted) && memcmp(word, foreign[i].begins, wanted) == 0)
+        const size_t first = strcspn(foreign[i].begins, " "), wanted = strlen(foreign[i].begins);
+        if ((foreign[i].whole ? length == first : length >= first) && input_need(&r->in, wanted) &&
+            memcmp(r->in.at, foreign[i].begins, wanted) == 0)
             return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s",
                              foreign[i].format, *foreign[i].command ? "; to convert it: " : "", foreign[i].command);
     }
@@ -216,7 +218,7 @@ static bool is_empty_stl(reader *r)
         read_word(in->at + STL_HEADER, true) != 0)
         return false;
     return !begins_text(in) && memcmp(in->at, "ply", 3) != 0 && !begins_foreign_binary(in->at) &&
-           read_refuse_foreign(r, in->at, input_token(in)) == ROBERTS_OK;
+           read_refuse_foreign(r, input_token(in)) == ROBERTS_OK;
 }
 
 /* Can an input of unknown or wrong length still be binary STL, whatever its header says? It can if the count has a byte
@@ -249,7 +251,7 @@ static roberts_status read_any(reader *r, const off_division *division)
         return stl_read_binary(r);
     const size_t first = input_need(in, 1) ? input_token(in) : 0;
     if (input_need(in, 1) && *in->at == '#' && input_need(in, 5) && memcmp(in->at, "#VRML", 5) == 0)
-        return read_refuse_foreign(r, in->at, 5); /* it looks like a comment */
+        return read_refuse_foreign(r, 5); /* it looks like a comment */
     if (first == 3 && memcmp(in->at, "ply", 3) == 0)
         return ply_read(r);
     if (input_at_word(in, "solid")) {

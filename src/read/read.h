@@ -46,9 +46,9 @@ roberts_status read_fail(reader *r, roberts_status status, const char *format, .
 /* Does the same if the input lacks what `format` names; see input_expected(). A binary input is then at its end. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
-/* Refuses an input that begins with this word if the word begins a format that cannot be read. The message names the
+/* Refuses the input if the word here, of that length, begins a format that cannot be read. The message names the
  * format, and a command that converts it. ROBERTS_OK: no such format is known. */
-roberts_status read_refuse_foreign(reader *r, const char *word, size_t length);
+roberts_status read_refuse_foreign(reader *r, size_t length);
 
 /* Warns that `count` colours, the first of them in line `line`, are ignored; not if there are none. */
 void read_warn_colors(const roberts_warnings *warnings, const char *name, size_t line, size_t count);

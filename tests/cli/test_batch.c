@@ -420,7 +420,8 @@ static void late_files_are_given_up(void **state)
         snprintf(line, sizeof line, "%s --threads %d", late_line, threads);
         unlink("rows");
         assert_int_equal(run(line), 1);
-        assert_string_equal(last.err, "roberts: pipe: it takes more than 0.4 s: --limit-seconds\n");
+        assert_string_equal(last.err, "roberts: pipe: it takes more than 0.4 s: --limit-seconds\n"
+                                      "roberts: 1 of 3 models was not drawn\n");
         assert_int_equal(entries("in", true), 2);
         assert_int_equal(rows_with("\"error\":null"), 2);
         assert_int_equal(rows_with("\"error\":\"it takes more than 0.4 s: --limit-seconds\",\"seconds\":0.4"), 1);
@@ -448,7 +449,8 @@ static void large_files_are_given_up(void **state)
     assert_int_equal(run("--batch in --manifest rows --limit-memory 8 --threads 1 models/table.off large.off "
                          "models/tower.off"),
                      1);
-    assert_string_equal(last.err, "roberts: large.off: not enough memory: --limit-memory allows 8 MB\n");
+    assert_string_equal(last.err, "roberts: large.off: not enough memory: --limit-memory allows 8 MB\n"
+                                  "roberts: 1 of 3 models was not drawn\n");
     assert_int_equal(rows_with("\"error\":null"), 2);
     assert_int_equal(rows_with("\"error\":\"large.off: not enough memory: --limit-memory allows 8 MB\","), 1);
     assert_int_equal(entries("in", true), 2);
@@ -534,7 +536,8 @@ static void dead_workers_harm_one_file(void **state)
     kill(second, SIGKILL);
     finish(parent);
     assert_int_equal(last.status, 1);
-    assert_string_equal(last.err, "roberts: pipe: the process that draws it was ended by signal 9 (Killed)\n");
+    assert_string_equal(last.err, "roberts: pipe: the process that draws it was ended by signal 9 (Killed)\n"
+                                  "roberts: 1 of 3 models was not drawn\n");
     assert_int_equal(rows_with("\"error\":null"), 2);
     assert_int_equal(
         rows_with("{\"file\":\"pipe\",\"output\":\"in/pipe.svg\",\"command\":\"roberts pipe\",\"error\":\"the "

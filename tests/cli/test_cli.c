@@ -711,6 +711,7 @@ static void batch_draws_each_file(void **state)
     assert_int_equal(run("--batch in/new bad.off models/table.off missing.off models/platonic/cube.off"), 1);
     const char *first = strstr(last.err, "roberts: bad.off:6: "), *second = strstr(last.err, "roberts: missing.off: ");
     assert_true(first == last.err && second > first);
+    assert_said("roberts: missing.off: No such file or directory\nroberts: 2 of 4 models were not drawn\n");
     assert_int_equal(run("models/table.off -o in/a.svg"), 0);
     read_text("in/a.svg", text);
     read_text("in/new/table.svg", last.out);
@@ -721,6 +722,12 @@ static void batch_draws_each_file(void **state)
     first = strstr(last.err, "in/new/table.csv: ");
     assert_true(first && strstr(first, "in/new/cube.csv: "));
     assert_int_equal(entries("in/new", true), 2);
+    assert_int_equal(run("--batch in/new -f null -v bad.off models/table.off"), 1);
+    assert_int_equal(count_of(last.err, "not drawn") + 2 * count_of(last.err, " 1 failed; "), 2);
+    assert_int_equal(run("--batch in/new -f null -q bad.off models/table.off"), 1);
+    assert_int_equal(count_of(last.err, "roberts: "), 1);
+    assert_int_equal(run("--batch in/new -f null bad.off"), 1);
+    assert_int_equal(count_of(last.err, "roberts: "), 1);
     assert_int_equal(run("--batch in/new -f null models/table.off"), 0);
     assert_int_equal(entries("in/new", false), 0);
     assert_int_equal(rmdir("in/new"), 0);
