@@ -90,7 +90,9 @@ typedef struct roberts_color {
 typedef struct roberts_source {
     char *name; /**< owned by the mesh */
     uint32_t first_vertex, first_face;
-    bool float32; /**< its coordinates are 32-bit floats, so each is off by up to half a unit in the last place */
+    bool float32;  /**< its coordinates are 32-bit floats, so each is off by up to half a unit in the last place */
+    char *missing; /**< owned by the mesh: the first .mtl file that an OBJ names and that is not there, so that colours
+                        are missing; NULL: none */
 } roberts_source;
 
 /** Faces that share a name in the input (o or g of OBJ, solid of STL): from first_face up to the first_face of the next

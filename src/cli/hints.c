@@ -414,9 +414,9 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
     return found > 0;
 }
 
-bool hint_idle_fill(const cli_options *options, const roberts_drawing *drawing, size_t views)
+bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, size_t views)
 {
-    if (options->draw.fill != ROBERTS_FILL_MODEL || options->draw.shaded)
+    if (options->draw.fill != ROBERTS_FILL_MODEL)
         return false;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         for (size_t i = 0; d->regions && i < d->regions->count; i++)

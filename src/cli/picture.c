@@ -150,6 +150,10 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     if (run->lines > 0)
         fprintf(options->log, ", %zu points and lines", run->lines);
     fprintf(options->log, "; %.3f s\n", run->read.wall + run->solids.wall);
+    if (*run->missing) {
+        message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+        fprintf(options->log, "colours are missing, since there is no file %s\n", run->missing);
+    }
     tell_kinds(options, scene);
     if (options->scene.hull)
         tell_hulls(options, scene);
@@ -163,6 +167,16 @@ static size_t count_lines(const roberts_mesh *mesh)
     for (size_t f = 0; f < mesh->face_count; f++)
         count += mesh->face_start[f + 1] - mesh->face_start[f] - 1 < 2;
     return count;
+}
+
+/* Finds the first .mtl file that an OBJ names and that is not there. */
+static void find_missing(const roberts_mesh *mesh, run_stats *run)
+{
+    for (size_t i = 0; i < mesh->source_count && !*run->missing; i++)
+        if (mesh->source[i].missing)
+            snprintf(run->missing, sizeof run->missing, "%s", mesh->source[i].missing);
+    for (char *c = run->missing; *c; c++) /* a terminal must not obey it */
+        *c = (char)((unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c);
 }
 
 /* Are names compared with the mesh? With --batch they may be for other models. */
@@ -204,6 +218,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     run->read = report_since(start);
     if (status == ROBERTS_OK && options->verbose)
         run->lines = count_lines(&mesh);
+    find_missing(&mesh, run);
     const size_t faces = mesh.face_count; /* building may take the mesh */
     if (status == ROBERTS_OK) {
         start = report_now();
@@ -367,8 +382,25 @@ static bool has_obj(const cli_options *options)
     return false;
 }
 
+/* Warns that --fill finds no colour on the faces that are seen. --fill shade is grey then, as it should be unless a
+ * file is missing. */
+static void warn_no_colors(const cli_options *options, const char *missing)
+{
+    char text[NAME_SIZE], name[NAME_SIZE];
+    if (options->draw.shaded && !*missing)
+        return;
+    const int used = snprintf(text, sizeof text, "%s: no face that is seen has a colour",
+                              options->draw.shaded ? "--fill shade is grey" : "--fill model has no effect");
+    if (*missing)
+        snprintf(text + used, sizeof text - (size_t)used, ", since there is no file %s", missing);
+    else if (has_obj(options))
+        snprintf(text + used, sizeof text - (size_t)used,
+                 " (those of an OBJ are in the .mtl files beside it that it names)");
+    warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
+}
+
 /* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
-static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v)
+static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const char *missing)
 {
     char text[256], name[NAME_SIZE];
     const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
@@ -381,12 +413,8 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
         warn_of_file(
             options, name_inputs(options, options->input[0], name, sizeof name),
             "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
-    if (page && needs_regions(options) && hint_idle_fill(options, v->drawing, v->count))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     has_obj(options)
-                         ? "--fill model has no effect: no face that is seen has a colour (those of an OBJ are in "
-                           "the .mtl files beside it that it names)"
-                         : "--fill model has no effect: no face that is seen has a colour");
+    if (page && needs_regions(options) && hint_no_colors(options, v->drawing, v->count))
+        warn_no_colors(options, missing);
     if (page && hint_idle_hatch(options, v->drawing, v->count))
         warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
                      "--hatch has no effect: the light falls straight on all faces that are seen");
@@ -535,7 +563,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
     if (status == ROBERTS_OK)
-        warn_idle(options, *scene, &v);
+        warn_idle(options, *scene, &v, run.missing);
     if (status == ROBERTS_OK)
         status = save_regions(options, &v, &run, &error);
     if (last && !needs_scene(options)) {
@@ -575,7 +603,7 @@ static int draw_joined(const cli_options *given, run_stats run, picture_result *
         description_word(&own.description, joined.input.name[i]);
     own.input = joined.input.name;
     own.input_count = joined.input.count;
-    warn_idle(&own, NULL, &v);
+    warn_idle(&own, NULL, &v, run.missing);
     roberts_status status = save(&own, NULL, &v, &run, &error);
     run.total = report_since(run.begin);
     result->segments = count_segments(&v);

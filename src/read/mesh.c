@@ -39,8 +39,10 @@ static void drop(bool keep, void *array, size_t *room)
 
 void mesh_back(roberts_mesh *mesh, mesh_mark mark)
 {
-    while (mesh->source_count > mark.sources)
+    while (mesh->source_count > mark.sources) {
         free(mesh->source[--mesh->source_count].name);
+        free(mesh->source[mesh->source_count].missing);
+    }
     while (mesh->group_count > mark.groups)
         free(mesh->group[--mesh->group_count].name);
     mesh->vertex_count = mark.vertices;
@@ -155,14 +157,22 @@ bool mesh_source(roberts_mesh *mesh, const char *name)
     char *copy = copy_name(name);
     if (!copy)
         return false;
-    mesh->source[mesh->source_count++] =
-        (roberts_source){copy, (uint32_t)mesh->vertex_count, (uint32_t)mesh->face_count, false};
+    mesh->source[mesh->source_count++] = (roberts_source){
+        .name = copy, .first_vertex = (uint32_t)mesh->vertex_count, .first_face = (uint32_t)mesh->face_count};
     return true;
 }
 
 void mesh_float32(roberts_mesh *mesh)
 {
     mesh->source[mesh->source_count - 1].float32 = true;
+}
+
+bool mesh_missing(roberts_mesh *mesh, const char *path)
+{
+    roberts_source *source = &mesh->source[mesh->source_count - 1];
+    if (!source->missing)
+        source->missing = copy_name(path);
+    return source->missing;
 }
 
 double mesh_float32_step(const roberts_mesh *mesh)
@@ -301,8 +311,10 @@ void roberts_mesh_free(roberts_mesh *mesh)
 {
     if (!mesh)
         return;
-    for (size_t i = 0; i < mesh->source_count; i++)
+    for (size_t i = 0; i < mesh->source_count; i++) {
         free(mesh->source[i].name);
+        free(mesh->source[i].missing);
+    }
     mesh_groups_free(mesh->group, mesh->group_count);
     free(mesh->source);
     free(mesh->vertex);

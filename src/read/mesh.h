@@ -97,6 +97,10 @@ bool mesh_source(roberts_mesh *mesh, const char *name);
 /* Marks the current input as storing coordinates in 32-bit floats. */
 void mesh_float32(roberts_mesh *mesh);
 
+/* Records that a file of colours, which the current input names, is missing. Only the first one is kept. False: no
+ * memory. */
+bool mesh_missing(roberts_mesh *mesh, const char *path);
+
 /* Returns two ulps of a 32-bit float as large as the largest coordinate read as one, model units; 0: none was. Rounding
  * to floats moves a point along each axis by at most a quarter of that. */
 double mesh_float32_step(const roberts_mesh *mesh);

@@ -249,17 +249,23 @@ static const char *last_part(const char *name)
     return last;
 }
 
+/* Finds the path of a file beside the input. False: it has none. */
+static bool library_path(const obj_reader *o, const char *name, char path[PATH_ROOM])
+{
+    const char *obj = o->r->in.source.path, *last = last_part(name);
+    const char *slash = obj ? strrchr(obj, '/') : NULL;
+    const int folder = slash ? (int)(slash + 1 - obj) : 0;
+    return obj && *last && (size_t)snprintf(path, PATH_ROOM, "%.*s%s", folder, obj, last) < PATH_ROOM;
+}
+
 /* Reads the file of that name beside the input, if it exists. False: no memory. */
 static bool read_library(obj_reader *o, const char *name, bool *found)
 {
     char path[PATH_ROOM];
-    const char *obj = o->r->in.source.path, *last = last_part(name);
-    const char *slash = obj ? strrchr(obj, '/') : NULL;
-    int folder = slash ? (int)(slash + 1 - obj) : 0;
     struct stat about;
     bool good = true;
     *found = false;
-    if (!obj || !*last || (size_t)snprintf(path, sizeof path, "%.*s%s", folder, obj, last) >= sizeof path)
+    if (!library_path(o, name, path))
         return true;
     input_file f = {.descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     if (f.descriptor < 0)
@@ -275,18 +281,28 @@ static bool read_library(obj_reader *o, const char *name, bool *found)
     return good;
 }
 
-/* Reads the libraries of mtllib: one name that may contain blanks, or several names. */
+/* Reads the libraries of mtllib: one name that may contain blanks, or several names. The first one that is missing is
+ * recorded; if all are, the whole name. */
 static bool read_libraries(obj_reader *o)
 {
-    char name[PATH_ROOM];
-    bool found;
+    char name[PATH_ROOM], words[PATH_ROOM], path[PATH_ROOM];
+    const char *missing = NULL;
+    bool found, any = false;
     take_name(&o->r->in, name, sizeof name);
     if (!read_library(o, name, &found))
         return false;
-    for (char *rest = NULL, *one = found ? NULL : strtok_r(name, " ", &rest); one; one = strtok_r(NULL, " ", &rest))
+    if (found)
+        return true;
+    memcpy(words, name, sizeof words);
+    for (char *rest = NULL, *one = strtok_r(words, " ", &rest); one; one = strtok_r(NULL, " ", &rest)) {
         if (!read_library(o, one, &found))
             return false;
-    return true;
+        any |= found;
+        if (!found && !missing)
+            missing = one;
+    }
+    missing = any ? missing : name;
+    return !missing || !library_path(o, missing, path) || mesh_missing(o->r->mesh, path);
 }
 
 static void use_material(obj_reader *o)

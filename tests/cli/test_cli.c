@@ -1197,6 +1197,20 @@ static void regions(void **state)
     assert_int_equal(run("--fill model -o a.svg plate.obj"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour (those of an OBJ "
                                      "are in the .mtl files beside it that it names)\n"));
+    put("bare.obj", "mtllib c:/x/ba\x7fre.mtl\nv 0 0 0\nv 4 0 0\nv 4 2 0\nusemtl red\nf 1 2 3\n");
+    assert_int_equal(run("--fill model -o a.svg bare.obj"), 0);
+    assert_string_equal(last.err, "roberts: bare.obj: warning: --fill model has no effect: no face that is seen has a "
+                                  "colour, since there is no file ba?re.mtl\n");
+    assert_int_equal(run("--fill shade -o a.svg bare.obj"), 0);
+    assert_string_equal(last.err,
+                        "roberts: bare.obj: warning: --fill shade is grey: no face that is seen has a colour, "
+                        "since there is no file ba?re.mtl\n");
+    assert_int_equal(run("--fill shade -o a.svg plate.obj"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-o a.svg bare.obj"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-v -f null bare.obj"), 0);
+    assert_said("roberts: bare.obj: colours are missing, since there is no file ba?re.mtl\n");
     assert_int_equal(run("--fill shade:pink -o a.svg models/table.off"), 2);
     assert_int_equal(run("--light 0,0,0 -o a.svg models/table.off"), 2);
     assert_int_equal(run("--view top -f null --regions plate.csv plate.off"), 0);

@@ -144,21 +144,23 @@ static void put(const char *name, const char *text)
 static void reads_files_beside(void **state)
 {
     static const struct row {
-        const char *text, *mesh, *warnings;
+        const char *text, *mesh, *warnings, *missing;
     } rows[] = {
         {"mtllib m.mtl\nusemtl red\nf 1 2 3\nusemtl none\nf 1 2 3\nusemtl blue\nf 1 2 3\n",
          " | 0-1-2(1,0,0) 0-1-2 0-1-2(0,0,1)",
-         "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";"},
+         "7: no colour for 1 use of materials that the .mtl files lack, the first of \"none\";", NULL},
         {"mtllib m.mtl\nusemtl my \x1b[31mpaint\nf 1 2 3\nusemtl b\nf 1 2 3\n", " | 0-1-2 0-1-2",
-         "5: no colour for 2 uses of materials that the .mtl files lack, the first of \"my ? [31mpaint\";"},
-        {"mtllib bad.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", "3: 2 colours that make no sense ignored;"},
-        {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL},
-        {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
-        {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
-        {"mtllib ../m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL},
-        {"mtllib ..\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL},
-        {"mtllib inner/\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL},
-        {"mtllib\nusemtl red\nf 1 2 3\nmtllib m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2 0-1-2(1,0,0)", NULL},
+         "5: no colour for 2 uses of materials that the .mtl files lack, the first of \"my ? [31mpaint\";", NULL},
+        {"mtllib bad.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", "3: 2 colours that make no sense ignored;", NULL},
+        {"mtllib my colours.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(0,1,0)", NULL, NULL},
+        {"mtllib none.mtl m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL, "none.mtl"},
+        {"mtllib m.mtl m.mtl\nusemtl blue\nf 1 2 3\n", " | 0-1-2(0,0,1)", NULL, NULL},
+        {"mtllib /x/a b.mtl\nmtllib c.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL, "a b.mtl"},
+        {"mtllib C:\\models\\m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL, NULL},
+        {"mtllib ../m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2(1,0,0)", NULL, NULL},
+        {"mtllib ..\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL, ".."},
+        {"mtllib inner/\nusemtl red\nf 1 2 3\n", " | 0-1-2", NULL, NULL},
+        {"mtllib\nusemtl red\nf 1 2 3\nmtllib m.mtl\nusemtl red\nf 1 2 3\n", " | 0-1-2 0-1-2(1,0,0)", NULL, NULL},
     };
     char path[600];
     (void)state;
@@ -178,6 +180,12 @@ static void reads_files_beside(void **state)
         mesh_text found = mesh_as_text(&mesh);
         snprintf(text, sizeof text, "%s%s", THREE_TEXT, rows[i].mesh);
         assert_string_equal(found.text, text);
+        if (rows[i].missing) {
+            snprintf(path, sizeof path, "%s/%s", temporary, rows[i].missing);
+            assert_string_equal(mesh.source[0].missing, path);
+        } else {
+            assert_null(mesh.source[0].missing);
+        }
         roberts_mesh_free(&mesh);
     }
 }

@@ -43,7 +43,8 @@ class color(Structure):
 
 
 class source(Structure):
-    _fields_ = [("name", c_char_p), ("first_vertex", c_uint32), ("first_face", c_uint32), ("float32", c_bool)]
+    _fields_ = [("name", c_char_p), ("first_vertex", c_uint32), ("first_face", c_uint32), ("float32", c_bool),
+                ("missing", c_char_p)]
 
 
 class group(Structure):
