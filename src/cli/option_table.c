@@ -693,8 +693,7 @@ static const option rows[] = {
          "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, and semicolons or tabs may "
          "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same.) Lines that "
          "begin with # are skipped, and so is a first line with the titles of the columns. Everything with a name is "
-         "labelled; with --label, the rest is labelled by its "
-         "numbers. An empty name is no label."},
+         "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -977,7 +976,11 @@ static const option rows[] = {
          "wherever something may have been missed, and reports on standard error. Hidden segments are checked too, "
          "whether they are drawn or not, so it checks more segments than there are on the page. The exit status is 1 "
          "if any ray contradicts the drawing. Points within about epsilon of a change are reported as undecided and "
-         "contradict nothing."},
+         "contradict nothing.\n"
+         "The points are not exactly N times the segments. Along a hidden segment, rays go from one hiding face to the "
+         "next, in place of the two points near its ends: where one face hides it all, that is a single ray, and so "
+         "N - 1 in all. There are more points where a face may hide a part of a visible segment, and one more on each "
+         "hidden segment that is drawn, to see which body hides it."},
 
     {.group = GROUP_MESSAGES,
      .name = "pick",
