@@ -407,8 +407,9 @@ static bool paint(fill_work *w, bool seam, fills *out)
 
 /* ---- plates ---------------------------------------------------------------------------------------------------- */
 
-/* Letters can be read if their brightness and that of what lies below them differ by this, from black 0 to white 1. */
-static const double least_contrast = 0.35;
+/* Letters can be read if they have this contrast with what lies below them (WCAG 2, level AA). Paler letters, as those of
+ * what is hidden, need not have it: a large part of their contrast with the paper is enough. */
+static const double least_contrast = 4.5, pale_part = 0.75;
 /* How far a plate reaches beyond its letters, in their heights. */
 static const double plate_rim = 0.25;
 
@@ -416,6 +417,17 @@ typedef struct plate {
     roberts_vec2 corner[4]; /* counter-clockwise on the paper from where the text begins; units of the page */
     bool is_back, is_wanted;
 } plate;
+
+enum { PLATE_POINTS = 5 };
+
+/* The middle of a plate, and four points halfway to its corners: letters lie there. */
+static roberts_vec2 plate_point(const plate *p, int i)
+{
+    const roberts_vec2 a = p->corner[0], c = p->corner[2], middle = {0.5 * (a.x + c.x), 0.5 * (a.y + c.y)};
+    if (i == 0)
+        return middle;
+    return (roberts_vec2){0.5 * (middle.x + p->corner[i - 1].x), 0.5 * (middle.y + p->corner[i - 1].y)};
+}
 
 typedef struct plate_work {
     const strokes *s;
@@ -439,21 +451,31 @@ static plate plate_of(const strokes *s, size_t i)
     return p;
 }
 
-static double brightness_of(unsigned char red, unsigned char green, unsigned char blue)
+/* The light that a channel of sRGB (IEC 61966-2-1) gives, from 0 to 1. */
+static double light_of(unsigned char value)
 {
-    return (0.299 * red + 0.587 * green + 0.114 * blue) / 255.0;
+    const double part = value / 255.0;
+    return part <= 0.04045 ? part / 12.92 : pow((part + 0.055) / 1.055, 2.4);
 }
 
-static bool can_read(const roberts_pen *pen, fill_color on)
+/* The luminance that contrasts compare (WCAG 2): 0.05 stands for the light of the room. */
+static double luminance_of(unsigned char red, unsigned char green, unsigned char blue)
 {
-    const double text = brightness_of(pen->red, pen->green, pen->blue);
-    return fabs(text - brightness_of(on.red, on.green, on.blue)) >= least_contrast;
+    return 0.2126 * light_of(red) + 0.7152 * light_of(green) + 0.0722 * light_of(blue) + 0.05;
+}
+
+/* From 1 to 21. */
+static double contrast_of(const roberts_pen *pen, fill_color on)
+{
+    const double text = luminance_of(pen->red, pen->green, pen->blue), below = luminance_of(on.red, on.green, on.blue);
+    return text > below ? text / below : below / text;
 }
 
 /* Are letters of this pen hard to read on a fill, but not on the paper? */
 static bool need_plate(const roberts_draw_options *options, const roberts_pen *pen, fill_color fill)
 {
-    return !pen->off && !can_read(pen, fills_on_paper(options, fill)) && can_read(pen, fills_on_paper(options, clear));
+    const double on_paper = contrast_of(pen, fills_on_paper(options, clear));
+    return !pen->off && contrast_of(pen, fills_on_paper(options, fill)) < fmin(least_contrast, pale_part * on_paper);
 }
 
 /* Is a point of the page within a region? By the parity of crossings. */
@@ -487,11 +509,12 @@ static bool ask_region(void *context, const page_region *region)
         low = (roberts_vec2){fmin(low.x, p->x), fmin(low.y, p->y)};
         high = (roberts_vec2){fmax(high.x, p->x), fmax(high.y, p->y)};
     }
-    for (plate *p = w->item; p < w->item + w->count; p++) {
-        const roberts_vec2 at = {0.5 * (p->corner[0].x + p->corner[2].x), 0.5 * (p->corner[0].y + p->corner[2].y)};
-        if (at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y && needed[p->is_back])
-            p->is_wanted = p->is_wanted || region_holds(region, at);
-    }
+    for (plate *p = w->item; p < w->item + w->count; p++)
+        for (int i = 0; i < PLATE_POINTS && needed[p->is_back] && !p->is_wanted; i++) {
+            const roberts_vec2 at = plate_point(p, i);
+            p->is_wanted = at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y &&
+                           region_holds(region, at);
+        }
     return true;
 }
 
