@@ -256,6 +256,44 @@ space_load space_load_of(const free_space *r, const space_box *box, uint32_t own
     return load;
 }
 
+double space_to_next_box(const free_space *r, const space_box *box, uint32_t own, double most)
+{
+    const space_box wide = {{box->min.x - most, box->min.y - most}, {box->max.x + most, box->max.y + most}};
+    const cells in = cells_of(r, &wide);
+    double least = most;
+    for (uint32_t y = in.low_y; y <= in.high_y; y++)
+        for (uint32_t x = in.low_x; x <= in.high_x; x++)
+            for (uint32_t i = r->first_box[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
+                const space_box *other = &r->box[r->entry[i].what];
+                const double dx = greater(other->min.x - box->max.x, box->min.x - other->max.x);
+                const double dy = greater(other->min.y - box->max.y, box->min.y - other->max.y);
+                if (r->entry[i].what != own)
+                    least = lesser(least, hypot(greater(dx, 0.0), greater(dy, 0.0)));
+            }
+    return least;
+}
+
+/* Twice the area of abc. */
+static double turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
+{
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool space_is_crossed(const free_space *r, roberts_vec2 a, roberts_vec2 b)
+{
+    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const cells in = cells_of(r, &box);
+    for (uint32_t y = in.low_y; y <= in.high_y; y++)
+        for (uint32_t x = in.low_x; x <= in.high_x; x++)
+            for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
+                const page_line *line = &r->line[r->entry[i].what];
+                if (turn(a, b, line->a) * turn(a, b, line->b) < 0.0 &&
+                    turn(line->a, line->b, a) * turn(line->a, line->b, b) < 0.0)
+                    return true;
+            }
+    return false;
+}
+
 static int by_start(const void *a, const void *b)
 {
     const space_part *p = a, *q = b;

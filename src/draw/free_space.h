@@ -37,6 +37,12 @@ typedef struct space_load {
  * least `enough` mm, have been found. */
 space_load space_load_of(const free_space *r, const space_box *box, uint32_t own, uint32_t most_boxes, double enough);
 
+/* How far the nearest box is from `box`, at most `most` mm; 0: it overlaps. The box of number `own` does not count. */
+double space_to_next_box(const free_space *r, const space_box *box, uint32_t own, double most);
+
+/* Does a line cross the one from a to b? One that ends on it does not. */
+bool space_is_crossed(const free_space *r, roberts_vec2 a, roberts_vec2 b);
+
 /* Parts of a line, as parameters along it. Zeroed = empty; release with free(item). */
 typedef struct space_part {
     double from, to;

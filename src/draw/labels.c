@@ -38,8 +38,13 @@ enum {
 /* Costs, in mm of lines that a label lies on. */
 static const double beside_best = 0.2; /* the most that a place costs for not being the best one */
 static const double farther = 0.3;     /* each ring */
+static const double crowded = 1.0;     /* the most that a place costs for being near to another label */
+static const double elsewhere = 1.5;   /* for a place nearer to another vertex, or behind another line */
 static const double touching = 2.0;    /* for a place with anything on it, however little: worse than any free place */
 static const double on_label = 20.0;   /* for a place on another label: then one of the two is left out */
+
+/* Heights of letters: places whose boxes are no farther apart read like two lines of one text, or like two words. */
+static const double apart_heights = 0.75;
 
 /* Heights of letters (ISO 3098) that are tried if the usual height leaves too little room. */
 static const double smaller_mm[] = {2.5, 1.8};
@@ -55,6 +60,7 @@ typedef struct target {
     roberts_vec2 along;           /* vertex: sum of the directions of its lines; edge: its direction */
     double reach;                 /* edge: half of the part's length; region: how far its border is; mm */
     double size;                  /* edge: length of the part; region: its area */
+    uint32_t point;               /* vertex: its number in placing.vertices */
 } target;
 
 typedef struct targets {
@@ -106,13 +112,13 @@ static bool add_segment(const strokes *s, const page_view *view, uint32_t v, con
         return true;
     const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};
     const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
-    target one = {ROBERTS_LABEL_VERTICES, v, segment->v0, 0, is_back, a, along, 0.0, 0.0};
+    target one = {ROBERTS_LABEL_VERTICES, v, segment->v0, 0, is_back, a, along, 0.0, 0.0, 0};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && is_on_page(s, view, a) && !add_target(t, &one))
         return false;
-    one = (target){ROBERTS_LABEL_VERTICES, v, segment->v1, 0, is_back, b, {-along.x, -along.y}, 0.0, 0.0};
+    one = (target){ROBERTS_LABEL_VERTICES, v, segment->v1, 0, is_back, b, {-along.x, -along.y}, 0.0, 0.0, 0};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && is_on_page(s, view, b) && !add_target(t, &one))
         return false;
-    one = (target){ROBERTS_LABEL_EDGES, v, segment->v0, segment->v1, is_back, middle, along, length / 2.0, length};
+    one = (target){ROBERTS_LABEL_EDGES, v, segment->v0, segment->v1, is_back, middle, along, length / 2.0, length, 0};
     return !(kinds & ROBERTS_LABEL_EDGES) || !is_on_page(s, view, middle) || add_target(t, &one);
 }
 
@@ -285,6 +291,7 @@ static size_t count_places(const target *of)
 /* The data for placing labels. */
 typedef struct placing {
     free_space *room;
+    free_space *vertices;            /* those that have labels, as boxes without size */
     double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;
@@ -350,6 +357,43 @@ static double cost_of_what_lies_there(const free_space *r, const space_box *box,
     return load.boxes > MOST_UNDER ? INFINITY : load.mm + touching + (load.boxes > 0 ? on_label : 0.0);
 }
 
+static double box_distance(const space_box *box, roberts_vec2 p)
+{
+    const double x = fmax(fmax(box->min.x - p.x, p.x - box->max.x), 0.0);
+    return hypot(x, fmax(fmax(box->min.y - p.y, p.y - box->max.y), 0.0));
+}
+
+/* The point of a vertex or an edge that is nearest to `p`. */
+static roberts_vec2 nearest_point(const target *of, roberts_vec2 p)
+{
+    const roberts_vec2 d = {p.x - of->at.x, p.y - of->at.y};
+    const double t = fmin(fmax(d.x * of->along.x + d.y * of->along.y, -of->reach), of->reach);
+    return of->kind == ROBERTS_LABEL_EDGES
+               ? (roberts_vec2){of->at.x + t * of->along.x, of->at.y + t * of->along.y}
+               : of->at;
+}
+
+/* Does a place seem to belong to another vertex, or to what is behind another line? */
+static bool is_elsewhere(const placing *p, const label *l, const space_box *box, roberts_vec2 middle)
+{
+    const roberts_vec2 from = nearest_point(l->of, middle);
+    const double own = box_distance(box, l->of->at), length = hypot(middle.x - from.x, middle.y - from.y);
+    const double off = fmin(0.5 * p->gap / length, 1.0); /* its own lines do not count */
+    const roberts_vec2 start = {from.x + off * (middle.x - from.x), from.y + off * (middle.y - from.y)};
+    if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
+        return false;
+    return (l->of->kind == ROBERTS_LABEL_VERTICES &&
+            space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
+           space_is_crossed(p->room, start, middle);
+}
+
+/* The cost of what is near by. */
+static double cost_of_neighbours(const placing *p, const label *l, const space_box *box, roberts_vec2 middle)
+{
+    const double apart = apart_heights * p->height, near = space_to_next_box(p->room, box, l->box, apart);
+    return crowded * (1.0 - near / apart) + (is_elsewhere(p, l, box, middle) ? elsewhere : 0.0);
+}
+
 /* Finds the cheapest place, the first of several. False: there is none. */
 static bool choose_place(const placing *p, label *l)
 {
@@ -360,6 +404,8 @@ static bool choose_place(const placing *p, label *l)
                                     : l->of->kind == ROBERTS_LABEL_EDGES  ? edge_place(l, i, p->gap, &cost)
                                                                           : face_place(p, l, i, &cost);
         const space_box box = box_of(l, middle);
+        if (cost < least)
+            cost += cost_of_neighbours(p, l, &box, middle);
         if (cost < least)
             cost += cost_of_what_lies_there(p->room, &box, l->box, least - cost);
         if (cost < least) {
@@ -555,6 +601,21 @@ static void take_off(const label *l, size_t count, free_space *r)
             space_drop_box(r, l[i].box);
 }
 
+/* False: no memory. */
+static bool enter_vertices(placing *p, const strokes *s, targets *t)
+{
+    const roberts_page *page = &s->options->page;
+    const space_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
+    p->vertices = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &whole);
+    bool done = p->vertices != NULL;
+    for (size_t i = 0; done && i < t->count; i++) {
+        const space_box point = {t->item[i].at, t->item[i].at};
+        if (t->item[i].kind == ROBERTS_LABEL_VERTICES)
+            done = space_add_box(p->vertices, &point, &t->item[i].point);
+    }
+    return done;
+}
+
 bool labels_add(strokes *s, free_space *r)
 {
     const roberts_lettering *lettering = &s->options->lettering;
@@ -565,7 +626,8 @@ bool labels_add(strokes *s, free_space *r)
     size_t count = 0;
     for (int i = 0; i < VERTEX_SIDES; i++)
         p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);
-    bool done = find_targets(s, &t) && (list = alloc_array(t.count, sizeof *list)) != NULL &&
+    bool done = find_targets(s, &t) && enter_vertices(&p, s, &t) &&
+                (list = alloc_array(t.count, sizeof *list)) != NULL &&
                 try_height(&p, strokes_text_height(s->options), s, &t, list, &count);
     for (size_t i = 0; done && i < sizes && !have_room(list, count, r); i++) {
         take_off(list, count, r);
@@ -575,6 +637,7 @@ bool labels_add(strokes *s, free_space *r)
         tell_dropped(lettering, list, count);
     for (size_t i = 0; i < count && done; i++)
         done = list[i].is_dropped || add_note(s, &list[i], p.height);
+    space_free(p.vertices);
     free(list);
     free(t.item);
     return done;
