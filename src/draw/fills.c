@@ -407,8 +407,8 @@ static bool paint(fill_work *w, bool seam, fills *out)
 
 /* ---- plates ---------------------------------------------------------------------------------------------------- */
 
-/* Letters can be read if they have this contrast with what lies below them (WCAG 2, level AA). Paler letters, as those of
- * what is hidden, need not have it: a large part of their contrast with the paper is enough. */
+/* Letters can be read if they have this contrast with what lies below them (WCAG 2, level AA). Paler letters, as those
+ * of what is hidden, need not have it: a large part of their contrast with the paper is enough. */
 static const double least_contrast = 4.5, pale_part = 0.75;
 /* How far a plate reaches beyond its letters, in their heights. */
 static const double plate_rim = 0.25;
@@ -512,8 +512,8 @@ static bool ask_region(void *context, const page_region *region)
     for (plate *p = w->item; p < w->item + w->count; p++)
         for (int i = 0; i < PLATE_POINTS && needed[p->is_back] && !p->is_wanted; i++) {
             const roberts_vec2 at = plate_point(p, i);
-            p->is_wanted = at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y &&
-                           region_holds(region, at);
+            p->is_wanted =
+                at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y && region_holds(region, at);
         }
     return true;
 }

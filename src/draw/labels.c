@@ -102,9 +102,9 @@ static bool is_on_page(const strokes *s, const page_view *view, roberts_vec2 mm)
                                       mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
 }
 
-static bool add_segment(const strokes *s, const page_view *view, uint32_t v, const roberts_segment *segment, targets *t)
+static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *segment, unsigned kinds, targets *t)
 {
-    const unsigned kinds = labelled_kinds(&s->options->lettering);
+    const page_view *view = &s->view[v];
     const bool is_back = segment->state == ROBERTS_HIDDEN;
     const roberts_vec2 a = page_place(&view->map, segment->p0), b = page_place(&view->map, segment->p1);
     const double length = hypot(b.x - a.x, b.y - a.y);
@@ -201,16 +201,16 @@ static void unite(targets *t)
     t->count = kept;
 }
 
-static bool find_targets(const strokes *s, targets *t)
+/* Finds what has a label of one of these kinds. */
+static bool find_targets(const strokes *s, unsigned kinds, targets *t)
 {
-    const unsigned kinds = labelled_kinds(&s->options->lettering);
     for (uint32_t v = 0; v < s->views; v++) {
         const page_view *view = s->view;
         const roberts_drawing *drawing = view[v].drawing;
         roberts_line line;
         for (size_t i = 0; i < drawing->count && (kinds & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES)); i++)
             if (strokes_has_place(s->options, &drawing->segment[i], &line) &&
-                !add_segment(s, &view[v], v, &drawing->segment[i], t))
+                !add_segment(s, v, &drawing->segment[i], kinds, t))
                 return false;
         for (size_t i = 0;
              drawing->regions && i < drawing->regions->count && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
@@ -296,6 +296,25 @@ typedef struct placing {
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;
 
+static void set_height(placing *p, const strokes *s, double height)
+{
+    p->height = height;
+    p->gap = text_gap(s, height);
+}
+
+/* The data for letters of the usual height. */
+static placing placing_of(const strokes *s)
+{
+    placing p = {0};
+    set_height(&p, s, strokes_text_height(s->options));
+    for (int i = 0; i < VERTEX_SIDES; i++)
+        p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);
+    return p;
+}
+
+/* The sum of the directions of a vertex's lines, if they go to all sides. */
+static const double no_direction = 1e-6;
+
 /* How far a box reaches from its middle toward direction `d`. */
 static double reach(roberts_vec2 half, roberts_vec2 d)
 {
@@ -309,7 +328,7 @@ static roberts_vec2 vertex_place(const placing *p, const label *l, size_t i, dou
     const double ring = (double)(i / VERTEX_SIDES), length = hypot(away.x, away.y);
     const double off = reach(l->half, d) + p->gap * (0.5 + 2.0 * ring);
     *cost = farther * ring;
-    if (length > 1e-6)
+    if (length > no_direction)
         *cost += beside_best * (1.0 + (away.x * d.x + away.y * d.y) / length);
     return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
 }
@@ -368,9 +387,8 @@ static roberts_vec2 nearest_point(const target *of, roberts_vec2 p)
 {
     const roberts_vec2 d = {p.x - of->at.x, p.y - of->at.y};
     const double t = fmin(fmax(d.x * of->along.x + d.y * of->along.y, -of->reach), of->reach);
-    return of->kind == ROBERTS_LABEL_EDGES
-               ? (roberts_vec2){of->at.x + t * of->along.x, of->at.y + t * of->along.y}
-               : of->at;
+    return of->kind == ROBERTS_LABEL_EDGES ? (roberts_vec2){of->at.x + t * of->along.x, of->at.y + t * of->along.y}
+                                           : of->at;
 }
 
 /* Does a place seem to belong to another vertex, or to what is behind another line? */
@@ -382,8 +400,7 @@ static bool is_elsewhere(const placing *p, const label *l, const space_box *box,
     const roberts_vec2 start = {from.x + off * (middle.x - from.x), from.y + off * (middle.y - from.y)};
     if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
         return false;
-    return (l->of->kind == ROBERTS_LABEL_VERTICES &&
-            space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
+    return (l->of->kind == ROBERTS_LABEL_VERTICES && space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
            space_is_crossed(p->room, start, middle);
 }
 
@@ -405,9 +422,9 @@ static bool choose_place(const placing *p, label *l)
                                                                           : face_place(p, l, i, &cost);
         const space_box box = box_of(l, middle);
         if (cost < least)
-            cost += cost_of_neighbours(p, l, &box, middle);
-        if (cost < least)
             cost += cost_of_what_lies_there(p->room, &box, l->box, least - cost);
+        if (cost < least)
+            cost += cost_of_neighbours(p, l, &box, middle);
         if (cost < least) {
             least = cost;
             l->middle = middle;
@@ -533,6 +550,144 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
     return count;
 }
 
+/* ---- room for labels beside a drawing ---- */
+
+/* A drawing is not made smaller than this part of its size without labels. */
+static const double least_part = 0.5;
+/* mm: so that rounding takes no label out of the margins. */
+static const double slack_mm = 1e-3;
+
+/* What must be within the margins: a point of the drawing, and how far a label reaches from it to both sides, along one
+ * axis. The point moves with the scale, and the label keeps its size. */
+typedef struct extent {
+    double at, low, high; /* mm; `at` from the middle of the page, before the drawing is made smaller */
+} extent;
+
+/* The ends of all extents where the drawing has `part` of its size; and the part with which they would fill `room`. */
+static double part_that_fits(const extent *e, size_t count, double part, double room, double ends[2])
+{
+    const extent *low = e, *high = e;
+    for (size_t i = 1; i < count; i++) {
+        if (part * e[i].at + e[i].low < part * low->at + low->low)
+            low = &e[i];
+        if (part * e[i].at + e[i].high > part * high->at + high->high)
+            high = &e[i];
+    }
+    ends[0] = part * low->at + low->low;
+    ends[1] = part * high->at + high->high;
+    if (ends[1] - ends[0] <= room)
+        return part;
+    return high->at > low->at ? fmax((room - high->high + low->low) / (high->at - low->at), least_part) : least_part;
+}
+
+/* The largest part with which all extents fit into `room`, by Newton's method: how far they reach is a convex function
+ * of the part, made of straight pieces. */
+static double largest_part(const extent *e, size_t count, double part, double room)
+{
+    double ends[2];
+    for (int i = 0; i < 50; i++) { /* each step is on another piece; few are ever needed */
+        const double next = part_that_fits(e, count, part, room + slack_mm, ends);
+        if (next >= part)
+            break;
+        part = next;
+    }
+    return part;
+}
+
+/* Adds the extents of the box with its middle at `middle`. */
+static void add_extents(extent *along[2], size_t *count, const label *l, roberts_vec2 page, roberts_vec2 middle)
+{
+    const roberts_vec2 at = l->of->at, off = {middle.x - at.x, middle.y - at.y};
+    along[0][*count] = (extent){at.x - page.x, off.x - l->half.x - slack_mm, off.x + l->half.x + slack_mm};
+    along[1][(*count)++] = (extent){at.y - page.y, off.y - l->half.y - slack_mm, off.y + l->half.y + slack_mm};
+}
+
+/* Adds the extents of labels in their best places: that of a vertex away from its lines, that of an edge on both sides
+ * of its middle. */
+static void add_best_places(extent *along[2], size_t *count, const placing *p, const label *l, roberts_vec2 page)
+{
+    double least = INFINITY, cost;
+    roberts_vec2 best = l->of->at;
+    if (l->of->kind == ROBERTS_LABEL_EDGES) {
+        for (size_t i = 0; i < 2; i++)
+            add_extents(along, count, l, page, edge_place(l, i, p->gap, &cost));
+        return;
+    }
+    if (!(hypot(l->of->along.x, l->of->along.y) > no_direction))
+        return; /* its lines go to all sides */
+    for (size_t i = 0; i < VERTEX_SIDES; i++) {
+        const roberts_vec2 middle = vertex_place(p, l, i, &cost);
+        if (cost < least) {
+            least = cost;
+            best = middle;
+        }
+    }
+    add_extents(along, count, l, page, best);
+}
+
+/* The ends of all extents, shortened so that they fit into `room`. The first two extents are those of the drawing. */
+static void ends_within(const extent *e, size_t count, double part, double room, double ends[2])
+{
+    const double low = part * e[0].at, high = part * e[1].at, left = room + slack_mm - (high - low);
+    part_that_fits(e, count, part, INFINITY, ends);
+    const double beyond = low - ends[0] + ends[1] - high;
+    const double kept = beyond > left ? fmax(left, 0.0) / beyond : 1.0;
+    ends[0] = low - kept * (low - ends[0]);
+    ends[1] = high + kept * (ends[1] - high);
+}
+
+/* Widens the box by the labels. `map` is that of the drawing without them. */
+static void widen_box(extent *along[2], size_t count, const strokes *s, const roberts_page *page, roberts_vec2 *min,
+                      roberts_vec2 *max)
+{
+    const page_map *map = &s->view[0].map;
+    const double scale = page_scale(map), wide = page->width_mm - 2.0 * page->margin_mm,
+                 high = page->height_mm - 2.0 * page->margin_mm;
+    double x[2], y[2];
+    double part = largest_part(along[1], count, largest_part(along[0], count, 1.0, wide), high);
+    const double wanted = page_wanted_scale(&s->options->placement, part * scale);
+    if (wanted > 0.0)
+        part = wanted / scale;
+    ends_within(along[0], count, part, wide, x);
+    ends_within(along[1], count, part, high, y);
+    const double unit = map->half / (part * map->half_mm); /* model units per mm */
+    *min = (roberts_vec2){map->centre.x + x[0] * unit, map->centre.y - y[1] * unit};
+    *max = (roberts_vec2){map->centre.x + x[1] * unit, map->centre.y - y[0] * unit};
+}
+
+bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
+                      roberts_vec2 *min, roberts_vec2 *max)
+{
+    const unsigned kinds = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
+    strokes s = {.options = options, .views = 1};
+    targets t = {0};
+    if (!kinds)
+        return true;
+    s.view[0] = (page_view){.drawing = drawing, .map = page_fit(page, *min, *max)};
+    const page_map *map = &s.view[0].map;
+    placing p = placing_of(&s);
+    bool done = find_targets(&s, kinds, &t);
+    label *list = done ? alloc_array(t.count, sizeof *list) : NULL;
+    extent *e = done ? alloc_array(4 * (t.count + 1), sizeof *e) : NULL; /* two places at most, along two axes */
+    if (list && e) {
+        extent *along[2] = {e, e + 2 * (t.count + 1)};
+        const roberts_vec2 a = page_place(map, *min), b = page_place(map, *max);
+        along[0][0] = (extent){a.x - map->page_mm.x, 0.0, 0.0};
+        along[0][1] = (extent){b.x - map->page_mm.x, 0.0, 0.0};
+        along[1][0] = (extent){b.y - map->page_mm.y, 0.0, 0.0}; /* y is down on the page */
+        along[1][1] = (extent){a.y - map->page_mm.y, 0.0, 0.0};
+        size_t count = 2;
+        for (size_t i = 0, labels = make_labels(&p, &s, &t, list); i < labels; i++)
+            add_best_places(along, &count, &p, &list[i], map->page_mm);
+        widen_box(along, count, &s, page, min, max);
+    }
+    done = list && e;
+    free(list);
+    free(e);
+    free(t.item);
+    return done;
+}
+
 /* Hatching would leave no room anywhere, so labels may lie on it. */
 static bool add_pieces_to_room(const strokes *s, const pieces *p, free_space *r)
 {
@@ -584,8 +739,7 @@ bool labels_wanted(const strokes *s)
 /* Makes the labels with letters of this height, and finds their places. */
 static bool try_height(placing *p, double height, const strokes *s, const targets *t, label *list, size_t *count)
 {
-    p->height = height;
-    p->gap = text_gap(s, height);
+    set_height(p, s, height);
     *count = make_labels(p, s, t, list);
     if (!place_all(p, list, *count))
         return false;
@@ -620,13 +774,12 @@ bool labels_add(strokes *s, free_space *r)
 {
     const roberts_lettering *lettering = &s->options->lettering;
     const size_t sizes = lettering->height_mm > 0.0 ? 0 : sizeof smaller_mm / sizeof smaller_mm[0];
-    placing p = {.room = r};
+    placing p = placing_of(s);
     targets t = {0};
     label *list = NULL;
     size_t count = 0;
-    for (int i = 0; i < VERTEX_SIDES; i++)
-        p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);
-    bool done = find_targets(s, &t) && enter_vertices(&p, s, &t) &&
+    p.room = r;
+    bool done = find_targets(s, labelled_kinds(lettering), &t) && enter_vertices(&p, s, &t) &&
                 (list = alloc_array(t.count, sizeof *list)) != NULL &&
                 try_height(&p, strokes_text_height(s->options), s, &t, list, &count);
     for (size_t i = 0; done && i < sizes && !have_room(list, count, r); i++) {

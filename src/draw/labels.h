@@ -18,7 +18,14 @@ bool labels_add(strokes *s, free_space *r);
  * space_free(). NULL: no memory. */
 free_space *labels_room(const strokes *s, const pieces *p, const polylines *lines);
 
-/* How far labels may reach beyond the drawing, mm; 0: there are none beside it. */
+/* Makes room for labels beside a drawing that is to be fitted into the margins of `page`: widens its box from `min` to
+ * `max` so that, once this box is fitted, labels of vertices and edges have room in their best places. False: no
+ * memory. */
+bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
+                      roberts_vec2 *min, roberts_vec2 *max);
+
+/* How far from the window of a drawing labels may reach where all pictures of a series have one window, mm; 0: there
+ * are none beside it. */
 double labels_reach(const roberts_draw_options *options);
 
 #endif

@@ -533,15 +533,16 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page with margins that keep the drawing away from a frame, by 5 mm, and leave room for labels; on small pages by
- * a tenth of the shorter side within the margins each. A drawing with a field of view ends at its frame. */
+/* The page with margins that keep the drawing away from a frame, by 5 mm; on small pages by a tenth of the shorter side
+ * within the margins. A drawing with a field of view ends at its frame. One of a series with a common window has the
+ * same place whatever its labels are, and margins leave room for these. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
     double room_mm = fmin(page.width_mm, page.height_mm) - 2.0 * page.margin_mm;
     if (!options->frame.off && !drawing->framed)
         page.margin_mm += fmin(from_frame_mm, room_mm / 10.0);
-    if (!drawing->framed && options->placement.scale == 0.0)
+    if (drawing->windowed && !drawing->framed && options->placement.scale == 0.0)
         page.margin_mm += fmin(labels_reach(options), room_mm / 10.0);
     return page;
 }
@@ -616,6 +617,9 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     if (drawing->framed)
         roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
     find_box(&shaped, options, &min, &max);
+    if (!drawing->framed && !drawing->windowed && options->placement.scale == 0.0 &&
+        !labels_make_room(drawing, options, &page, &min, &max))
+        return error_no_memory(error);
     if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
     if (drawing->framed) {
