@@ -387,6 +387,64 @@ static bool add_to_page(strokes *s, free_space *r, const dimension *d)
 
 /* ---- all of them ---- */
 
+static void enlarge_box(space_box *box, roberts_vec2 p)
+{
+    box->min = (roberts_vec2){fmin(box->min.x, p.x), fmin(box->min.y, p.y)};
+    box->max = (roberts_vec2){fmax(box->max.x, p.x), fmax(box->max.y, p.y)};
+}
+
+/* Records how far a dimension reaches beyond its view, or that it is a poor one. */
+static void judge(const strokes *s, const free_space *r, const page_view *view, const dimension *d,
+                  distances_outcome *outcome)
+{
+    const roberts_vec2 low = page_place(&view->map, view->drawing->window_min);
+    const roberts_vec2 high = page_place(&view->map, view->drawing->window_max);
+    space_box all = {{low.x, high.y}, {high.x, low.y}}, box[DIMENSION_BOXES];
+    dimension_lines l;
+    if (!dimension_lay(s, d, &l))
+        return;
+    if (line_cost(s, r, l.line[0], l.line[1]) > 0.0)
+        outcome->poor++;
+    for (int i = 0; i < 2; i++) {
+        enlarge_box(&all, l.line[i]);
+        enlarge_box(&all, l.extension[i][1]);
+    }
+    for (size_t i = 0, count = dimension_text_boxes(&l.text, box); i < count; i++) {
+        enlarge_box(&all, box[i].min);
+        enlarge_box(&all, box[i].max);
+    }
+    const double beyond[4] = {low.x - all.min.x, all.max.x - high.x, high.y - all.min.y, all.max.y - low.y};
+    double *reach[4] = {&outcome->reach.view[view->place].left, &outcome->reach.view[view->place].right,
+                        &outcome->reach.view[view->place].above, &outcome->reach.view[view->place].below};
+    for (int i = 0; i < 4; i++)
+        if (beyond[i] > 0.0)
+            *reach[i] = fmax(*reach[i], beyond[i] + margin_mm);
+}
+
+/* Is the distance the width, height or depth of the scene, which the sheet has already? */
+static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bool *is, roberts_error *error)
+{
+    *is = false;
+    for (size_t i = 0; s->options->lettering.overall && i < s->views; i++) {
+        const page_view *view = &s->view[i];
+        const roberts_vec2 low = view->drawing->window_min, high = view->drawing->window_max;
+        roberts_camera camera;
+        roberts_vec3 p[2];
+        if (view->place != ROBERTS_SHEET_FRONT && view->place != ROBERTS_SHEET_SIDE)
+            continue;
+        roberts_sheet_camera(s->sheet->angle, view->place, &camera);
+        roberts_status status = view_map_points(s->options->scene, &camera, end, 2, p, error);
+        if (status != ROBERTS_OK)
+            return status;
+        const roberts_vec3 d = vec3_sub(p[1], p[0]);
+        const double slack = level_part * vec3_length(d);
+        const bool is_level = fabs(d.y) <= slack && fabs(d.z) <= slack && high.x - low.x - fabs(d.x) <= slack;
+        const bool is_upright = fabs(d.x) <= slack && fabs(d.z) <= slack && high.y - low.y - fabs(d.y) <= slack;
+        *is = *is || is_level || (is_upright && view->place == ROBERTS_SHEET_FRONT);
+    }
+    return ROBERTS_OK;
+}
+
 static void warn_left_out(const strokes *s, const roberts_distance *of, const char *why)
 {
     const roberts_warnings *to = &s->options->lettering.warnings;
@@ -397,8 +455,10 @@ static void warn_left_out(const strokes *s, const roberts_distance *of, const ch
     to->warn(to->context, "", 0, text);
 }
 
-static roberts_status add_distance(strokes *s, free_space *r, const roberts_distance *of, roberts_error *error)
+static roberts_status add_distance(strokes *s, free_space *r, const roberts_distance *of, distances_outcome *outcome,
+                                   roberts_error *error)
 {
+    bool is_there;
     roberts_vec3 end[2];
     char text[DIMENSION_TEXT];
     seen_distance seen;
@@ -411,7 +471,10 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
     if (!(length > 0.0))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "dimensions: vertices %u and %u are at one place",
                          (unsigned)of->v0, (unsigned)of->v1);
-    roberts_status status = find_view(s, of, end, &seen, error);
+    roberts_status status = is_overall(s, end, &is_there, error);
+    if (status != ROBERTS_OK || is_there)
+        return status;
+    status = find_view(s, of, end, &seen, error);
     if (status != ROBERTS_OK)
         return status;
     if (!seen.view) {
@@ -421,9 +484,11 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
     dimension_text(length, s->options->lettering.unit, text, sizeof text);
     dimension best = {.text = text};
     if (!find_place(s, r, &seen, &best)) {
+        outcome->poor++;
         warn_left_out(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
         return ROBERTS_OK;
     }
+    judge(s, r, seen.view, &best, outcome);
     return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);
 }
 
@@ -432,13 +497,14 @@ bool distances_wanted(const strokes *s)
     return s->sheet && s->options->lettering.distance_count > 0;
 }
 
-roberts_status distances_add(strokes *s, free_space *r, roberts_error *error)
+roberts_status distances_add(strokes *s, free_space *r, distances_outcome *outcome, roberts_error *error)
 {
     const roberts_lettering *lettering = &s->options->lettering;
     if (!s->options->scene)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "dimensions: distances between vertices need the scene");
     roberts_status status = ROBERTS_OK;
+    *outcome = (distances_outcome){0};
     for (size_t i = 0; i < lettering->distance_count && status == ROBERTS_OK; i++)
-        status = add_distance(s, r, &lettering->distance[i], error);
+        status = add_distance(s, r, &lettering->distance[i], outcome, error);
     return status;
 }

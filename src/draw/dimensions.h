@@ -3,6 +3,7 @@
 #define ROBERTS_DRAW_DIMENSIONS_H
 
 #include "draw/free_space.h"
+#include "draw/sheet.h"
 #include "draw/strokes.h"
 
 /* Returns the space that dimensions need beside a view, mm. */
@@ -15,10 +16,17 @@ bool dimensions_add(strokes *s);
 /* Whether s->options ask for distances on a sheet. */
 bool distances_wanted(const strokes *s);
 
-/* Adds them to s->notes, and to `r`, the room of the page. The lines of the views are in s->lines already. A distance
- * that no view shows in true length, or for which there is no room, is left out with a warning. Returns ROBERTS_OK,
- * _NO_MEMORY or _BAD_ARGUMENT (a vertex is not there, or both are at one place). */
-roberts_status distances_add(strokes *s, free_space *r, roberts_error *error);
+/* What became of the distances. */
+typedef struct distances_outcome {
+    size_t poor;       /* how many have no room, or lie across lines */
+    sheet_reach reach; /* of the others, with what they measure */
+} distances_outcome;
+
+/* Adds them to s->notes, and to `r`, the room of the page, which holds the lines of the views. A distance that no view
+ * shows in true length, or for which there is no room, is left out with a warning. One that is a dimension of the
+ * whole scene is not drawn again. Returns ROBERTS_OK, _NO_MEMORY or _BAD_ARGUMENT (a vertex is not there, or both are
+ * at one place). */
+roberts_status distances_add(strokes *s, free_space *r, distances_outcome *outcome, roberts_error *error);
 
 /* A dimension while it is laid out; mm. */
 typedef struct dimension {

@@ -20,6 +20,7 @@
 static const double default_gap = 15.0, gap_for_distances = 25.0;
 static const double views_from_frame = 10.0;
 static const double symbol_from_frame = 5.0, symbol_from_views = 5.0;
+static const double between_texts = 5.0; /* of two views: so that each is seen to belong to its view */
 
 enum { FRONT = ROBERTS_SHEET_FRONT, TOP = ROBERTS_SHEET_TOP, SIDE = ROBERTS_SHEET_SIDE, ISO = ROBERTS_SHEET_ISO };
 
@@ -42,6 +43,8 @@ typedef struct layout {
     double half_mm;         /* what `half` is on paper */
     double symbol_size;     /* as in sheet_map */
     double left_mm, top_mm; /* of the room for the views */
+    /* What text needs beside all views. */
+    double left, right, above, below;
 } layout;
 
 static range join_ranges(range a, range b)
@@ -86,15 +89,35 @@ static cells widths(range front, range beside, range iso, double gap_mm)
     return c;
 }
 
+/* A gap with room for what reaches into it from both sides. */
+static double widened(double gap_mm, double from_one, double from_other)
+{
+    const double apart = from_one > 0.0 && from_other > 0.0 ? between_texts : 0.0;
+    return fmax(gap_mm, from_one + apart + from_other);
+}
+
 /* Front and top view share their x, front and side view their y. */
-static void divide_sheet(const roberts_sheet *sheet, const roberts_draw_options *options, layout *l)
+static void divide_sheet(const roberts_sheet *sheet, const roberts_draw_options *options, const sheet_reach *reach,
+                         layout *l)
 {
     const double usual = options->lettering.distance_count > 0 ? gap_for_distances : default_gap;
-    const double gap_mm = sheet->gap_mm > 0.0 ? sheet->gap_mm : usual;
+    const int upper = sheet->angle == ROBERTS_THIRD_ANGLE ? TOP : FRONT, lower = upper == TOP ? FRONT : TOP;
+    const int upper_right = upper == TOP ? ISO : SIDE, lower_right = upper == TOP ? SIDE : ISO;
+    double wide = sheet->gap_mm, high = sheet->gap_mm;
+    if (sheet->gap_mm <= 0.0) {
+        wide = widened(usual, fmax(reach->view[FRONT].right, reach->view[TOP].right),
+                       fmax(reach->view[SIDE].left, reach->view[ISO].left));
+        high = widened(usual, fmax(reach->view[upper].below, reach->view[upper_right].below),
+                       fmax(reach->view[lower].above, reach->view[lower_right].above));
+    }
+    l->left = fmax(reach->view[FRONT].left, reach->view[TOP].left);
+    l->right = fmax(reach->view[SIDE].right, reach->view[ISO].right);
+    l->above = fmax(reach->view[upper].above, reach->view[upper_right].above);
+    l->below = fmax(reach->view[lower].below, reach->view[lower_right].below);
     l->x[FRONT] = l->x[TOP] = join_ranges(l->x[FRONT], l->x[TOP]);
     l->y[FRONT] = l->y[SIDE] = join_ranges(l->y[FRONT], l->y[SIDE]);
-    l->columns = widths(l->x[FRONT], l->x[SIDE], l->x[ISO], gap_mm);
-    l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], gap_mm);
+    l->columns = widths(l->x[FRONT], l->x[SIDE], l->x[ISO], wide);
+    l->rows = widths(l->y[FRONT], l->y[TOP], l->y[ISO], high);
 }
 
 /* The size of the symbol if margins and frame leave this width and height. It is no wider and no higher than one of
@@ -159,15 +182,17 @@ static bool find_room(layout *l, const roberts_draw_options *options, bool third
     const roberts_page *page = &options->page;
     double edge = page->margin_mm + (options->frame.off ? 0.0 : views_from_frame);
     double below = options->frame.off ? page->margin_mm : page->margin_mm + symbol_from_frame;
-    *room = (roberts_page){page->width_mm - 2.0 * edge, page->height_mm - edge, 0.0};
-    l->left_mm = l->top_mm = edge;
+    double left = l->left, above = l->above, below_views = l->below;
     if (options->lettering.overall || options->lettering.distance_count > 0) {
         const double beside = dimensions_room(options);
-        l->left_mm += beside;
-        l->top_mm += third ? 0.0 : beside;
-        room->width_mm -= beside;
-        room->height_mm -= beside;
+        left = fmax(left, beside);
+        above = third ? above : fmax(above, beside);
+        below_views = third ? fmax(below_views, beside) : below_views;
     }
+    *room = (roberts_page){page->width_mm - 2.0 * edge - left - l->right, page->height_mm - edge - above - below_views,
+                           0.0};
+    l->left_mm = edge + left;
+    l->top_mm = edge + above;
     if (title_block_is_wanted(options))
         return fit_block(l, options, room, error);
     l->symbol_size = options->symbol.off ? 0.0 : fit_symbol(l, room->width_mm, room->height_mm - below);
@@ -223,7 +248,18 @@ static roberts_vec2 origin(const layout *l, int view, bool top_is_above)
     return at;
 }
 
-bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_map *map, roberts_error *error)
+void sheet_add_reach(sheet_reach *reach, const sheet_reach *more)
+{
+    for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++) {
+        reach->view[i].left = fmax(reach->view[i].left, more->view[i].left);
+        reach->view[i].right = fmax(reach->view[i].right, more->view[i].right);
+        reach->view[i].above = fmax(reach->view[i].above, more->view[i].above);
+        reach->view[i].below = fmax(reach->view[i].below, more->view[i].below);
+    }
+}
+
+bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, const sheet_reach *reach,
+               sheet_map *map, roberts_error *error)
 {
     const roberts_page *page = &options->page;
     const roberts_placement *placement = &options->placement;
@@ -233,7 +269,7 @@ bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, 
     if (!page_placement_is_valid(placement, error))
         return false;
     take_windows(sheet, &l);
-    divide_sheet(sheet, options, &l);
+    divide_sheet(sheet, options, reach, &l);
     if (!find_room(&l, options, third, &room, error) || !find_scale(&l, placement, &room, error))
         return false;
     place_cells(&l.columns, l.half_mm, l.left_mm, room.width_mm, placement->align_x, false);

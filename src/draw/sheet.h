@@ -12,10 +12,22 @@ typedef struct sheet_map {
     roberts_vec2 symbol_mm; /* its lower right corner */
 } sheet_map;
 
+/* How far text and its lines reach beyond the window of each view, mm >= 0. Zeroed: nothing does. */
+typedef struct sheet_reach {
+    struct {
+        double left, right, above, below;
+    } view[ROBERTS_SHEET_VIEWS];
+} sheet_reach;
+
+/* Enlarges `reach` so that it includes `more`. */
+void sheet_add_reach(sheet_reach *reach, const sheet_reach *more);
+
 /* Lays the views on the page by their windows, as options->placement says. The top view has exactly the x of the front
- * view, the side view exactly its y. `options` have been checked. False: the sheet leaves the page at its scale, or
- * margins and gaps leave no room; fills `error`. */
-bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_map *map, roberts_error *error);
+ * view, the side view exactly its y. `reach` has room beside the views, between them unless sheet->gap_mm is given.
+ * `options` have been checked. False: the sheet leaves the page at its scale, or margins and gaps leave no room; fills
+ * `error`. */
+bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, const sheet_reach *reach,
+               sheet_map *map, roberts_error *error);
 
 /* Full size of the symbol with its centre lines, in mm. */
 #define SYMBOL_WIDTH 22.75

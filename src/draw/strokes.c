@@ -26,6 +26,10 @@
  * than half of 2^23 units, so wide pens on its border are safe too. */
 static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coarse_units_per_mm = 100.0;
 
+/* mm: more than a distance reaches from its view: its dimension lines are up to 101 mm from what they measure. */
+static const double farthest_distance = 130.0;
+enum { REACH_ROUNDS = 4 };
+
 static const double from_frame_mm = 5.0; /* clearance inside a frame, so that no outline lies on it */
 
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
@@ -239,6 +243,7 @@ static roberts_status place_text(strokes *s, const pieces *p, roberts_error *err
 {
     polylines standing = {0};
     free_space *room = NULL;
+    distances_outcome outcome;
     roberts_status status = ROBERTS_OK;
     if (!distances_wanted(s) && !labels_wanted(s))
         return ROBERTS_OK;
@@ -247,7 +252,7 @@ static roberts_status place_text(strokes *s, const pieces *p, roberts_error *err
     if (!room)
         status = error_no_memory(error);
     if (status == ROBERTS_OK && distances_wanted(s))
-        status = distances_add(s, room, error);
+        status = distances_add(s, room, &outcome, error);
     if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
         status = error_no_memory(error);
     space_free(room);
@@ -634,14 +639,15 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     return draw(s, error);
 }
 
-roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
-                                  roberts_error *error)
+/* Lays the views of a sheet on the page, with all text but distances and labels. */
+static roberts_status lay_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
+                                const sheet_reach *reach, roberts_error *error)
 {
     sheet_map map;
     roberts_draw_options within = *options;
     *s = nothing_drawn(options);
     within.page = page_within_edge(options->page, widest_pen(sheet->view, ROBERTS_SHEET_VIEWS, options), options);
-    if (!sheet_lay(sheet, &within, &map, error))
+    if (!sheet_lay(sheet, &within, reach, &map, error))
         return ROBERTS_BAD_ARGUMENT;
     for (int i = 0; i < ROBERTS_SHEET_VIEWS; i++)
         if (sheet->view[i])
@@ -651,9 +657,99 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     s->symbol_size = map.symbol_size;
     s->symbol_mm = map.symbol_mm;
     warn_tiny(s);
-    if (!zones_add(s) || !title_block_add(s) || !dimensions_add(s))
-        return error_no_memory(error);
-    return draw(s, error);
+    return zones_add(s) && title_block_add(s) && dimensions_add(s) ? ROBERTS_OK : error_no_memory(error);
+}
+
+/* Finds out what becomes of the distances on a sheet, and its scale in mm per model unit. Nothing is kept. */
+static roberts_status try_distances(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                    const sheet_reach *reach, distances_outcome *outcome, double *scale,
+                                    roberts_error *error)
+{
+    strokes s;
+    polylines standing = {0};
+    pieces p = {0};
+    free_space *room = NULL;
+    size_t segments = 0;
+    roberts_status status = lay_sheet(&s, sheet, options, reach, error);
+    for (size_t i = 0; i < s.views; i++)
+        segments += s.view[i].drawing->count;
+    if (status == ROBERTS_OK && (p.item = alloc_array(segments, sizeof *p.item)) != NULL) {
+        for (size_t i = 0; i < s.views; i++)
+            collect(&s, &s.view[i], 0, &p);
+        *scale = page_scale(&s.map);
+        if ((options->frame.off || add_frame(&s, &standing)) && (options->symbol.off || add_symbol(&s, &standing)))
+            room = labels_room(&s, &p, &standing);
+    }
+    if (status == ROBERTS_OK)
+        status = room ? distances_add(&s, room, outcome, error) : error_no_memory(error);
+    space_free(room);
+    polylines_free(&standing);
+    free(p.item);
+    strokes_free(&s);
+    return status;
+}
+
+/* Enlarges the reach by that of the distances if there were room for all of them, on a far larger page, at this scale.
+ */
+static roberts_status add_reach(const roberts_sheet *sheet, const roberts_draw_options *options, double scale,
+                                sheet_reach *reach, roberts_error *error)
+{
+    const sheet_reach none = {0};
+    roberts_sheet apart = *sheet;
+    roberts_draw_options wide = *options;
+    distances_outcome outcome;
+    apart.gap_mm = 2.0 * farthest_distance;
+    wide.page.width_mm += 4.0 * farthest_distance;
+    wide.page.height_mm += 4.0 * farthest_distance;
+    wide.placement = (roberts_placement){.scale = scale};
+    const roberts_status status = try_distances(&apart, &wide, &none, &outcome, &scale, error);
+    if (status == ROBERTS_OK)
+        sheet_add_reach(reach, &outcome.reach);
+    return status;
+}
+
+/* Where distances do not all find a good place on the sheet, views must be farther apart, or farther from the margins.
+ * Finds how far, in a few rounds: they make the scale smaller, and then the distances reach a little farther. Without a
+ * better result there, nothing is changed. */
+static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_reach *best,
+                                 roberts_error *error)
+{
+    roberts_draw_options quiet = *options;
+    distances_outcome outcome;
+    sheet_reach reach = {0};
+    size_t least = SIZE_MAX;
+    double scale;
+    roberts_error why;
+    roberts_status status = ROBERTS_OK;
+    quiet.lettering.warnings = (roberts_warnings){0};
+    for (int round = 0; round < REACH_ROUNDS && least > 0 && status == ROBERTS_OK; round++) {
+        if (round > 0)
+            status = add_reach(sheet, &quiet, scale, &reach, &why);
+        if (status == ROBERTS_OK)
+            status = try_distances(sheet, &quiet, &reach, &outcome, &scale, &why);
+        if (status == ROBERTS_OK && outcome.poor < least) {
+            least = outcome.poor;
+            *best = reach;
+        }
+    }
+    if (status == ROBERTS_BAD_ARGUMENT && least < SIZE_MAX)
+        status = ROBERTS_OK; /* there is no room for such a reach */
+    if (status != ROBERTS_OK && error)
+        *error = why;
+    return status;
+}
+
+roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
+                                  roberts_error *error)
+{
+    sheet_reach reach = {0};
+    roberts_status status = ROBERTS_OK;
+    *s = (strokes){0};
+    if (options->lettering.distance_count > 0)
+        status = find_reach(sheet, options, &reach, error);
+    if (status == ROBERTS_OK)
+        status = lay_sheet(s, sheet, options, &reach, error);
+    return status == ROBERTS_OK ? draw(s, error) : status;
 }
 
 void strokes_free(strokes *s)

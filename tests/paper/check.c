@@ -126,7 +126,7 @@ bool rows_place_sheet(row_list *r, const roberts_sheet *sheet, const roberts_dra
     sheet_map map;
     *r = (row_list){.frame_mm = {{page->margin_mm, page->margin_mm},
                                  {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
-    bool done = sheet_lay(sheet, options, &map, NULL);
+    bool done = sheet_lay(sheet, options, &(sheet_reach){0}, &map, NULL);
     for (int i = 0; i < ROBERTS_SHEET_VIEWS && done; i++)
         if (sheet->view[i])
             done = add_rows(r, sheet->view[i], options, &map.view[i], (roberts_vec2){0}, (roberts_vec2){0});

@@ -186,6 +186,56 @@ static void nothing_collides(void **state)
         }
 }
 
+/* A fitted sheet leaves room for distances: beside this top view that reaches the margins there was none, so that
+ * dimension lines went through it. */
+static void room_on_a_fitted_sheet(void **state)
+{
+    static const roberts_distance distance[] = {{0, 1}, {1, 2}};
+    (void)state;
+    for (int angle = ROBERTS_FIRST_ANGLE; angle <= ROBERTS_THIRD_ANGLE; angle++)
+        for (int overall = 0; overall < 2; overall++) {
+            views v;
+            strokes s;
+            hide_views(&v, "platonic/dodecahedron", (roberts_sheet_angle)angle);
+            roberts_draw_options options = with(&v, distance, 2);
+            options.page = (roberts_page){297, 210, 10};
+            options.lettering.overall = overall;
+            assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+            assert_string_equal(warning, "");
+            assert_int_equal(s.notes.count, overall ? 5 : 2);
+            assert_int_equal(s.notes.lines.count, LINES * s.notes.count);
+            for (size_t i = LINES * (s.notes.count - 2); i < s.notes.lines.count; i += LINES) {
+                polylines one = {.item = &s.notes.lines.item[i + 2], .count = 1, .point = s.notes.lines.point};
+                check_crossings(&one, &s.lines, s.start[LINE_CLASSES - 2], "a dimension line");
+            }
+            check_collisions(&s);
+            strokes_free(&s);
+            free_views(&v);
+        }
+}
+
+/* The width, height or depth of the whole scene is drawn once, also where it is the distance of two vertices, too. */
+static void overall_once(void **state)
+{
+    static const roberts_distance distance[] = {{0, 1}, {0, 4}, {0, 2}, {0, 3}}; /* three edges and a diagonal */
+    (void)state;
+    for (int angle = ROBERTS_FIRST_ANGLE; angle <= ROBERTS_THIRD_ANGLE; angle++) {
+        views v;
+        strokes s;
+        hide_views(&v, "platonic/cube", (roberts_sheet_angle)angle);
+        roberts_draw_options options = with(&v, distance, 4);
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.count, 4);
+        strokes_free(&s);
+        options.lettering.overall = true;
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.count, 3 + 1);
+        assert_string_equal(warning, "");
+        strokes_free(&s);
+        free_views(&v);
+    }
+}
+
 /* ---- what cannot be drawn ---- */
 
 static void refused(views *v, roberts_distance of, bool has_scene, const char *wanted)
@@ -235,6 +285,7 @@ static void errors_and_warnings(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(lengths_and_views), cmocka_unit_test(nothing_collides),
+                                       cmocka_unit_test(room_on_a_fitted_sheet), cmocka_unit_test(overall_once),
                                        cmocka_unit_test(errors_and_warnings)};
     return cmocka_run_group_tests_name("distances", tests, NULL, NULL);
 }
