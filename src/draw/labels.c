@@ -552,6 +552,9 @@ static size_t make_labels(const placing *p, const strokes *s, const targets *t, 
 
 /* ---- room for labels beside a drawing ---- */
 
+/* What has its label beside it. */
+static const unsigned beside_kinds = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
+
 /* A drawing is not made smaller than this part of its size without labels. */
 static const double least_part = 0.5;
 /* mm: so that rounding takes no label out of the margins. */
@@ -586,7 +589,7 @@ static double largest_part(const extent *e, size_t count, double part, double ro
 {
     double ends[2];
     for (int i = 0; i < 50; i++) { /* each step is on another piece; few are ever needed */
-        const double next = part_that_fits(e, count, part, room + slack_mm, ends);
+        const double next = part_that_fits(e, count, part, room, ends);
         if (next >= part)
             break;
         part = next;
@@ -594,41 +597,44 @@ static double largest_part(const extent *e, size_t count, double part, double ro
     return part;
 }
 
-/* Adds the extents of the box with its middle at `middle`. */
-static void add_extents(extent *along[2], size_t *count, const label *l, roberts_vec2 page, roberts_vec2 middle)
-{
-    const roberts_vec2 at = l->of->at, off = {middle.x - at.x, middle.y - at.y};
-    along[0][*count] = (extent){at.x - page.x, off.x - l->half.x - slack_mm, off.x + l->half.x + slack_mm};
-    along[1][(*count)++] = (extent){at.y - page.y, off.y - l->half.y - slack_mm, off.y + l->half.y + slack_mm};
-}
-
-/* Adds the extents of labels in their best places: that of a vertex away from its lines, that of an edge on both sides
- * of its middle. */
-static void add_best_places(extent *along[2], size_t *count, const placing *p, const label *l, roberts_vec2 page)
+/* Finds the middle of a label in its best place: that of a vertex away from its lines, that of an edge on both sides of
+ * its middle. Returns how many places there are. */
+static size_t best_places(const placing *p, const label *l, roberts_vec2 middle[2])
 {
     double least = INFINITY, cost;
-    roberts_vec2 best = l->of->at;
     if (l->of->kind == ROBERTS_LABEL_EDGES) {
-        for (size_t i = 0; i < 2; i++)
-            add_extents(along, count, l, page, edge_place(l, i, p->gap, &cost));
-        return;
+        middle[0] = edge_place(l, 0, p->gap, &cost);
+        middle[1] = edge_place(l, 1, p->gap, &cost);
+        return 2;
     }
     if (!(hypot(l->of->along.x, l->of->along.y) > no_direction))
-        return; /* its lines go to all sides */
+        return 0; /* its lines go to all sides */
     for (size_t i = 0; i < VERTEX_SIDES; i++) {
-        const roberts_vec2 middle = vertex_place(p, l, i, &cost);
+        const roberts_vec2 place = vertex_place(p, l, i, &cost);
         if (cost < least) {
             least = cost;
-            best = middle;
+            middle[0] = place;
         }
     }
-    add_extents(along, count, l, page, best);
+    return 1;
+}
+
+/* Adds the extents of the best places of a label. */
+static void add_extents(extent *along[2], size_t *count, const placing *p, const label *l, roberts_vec2 page)
+{
+    const roberts_vec2 at = l->of->at, half = {l->half.x + slack_mm, l->half.y + slack_mm};
+    roberts_vec2 middle[2];
+    for (size_t i = 0, places = best_places(p, l, middle); i < places; i++) {
+        const roberts_vec2 off = {middle[i].x - at.x, middle[i].y - at.y};
+        along[0][*count] = (extent){at.x - page.x, off.x - half.x, off.x + half.x};
+        along[1][(*count)++] = (extent){at.y - page.y, off.y - half.y, off.y + half.y};
+    }
 }
 
 /* The ends of all extents, shortened so that they fit into `room`. The first two extents are those of the drawing. */
 static void ends_within(const extent *e, size_t count, double part, double room, double ends[2])
 {
-    const double low = part * e[0].at, high = part * e[1].at, left = room + slack_mm - (high - low);
+    const double low = part * e[0].at, high = part * e[1].at, left = room - (high - low);
     part_that_fits(e, count, part, INFINITY, ends);
     const double beyond = low - ends[0] + ends[1] - high;
     const double kept = beyond > left ? fmax(left, 0.0) / beyond : 1.0;
@@ -644,10 +650,10 @@ static void widen_box(extent *along[2], size_t count, const strokes *s, const ro
     const double scale = page_scale(map), wide = page->width_mm - 2.0 * page->margin_mm,
                  high = page->height_mm - 2.0 * page->margin_mm;
     double x[2], y[2];
-    double part = largest_part(along[1], count, largest_part(along[0], count, 1.0, wide), high);
-    const double wanted = page_wanted_scale(&s->options->placement, part * scale);
-    if (wanted > 0.0)
-        part = wanted / scale;
+    const double wanted = page_wanted_scale(&s->options->placement, scale);
+    /* labels are not worth a step of the standard scales */
+    const double part =
+        wanted > 0.0 ? wanted / scale : largest_part(along[1], count, largest_part(along[0], count, 1.0, wide), high);
     ends_within(along[0], count, part, wide, x);
     ends_within(along[1], count, part, high, y);
     const double unit = map->half / (part * map->half_mm); /* model units per mm */
@@ -658,7 +664,7 @@ static void widen_box(extent *along[2], size_t count, const strokes *s, const ro
 bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
                       roberts_vec2 *min, roberts_vec2 *max)
 {
-    const unsigned kinds = labelled_kinds(&options->lettering) & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
+    const unsigned kinds = labelled_kinds(&options->lettering) & beside_kinds;
     strokes s = {.options = options, .views = 1};
     targets t = {0};
     if (!kinds)
@@ -678,7 +684,7 @@ bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options
         along[1][1] = (extent){a.y - map->page_mm.y, 0.0, 0.0};
         size_t count = 2;
         for (size_t i = 0, labels = make_labels(&p, &s, &t, list); i < labels; i++)
-            add_best_places(along, &count, &p, &list[i], map->page_mm);
+            add_extents(along, &count, &p, &list[i], map->page_mm);
         widen_box(along, count, &s, page, min, max);
     }
     done = list && e;
@@ -686,6 +692,37 @@ bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options
     free(e);
     free(t.item);
     return done;
+}
+
+/* Enlarges the reach by a label in its best places. */
+static void add_label_reach(const placing *p, const strokes *s, const label *l, sheet_reach *reach)
+{
+    const page_view *view = &s->view[l->of->view];
+    const roberts_vec2 low = page_place(&view->map, view->drawing->window_min);
+    const roberts_vec2 high = page_place(&view->map, view->drawing->window_max);
+    roberts_vec2 middle[2];
+    for (size_t i = 0, places = best_places(p, l, middle); i < places; i++) {
+        const space_box box = box_of(l, middle[i]);
+        sheet_reach own = {0};
+        own.view[view->place].left = low.x - box.min.x + slack_mm;
+        own.view[view->place].right = box.max.x - high.x + slack_mm;
+        own.view[view->place].above = high.y - box.min.y + slack_mm;
+        own.view[view->place].below = box.max.y - low.y + slack_mm;
+        sheet_add_reach(reach, &own);
+    }
+}
+
+bool labels_add_reach(const strokes *s, sheet_reach *reach)
+{
+    targets t = {0};
+    placing p = placing_of(s);
+    const bool found = find_targets(s, labelled_kinds(&s->options->lettering) & beside_kinds, &t);
+    label *list = found ? alloc_array(t.count, sizeof *list) : NULL;
+    for (size_t i = 0, count = list ? make_labels(&p, s, &t, list) : 0; i < count; i++)
+        add_label_reach(&p, s, &list[i], reach);
+    free(list);
+    free(t.item);
+    return list != NULL;
 }
 
 /* Hatching would leave no room anywhere, so labels may lie on it. */

@@ -4,6 +4,7 @@
 
 #include "draw/free_space.h"
 #include "draw/notes.h"
+#include "draw/sheet.h"
 #include "draw/strokes.h"
 
 /* Whether s->options ask for any. */
@@ -23,6 +24,10 @@ free_space *labels_room(const strokes *s, const pieces *p, const polylines *line
  * memory. */
 bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
                       roberts_vec2 *min, roberts_vec2 *max);
+
+/* Enlarges `reach` by the labels of vertices and edges in their best places, on a sheet that has been laid out. False:
+ * no memory. */
+bool labels_add_reach(const strokes *s, sheet_reach *reach);
 
 /* How far from the window of a drawing labels may reach where all pictures of a series have one window, mm; 0: there
  * are none beside it. */

@@ -29,6 +29,9 @@ static const double finest_longest_mm = 4000.0, fine_units_per_mm = 1000.0, coar
 /* mm: more than a distance reaches from its view: its dimension lines are up to 101 mm from what they measure. */
 static const double farthest_distance = 130.0;
 enum { REACH_ROUNDS = 4 };
+/* Views are not made smaller than this part of their size for distances, which is a step of the standard scales, and
+ * not even by such a step for labels. */
+static const double least_for_distances = 0.4, least_for_labels = 0.5;
 
 static const double from_frame_mm = 5.0; /* clearance inside a frame, so that no outline lies on it */
 
@@ -710,7 +713,7 @@ static roberts_status add_reach(const roberts_sheet *sheet, const roberts_draw_o
 
 /* Where distances do not all find a good place on the sheet, views must be farther apart, or farther from the margins.
  * Finds how far, in a few rounds: they make the scale smaller, and then the distances reach a little farther. Without a
- * better result there, nothing is changed. */
+ * better result there, nothing is changed; nor are views made smaller than a part of their size. */
 static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_reach *best,
                                  roberts_error *error)
 {
@@ -718,7 +721,7 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
     distances_outcome outcome;
     sheet_reach reach = {0};
     size_t least = SIZE_MAX;
-    double scale;
+    double scale = 0.0, smallest = 0.0;
     roberts_error why;
     roberts_status status = ROBERTS_OK;
     quiet.lettering.warnings = (roberts_warnings){0};
@@ -727,7 +730,9 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
             status = add_reach(sheet, &quiet, scale, &reach, &why);
         if (status == ROBERTS_OK)
             status = try_distances(sheet, &quiet, &reach, &outcome, &scale, &why);
-        if (status == ROBERTS_OK && outcome.poor < least) {
+        if (round == 0)
+            smallest = (1.0 - 1e-9) * least_for_distances * scale;
+        if (status == ROBERTS_OK && outcome.poor < least && scale >= smallest) {
             least = outcome.poor;
             *best = reach;
         }
@@ -739,6 +744,28 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
     return status;
 }
 
+/* Enlarges the reach by labels that belong beside their vertices and edges, if there is room for that. */
+static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                       sheet_reach *reach, roberts_error *error)
+{
+    roberts_draw_options quiet = *options;
+    sheet_reach wanted = *reach;
+    strokes s;
+    quiet.lettering.warnings = (roberts_warnings){0};
+    roberts_status status = lay_sheet(&s, sheet, &quiet, reach, error);
+    const double scale = page_scale(&s.map);
+    if (status == ROBERTS_OK && !labels_add_reach(&s, &wanted))
+        status = error_no_memory(error);
+    strokes_free(&s);
+    if (status != ROBERTS_OK)
+        return status;
+    if (lay_sheet(&s, sheet, &quiet, &wanted, NULL) == ROBERTS_OK &&
+        page_scale(&s.map) > (1.0 + 1e-9) * least_for_labels * scale)
+        *reach = wanted;
+    strokes_free(&s);
+    return ROBERTS_OK;
+}
+
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
                                   roberts_error *error)
 {
@@ -747,6 +774,8 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     *s = (strokes){0};
     if (options->lettering.distance_count > 0)
         status = find_reach(sheet, options, &reach, error);
+    if (status == ROBERTS_OK && labels_wanted(&(strokes){.options = options}) && options->placement.scale == 0.0)
+        status = find_label_reach(sheet, options, &reach, error);
     if (status == ROBERTS_OK)
         status = lay_sheet(s, sheet, options, &reach, error);
     return status == ROBERTS_OK ? draw(s, error) : status;

@@ -10,9 +10,10 @@
 #include "draw/strokes.h"
 #include "drawing.h"
 #include "letters_box.h"
+#include "sheet_views.h"
 #include "testing.h"
 
-static const double pages[][2] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
+static const double upright[][2] = {{210, 297}, {297, 420}, {420, 594}, {594, 841}, {841, 1189}};
 
 typedef struct told {
     size_t count;
@@ -31,8 +32,8 @@ static void tell(void *context, const char *file, size_t line, const char *messa
 static roberts_draw_options options_of(unsigned labels, size_t page, told *warnings)
 {
     roberts_draw_options options = roberts_draw_options_default();
-    options.page.width_mm = pages[page][0];
-    options.page.height_mm = pages[page][1];
+    options.page.width_mm = upright[page][0];
+    options.page.height_mm = upright[page][1];
     options.lettering.labels = labels;
     options.lettering.warnings = (roberts_warnings){tell, warnings};
     return options;
@@ -175,6 +176,35 @@ static void fitted_with_its_labels(void **state)
     assert_true(fabs(width * page_scale(&s.map) - 65.0) < 0.1);
     strokes_free(&s);
     roberts_drawing_free(&drawing);
+}
+
+/* So are the views of a sheet. The label of a vertex on the upper border of the top view, which reached the margin,
+ * stood within the view. */
+static void sheet_with_its_labels(void **state)
+{
+    const roberts_name name = {ROBERTS_LABEL_VERTICES, 12, 0, "right side"};
+    told warnings = {0};
+    views v;
+    strokes s;
+    (void)state;
+    hide_views(&v, "platonic/dodecahedron", ROBERTS_THIRD_ANGLE);
+    roberts_draw_options options = options_of(0, 0, &warnings);
+    options.page = (roberts_page){297, 210, 10};
+    options.lettering.name = &name;
+    options.lettering.name_count = 1;
+    assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+    assert_int_equal(s.notes.count, 3);
+    for (size_t i = 0; i < s.notes.count; i++)
+        for (size_t k = 0; k < s.views; k++) {
+            const page_view *view = &s.view[k];
+            const roberts_vec2 a = page_place(&view->map, view->drawing->window_min);
+            const roberts_vec2 b = page_place(&view->map, view->drawing->window_max);
+            const space_box box = letters_box(notes_line(&s.notes, i)), window = {{a.x, b.y}, {b.x, a.y}};
+            assert_true(is_apart(box, window));
+            assert_true(box.min.x >= 10.0 && box.min.y >= 10.0 && box.max.x <= 287.0 && box.max.y <= 200.0);
+        }
+    strokes_free(&s);
+    free_views(&v);
 }
 
 /* If there is little room, labels are left out and counted; the others lie apart. */
@@ -527,6 +557,7 @@ int main(void)
         cmocka_unit_test(hidden_and_named),      cmocka_unit_test(same_again),
         cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame),
         cmocka_unit_test(what_lies_in_a_box),    cmocka_unit_test(labels_keep_apart),
-        cmocka_unit_test(none_behind_a_line),    cmocka_unit_test(fitted_with_its_labels)};
+        cmocka_unit_test(none_behind_a_line),    cmocka_unit_test(fitted_with_its_labels),
+        cmocka_unit_test(sheet_with_its_labels)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
