@@ -279,19 +279,46 @@ static double turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-bool space_is_crossed(const free_space *r, roberts_vec2 a, roberts_vec2 b)
+bool space_lines_cross(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c, roberts_vec2 d)
+{
+    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+}
+
+bool space_line_meets_box(roberts_vec2 a, roberts_vec2 b, const space_box *box)
+{
+    double t[2];
+    return clip(a, b, box, t) && t[0] < t[1];
+}
+
+bool space_line_meets_boxes(const free_space *r, roberts_vec2 a, roberts_vec2 b, uint32_t own)
 {
     const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
     const cells in = cells_of(r, &box);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
+            for (uint32_t i = r->first_box[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next)
+                if (r->entry[i].what != own && space_line_meets_box(a, b, &r->box[r->entry[i].what]))
+                    return true;
+    return false;
+}
+
+/* A crossing counts in its own cell. */
+size_t space_count_crossings(const free_space *r, roberts_vec2 a, roberts_vec2 b)
+{
+    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const cells in = cells_of(r, &box);
+    size_t count = 0;
+    for (uint32_t y = in.low_y; y <= in.high_y; y++)
+        for (uint32_t x = in.low_x; x <= in.high_x; x++)
             for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
                 const page_line *line = &r->line[r->entry[i].what];
-                if (turn(a, b, line->a) * turn(a, b, line->b) < 0.0 &&
-                    turn(line->a, line->b, a) * turn(line->a, line->b, b) < 0.0)
-                    return true;
+                const double from = turn(line->a, line->b, a), to = turn(line->a, line->b, b);
+                const double t = from / (from - to); /* used only if they cross */
+                count += space_lines_cross(a, b, line->a, line->b) &&
+                         cell_along_page(a.x + t * (b.x - a.x), r->cell_mm, r->columns) == x &&
+                         cell_along_page(a.y + t * (b.y - a.y), r->cell_mm, r->rows) == y;
             }
-    return false;
+    return count;
 }
 
 static int by_start(const void *a, const void *b)

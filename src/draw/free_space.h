@@ -40,8 +40,15 @@ space_load space_load_of(const free_space *r, const space_box *box, uint32_t own
 /* How far the nearest box is from `box`, at most `most` mm; 0: it overlaps. The box of number `own` does not count. */
 double space_to_next_box(const free_space *r, const space_box *box, uint32_t own, double most);
 
-/* Does a line cross the one from a to b? One that ends on it does not. */
-bool space_is_crossed(const free_space *r, roberts_vec2 a, roberts_vec2 b);
+/* How many lines cross the one from a to b. One that ends on it does not. */
+size_t space_count_crossings(const free_space *r, roberts_vec2 a, roberts_vec2 b);
+
+/* Do the lines from a to b and from c to d cross, not just touch? */
+bool space_lines_cross(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c, roberts_vec2 d);
+
+/* Does the line from a to b have a part within a box; within any box of the page but `own`? */
+bool space_line_meets_box(roberts_vec2 a, roberts_vec2 b, const space_box *box);
+bool space_line_meets_boxes(const free_space *r, roberts_vec2 a, roberts_vec2 b, uint32_t own);
 
 /* Parts of a line, as parameters along it. Zeroed = empty; release with free(item). */
 typedef struct space_part {

@@ -76,6 +76,8 @@ typedef struct label {
     uint32_t box;      /* in the room; or NO_BOX */
     roberts_vec2 middle;
     bool is_dropped; /* there is no room for it */
+    bool has_leader;
+    roberts_vec2 leader; /* where the line from of->at to the label ends */
 } label;
 
 /* ---- what has a label ---- */
@@ -401,7 +403,7 @@ static bool is_elsewhere(const placing *p, const label *l, const space_box *box,
     if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
         return false;
     return (l->of->kind == ROBERTS_LABEL_VERTICES && space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
-           space_is_crossed(p->room, start, middle);
+           space_count_crossings(p->room, start, middle) > 0;
 }
 
 /* The cost of what is near by. */
@@ -442,13 +444,18 @@ static int by_freedom(const void *a, const void *b)
     return p->kind != q->kind ? (p->kind > q->kind ? -1 : 1) : (p > q) - (p < q);
 }
 
+/* Enters the box of a label into the room. False: no memory. */
+static bool place_box(const placing *p, label *l)
+{
+    const space_box box = box_of(l, l->middle);
+    return l->box == NO_BOX ? space_add_box(p->room, &box, &l->box) : space_move_box(p->room, l->box, &box);
+}
+
 /* Puts a label where it is best. False: no memory. */
 static bool place_one(const placing *p, label *l)
 {
-    const bool found = choose_place(p, l);
-    const space_box box = box_of(l, l->middle);
-    if (found)
-        return l->box == NO_BOX ? space_add_box(p->room, &box, &l->box) : space_move_box(p->room, l->box, &box);
+    if (choose_place(p, l))
+        return place_box(p, l);
     if (l->box != NO_BOX)
         space_drop_box(p->room, l->box);
     l->box = NO_BOX;
@@ -475,6 +482,121 @@ static void drop_some(label *l, size_t count, free_space *r)
         if (l[i].is_dropped && l[i].box != NO_BOX)
             space_drop_box(r, l[i].box);
     }
+}
+
+/* ---- leader lines ---- */
+
+/* A face or body may be too narrow for its label. Then the label moves to a free place near by, and a leader line goes
+ * from there to a dot in the face (ISO 128-22). It goes through no label and crosses no other leader line. */
+
+enum {
+    LEADER_RINGS = 12, /* distances from the middle of the region, a height of the letters each */
+    LEADERS_MOST = 100 /* so that the work is bounded: each is compared with the others */
+};
+static const double most_leaders = 0.25;   /* part of the labels: more would be a thicket, and then there are none */
+static const double leader_crowded = 2.0;  /* the most that a place costs for being near to another label */
+static const double leader_crossing = 1.0; /* cost of each line that a leader line crosses */
+static const double leader_apart_heights = 3.0; /* heights of letters: other labels are near if they are nearer */
+static const double dot_radius = 0.3;           /* mm */
+
+static bool lies_on_lines(const placing *p, const label *l)
+{
+    const space_box box = box_of(l, l->middle);
+    return space_load_of(p->room, &box, l->box, UINT32_MAX, ANYTHING).mm > 0.0;
+}
+
+static bool needs_leader(const placing *p, const label *l)
+{
+    const bool is_area = l->of->kind == ROBERTS_LABEL_FACES || l->of->kind == ROBERTS_LABEL_BODIES;
+    return is_area && (l->is_dropped || lies_on_lines(p, l));
+}
+
+/* Does a label in `box`, and its leader line to `end`, keep off the labels, and off the leader lines of others? */
+static bool leader_is_free(const placing *p, const label *l, const space_box *box, roberts_vec2 end, const label *list,
+                           size_t count)
+{
+    if (space_line_meets_boxes(p->room, l->of->at, end, UINT32_MAX))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        if (list[i].has_leader && (space_lines_cross(l->of->at, end, list[i].of->at, list[i].leader) ||
+                                   space_line_meets_box(list[i].of->at, list[i].leader, box)))
+            return false;
+    return true;
+}
+
+/* Place `i` beyond a region; `*end` receives the end of the leader line, and `*cost` what its length costs. */
+static roberts_vec2 leader_place(const placing *p, const label *l, size_t i, roberts_vec2 *end, double *cost)
+{
+    const roberts_vec2 d = p->side[i % VERTEX_SIDES];
+    const double length = p->height * (1.0 + (double)(i / VERTEX_SIDES)),
+                 off = length + 0.5 * p->gap + reach(l->half, d);
+    *end = (roberts_vec2){l->of->at.x + length * d.x, l->of->at.y + length * d.y};
+    *cost = farther * length / p->height;
+    return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
+}
+
+/* What a place beyond a region costs: lines that the leader line crosses, or would cross beside its way; labels near
+ * by, since what stands in another face seems to belong there. */
+static double leader_cost(const placing *p, const label *l, const space_box *box, roberts_vec2 end)
+{
+    const roberts_vec2 at = l->of->at;
+    const double length = hypot(end.x - at.x, end.y - at.y), apart = leader_apart_heights * p->height;
+    double crossed = 0.0;
+    for (int side = -1; side <= 1; side++) {
+        const roberts_vec2 off = {side * p->gap * (end.y - at.y) / length, side * p->gap * (at.x - end.x) / length};
+        crossed += (double)space_count_crossings(p->room, (roberts_vec2){at.x + off.x, at.y + off.y},
+                                                 (roberts_vec2){end.x + off.x, end.y + off.y});
+    }
+    return leader_crossing * crossed / 3.0 +
+           leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart);
+}
+
+/* Moves a label, which is not in the room, to the cheapest free place with a leader line. False: no memory. */
+static bool lead_out(const placing *p, label *l, const label *list, size_t count)
+{
+    double least = INFINITY;
+    for (size_t i = 0; i < VERTEX_SIDES * LEADER_RINGS; i++) {
+        double cost;
+        roberts_vec2 end;
+        const roberts_vec2 middle = leader_place(p, l, i, &end, &cost);
+        const space_box box = box_of(l, middle);
+        if (cost >= least || space_load_of(p->room, &box, UINT32_MAX, 0, ANYTHING).mm > 0.0)
+            continue;
+        cost += leader_cost(p, l, &box, end);
+        if (cost < least && leader_is_free(p, l, &box, end, list, count)) {
+            least = cost;
+            l->middle = middle;
+            l->leader = end;
+        }
+    }
+    l->has_leader = least < INFINITY;
+    return !l->has_leader || place_box(p, l);
+}
+
+/* Gives leader lines to labels that need them, unless too many do. False: no memory. */
+static bool add_leaders(const placing *p, label *l, size_t count)
+{
+    size_t needed = 0;
+    for (size_t i = 0; i < count; i++)
+        needed += needs_leader(p, &l[i]);
+    if (needed > LEADERS_MOST || (double)needed > most_leaders * (double)count)
+        return true;
+    for (size_t i = 0; i < count; i++) {
+        const label before = l[i];
+        if (!needs_leader(p, &l[i]))
+            continue;
+        if (!l[i].is_dropped)
+            space_drop_box(p->room, l[i].box);
+        l[i].is_dropped = false;
+        if (!lead_out(p, &l[i], l, count))
+            return false;
+        if (l[i].has_leader)
+            continue;
+        l[i] = before;
+        if (!before.is_dropped && !place_box(p, &l[i]))
+            return false;
+    }
+    return true;
 }
 
 static size_t count_dropped(const label *l, size_t count)
@@ -524,6 +646,9 @@ static bool add_note(strokes *s, const label *l, double height)
                             .align = 0.5,
                             .along = TEXT_LEVEL};
     const space_box box = box_of(l, l->middle);
+    if (l->has_leader && !(notes_add_line(&s->notes, l->of->at, l->leader, s->units_per_mm) &&
+                           notes_add_dot(&s->notes, l->of->at, dot_radius, s->units_per_mm)))
+        return false;
     return strokes_take(s, &box) && notes_add_text(&s->notes, &line, l->of->is_back);
 }
 
@@ -781,7 +906,7 @@ static bool try_height(placing *p, double height, const strokes *s, const target
     if (!place_all(p, list, *count))
         return false;
     drop_some(list, *count, p->room);
-    return true;
+    return add_leaders(p, list, *count);
 }
 
 /* Removes the labels from the page again. */

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/angle.h"
 #include "base/array.h"
 
 bool notes_add_text(notes *n, const text_line *line, bool is_back)
@@ -58,6 +59,20 @@ bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_m
     if ((p.x == q.x && p.y == q.y) || join_line(n, p, q))
         return true;
     return polylines_start(&n->lines) && polylines_append(&n->lines, p) && polylines_append(&n->lines, q);
+}
+
+bool notes_add_dot(notes *n, roberts_vec2 at, double radius_mm, double units_per_mm)
+{
+    enum { CORNERS = 8 };
+    bool done = polylines_start(&n->lines);
+    for (int i = 0; i < CORNERS && done; i++) {
+        const roberts_vec2 d = angle_unit(360.0 / CORNERS * i);
+        const roberts_vec2 p = {at.x + radius_mm * d.x, at.y + radius_mm * d.y};
+        done = polylines_append(&n->lines, on_page(p, units_per_mm));
+    }
+    if (done)
+        n->lines.item[n->lines.count - 1].closed = true;
+    return done;
 }
 
 bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)

@@ -23,6 +23,8 @@ typedef struct notes {
 /* Each returns false where there is no memory. */
 bool notes_add_text(notes *n, const text_line *line, bool is_back);
 bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm);
+/* A small ring, which looks like a dot. */
+bool notes_add_dot(notes *n, roberts_vec2 at, double radius_mm, double units_per_mm);
 bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm);
 
 /* A note as a line of text, valid until the next one is added. */

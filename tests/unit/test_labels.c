@@ -428,6 +428,39 @@ static void labels_keep_apart(void **state)
     }
 }
 
+/* Faces of a chair that are narrower than their numbers have these beside them, at the end of a leader line with a dot.
+ * Then no letter lies on a line, and no leader line goes through letters or across another one. */
+static void narrow_faces(void **state)
+{
+    enum { NARROW = 6 };
+    roberts_camera camera = preset_camera("iso");
+    told warnings = {0};
+    roberts_draw_options options = options_of(ROBERTS_LABEL_FACES, 0, &warnings);
+    cube c;
+    strokes s;
+    (void)state;
+    see_model(&c, "models/chair.off", &camera);
+    assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(warnings.count, 0);
+    assert_int_equal(count_crossed(&s), 0);
+    assert_int_equal(s.notes.lines.count, 2 * NARROW);
+    for (size_t i = 0; i < s.notes.lines.count; i += 2) {
+        const page_point *p = s.notes.lines.point + s.notes.lines.item[i].first;
+        const roberts_vec2 a = {p[0].x / 1000.0, p[0].y / 1000.0}, b = {p[1].x / 1000.0, p[1].y / 1000.0};
+        assert_int_equal(s.notes.lines.item[i].count, 2);
+        assert_true(s.notes.lines.item[i + 1].closed);
+        for (size_t k = 0; k < s.notes.count; k++)
+            assert_false(goes_through(a, b, letters_box(notes_line(&s.notes, k))));
+        for (size_t k = 0; k < i; k += 2) {
+            const page_point *q = s.notes.lines.point + s.notes.lines.item[k].first;
+            assert_false(space_lines_cross(a, b, (roberts_vec2){q[0].x / 1000.0, q[0].y / 1000.0},
+                                           (roberts_vec2){q[1].x / 1000.0, q[1].y / 1000.0}));
+        }
+    }
+    strokes_free(&s);
+    free_cube(&c);
+}
+
 static double side_of(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p)
 {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -549,6 +582,37 @@ static void what_lies_in_a_box(void **state)
     space_free(r);
 }
 
+/* What crosses a line, by hand; each crossing counts once, whatever the cells. */
+static void lines_that_cross(void **state)
+{
+    static const struct {
+        roberts_vec2 a, b;
+        size_t crossings;
+        bool meets;
+    } row[] = {{{5, 5}, {5, 95}, 2, false},   {{5, 5}, {95, 95}, 2, true},  {{5, 20}, {95, 20}, 0, false},
+               {{5, 21}, {95, 22}, 0, true},  {{5, 5}, {5, 20}, 0, false},  {{5, 5}, {5, 80}, 1, false},
+               {{30, 30}, {35, 35}, 0, true}, {{0, 22}, {25, 22}, 0, true}, {{0, 22}, {20, 22}, 0, false}};
+    free_space *r = space_new(100, 100, 7, &(space_box){{0, 0}, {100, 100}});
+    const space_box box = {{20, 20.5}, {60, 60}};
+    uint32_t number;
+    (void)state;
+    assert_non_null(r);
+    assert_true(space_add_line(r, (roberts_vec2){0, 20}, (roberts_vec2){100, 20}));
+    assert_true(space_add_line(r, (roberts_vec2){0, 80}, (roberts_vec2){100, 80}));
+    assert_true(space_add_box(r, &box, &number));
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        assert_int_equal(space_count_crossings(r, row[i].a, row[i].b), row[i].crossings);
+        assert_int_equal(space_count_crossings(r, row[i].b, row[i].a), row[i].crossings);
+        assert_int_equal(space_line_meets_boxes(r, row[i].a, row[i].b, UINT32_MAX), row[i].meets);
+        assert_false(space_line_meets_boxes(r, row[i].a, row[i].b, number));
+    }
+    assert_true(space_to_next_box(r, &(space_box){{63, 64}, {70, 70}}, UINT32_MAX, 10.0) == 5.0);
+    assert_true(space_to_next_box(r, &(space_box){{63, 64}, {70, 70}}, UINT32_MAX, 4.0) == 4.0);
+    assert_true(space_to_next_box(r, &(space_box){{63, 64}, {70, 70}}, number, 10.0) == 10.0);
+    assert_true(space_to_next_box(r, &(space_box){{50, 50}, {70, 70}}, UINT32_MAX, 10.0) == 0.0);
+    space_free(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -558,6 +622,7 @@ int main(void)
         cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame),
         cmocka_unit_test(what_lies_in_a_box),    cmocka_unit_test(labels_keep_apart),
         cmocka_unit_test(none_behind_a_line),    cmocka_unit_test(fitted_with_its_labels),
-        cmocka_unit_test(sheet_with_its_labels)};
+        cmocka_unit_test(sheet_with_its_labels), cmocka_unit_test(narrow_faces),
+        cmocka_unit_test(lines_that_cross)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
