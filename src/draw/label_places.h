@@ -1,0 +1,62 @@
+/* label_places.h - the places that a label may take; and the room that fitted drawings leave for labels. */
+#ifndef ROBERTS_DRAW_LABEL_PLACES_H
+#define ROBERTS_DRAW_LABEL_PLACES_H
+
+#include "draw/label_targets.h"
+
+enum {
+    VERTEX_SIDES = 16, /* directions from a vertex */
+    VERTEX_RINGS = 4,  /* distances from it */
+    EDGE_PLACES = 9,   /* along an edge, on each side */
+    FACE_RINGS = 4,    /* of eight places each, round the middle of a region */
+    LEADER_RINGS = 12  /* distances from the middle of a region, a height of the letters each */
+};
+
+/* The box of a label that has no place. */
+#define NO_BOX UINT32_MAX
+
+typedef struct label {
+    const char *text;
+    char number[NUMBER_SIZE]; /* `text` of what has no name */
+    const target *of;
+    roberts_vec2 half; /* mm, of the box that is kept free */
+    uint32_t box;      /* in the room; or NO_BOX */
+    roberts_vec2 middle;
+    bool is_dropped; /* there is no room for it */
+    bool has_leader;
+    roberts_vec2 leader; /* where the line from of->at to the label ends */
+} label;
+
+/* The data for placing labels. */
+typedef struct placing {
+    free_space *room;
+    free_space *vertices;            /* those that have labels, as boxes without size */
+    double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
+    roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
+} placing;
+
+/* The data for letters of the usual height, and of another one. Without the room. */
+placing placing_of(const strokes *s);
+void placing_set_height(placing *p, const strokes *s, double height);
+
+/* Fills `list` with the labels of targets that have a text: visible ones first, then those with the fewest places.
+ * Returns how many. */
+size_t labels_make(const placing *p, const strokes *s, const targets *t, label *list);
+
+static inline space_box label_box(const label *l, roberts_vec2 middle)
+{
+    return (space_box){{middle.x - l->half.x, middle.y - l->half.y}, {middle.x + l->half.x, middle.y + l->half.y}};
+}
+
+/* Whether letters reach below the base line. */
+bool label_has_descender(const char *text);
+
+/* How many places a label has, and the middle of place `i`; `*cost` receives what this costs for not being the best
+ * one, in mm of lines that a label lies on. */
+size_t label_places(const target *of);
+roberts_vec2 label_place(const placing *p, const label *l, size_t i, double *cost);
+
+/* The same with a leader line, VERTEX_SIDES * LEADER_RINGS places; `*end` receives the end of that line. */
+roberts_vec2 label_leader_place(const placing *p, const label *l, size_t i, roberts_vec2 *end, double *cost);
+
+#endif
