@@ -677,8 +677,8 @@ static const option rows[] = {
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
          "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
          "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
-        "If a face or body is too narrow, its label stands near by, with a leader line. A fitted drawing leaves room "
-        "for its labels. "
+         "If a face or body is too narrow, its label stands near by, with a leader line. A fitted drawing leaves room "
+         "for its labels. "
          "Hidden things have no label; with --hidden, hidden vertices and edges have grey ones, in the class "
          "hidden-text. Edges that are not drawn have none. Where letters could not be read on a fill, a plate in the "
          "colour of the paper lies below them."},

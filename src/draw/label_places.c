@@ -151,6 +151,11 @@ size_t labels_make(const placing *p, const strokes *s, const targets *t, label *
 /* What has its label beside it. */
 static const unsigned beside_kinds = ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES;
 
+bool labels_stand_beside(const roberts_draw_options *options)
+{
+    return (targets_kinds(&options->lettering) & beside_kinds) != 0;
+}
+
 /* A drawing is not made smaller than this part of its size without labels. */
 static const double least_part = 0.5;
 /* mm: so that rounding takes no label out of the margins. */

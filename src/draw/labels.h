@@ -19,6 +19,9 @@ bool labels_add(strokes *s, free_space *r);
  * space_free(). NULL: no memory. */
 free_space *labels_room(const strokes *s, const pieces *p, const polylines *lines);
 
+/* Whether there are labels of vertices or edges, which stand beside these. */
+bool labels_stand_beside(const roberts_draw_options *options);
+
 /* Makes room for labels beside a drawing that is to be fitted into the margins of `page`: widens its box from `min` to
  * `max` so that, once this box is fitted, labels of vertices and edges have room in their best places. False: no
  * memory. */

@@ -718,7 +718,7 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
                                  roberts_error *error)
 {
     roberts_draw_options quiet = *options;
-    distances_outcome outcome;
+    distances_outcome outcome = {0};
     sheet_reach reach = {0};
     size_t least = SIZE_MAX;
     double scale = 0.0, smallest = 0.0;
@@ -759,11 +759,11 @@ static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts
     strokes_free(&s);
     if (status != ROBERTS_OK)
         return status;
-    if (lay_sheet(&s, sheet, &quiet, &wanted, NULL) == ROBERTS_OK &&
-        page_scale(&s.map) > (1.0 + 1e-9) * least_for_labels * scale)
+    status = lay_sheet(&s, sheet, &quiet, &wanted, NULL);
+    if (status == ROBERTS_OK && page_scale(&s.map) > (1.0 + 1e-9) * least_for_labels * scale)
         *reach = wanted;
     strokes_free(&s);
-    return ROBERTS_OK;
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : ROBERTS_OK;
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
@@ -774,7 +774,7 @@ roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const 
     *s = (strokes){0};
     if (options->lettering.distance_count > 0)
         status = find_reach(sheet, options, &reach, error);
-    if (status == ROBERTS_OK && labels_wanted(&(strokes){.options = options}) && options->placement.scale == 0.0)
+    if (status == ROBERTS_OK && labels_stand_beside(options) && options->placement.scale == 0.0)
         status = find_label_reach(sheet, options, &reach, error);
     if (status == ROBERTS_OK)
         status = lay_sheet(s, sheet, options, &reach, error);
