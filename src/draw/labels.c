@@ -154,7 +154,7 @@ static void drop_some(label *l, size_t count, free_space *r)
  * from there to a dot in the face (ISO 128-22). It goes through no label and crosses no other leader line. */
 
 enum { LEADERS_MOST = 100 /* so that the work is bounded: each is compared with the others */ };
-static const double most_leaders = 0.25;   /* part of the labels: more would be a thicket, and then there are none */
+static const double most_leaders = 0.4;    /* part of the labels: more would be a thicket, and then there are none */
 static const double leader_crowded = 2.0;  /* the most that a place costs for being near to another label */
 static const double leader_crossing = 1.0; /* cost of each line that a leader line crosses */
 static const double leader_apart_heights = 3.0; /* heights of letters: other labels are near if they are nearer */

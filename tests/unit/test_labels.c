@@ -432,7 +432,7 @@ static void labels_keep_apart(void **state)
  * Then no letter lies on a line, and no leader line goes through letters or across another one. */
 static void narrow_faces(void **state)
 {
-    enum { NARROW = 6 };
+    enum { NARROW = 11 };
     roberts_camera camera = preset_camera("iso");
     told warnings = {0};
     roberts_draw_options options = options_of(ROBERTS_LABEL_FACES, 0, &warnings);
