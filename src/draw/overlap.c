@@ -374,12 +374,14 @@ static const uint8_t rank[] = {
     [ROBERTS_OUTLINE] = 0, [ROBERTS_BORDER] = 1, [ROBERTS_CREASE] = 2, [ROBERTS_INTERSECTION] = 3,
     [ROBERTS_WIRE] = 4,    [ROBERTS_BACK] = 5,   [LINE_HATCH] = 6};
 
-/* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always wins over a hidden one.
- * That one may be nearer: it may lie just below the surface of the solid whose edge is seen. */
+/* Whether piece p is drawn rather than q, if p is nearer by `nearer`. A visible piece always wins over a hidden one,
+ * and any line over hatching. The loser may be nearer: it may lie just below the surface of the solid whose edge is
+ * seen. */
 static bool is_drawn_first(const piece *p, const piece *q, double nearer, double tie)
 {
-    if ((p->line == ROBERTS_BACK) != (q->line == ROBERTS_BACK))
-        return q->line == ROBERTS_BACK;
+    const uint8_t back = rank[ROBERTS_BACK];
+    if (p->line != q->line && (rank[p->line] >= back || rank[q->line] >= back))
+        return rank[p->line] < rank[q->line];
     if (fabs(nearer) > tie)
         return nearer > 0.0;
     return p->line != q->line ? rank[p->line] < rank[q->line] : p->number < q->number;

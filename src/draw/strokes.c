@@ -349,8 +349,9 @@ static bool is_same_edge(const roberts_segment *a, const roberts_segment *b)
     return a->solid == b->solid && a->v0 == b->v0 && a->v1 == b->v1 && a->edge == b->edge;
 }
 
-/* Returns, for each of `count` numbers of pieces, the part that it belongs to: a body in one view, or an edge or a
- * region. The views of `s` are set. The caller frees the result; NULL: no memory. */
+/* Returns, for each of `count` numbers of pieces, the part that it belongs to: a body in one view, or a region, or
+ * what one body hides of an edge, or leaves visible. The views of `s` are set. The caller frees the result; NULL: no
+ * memory. */
 static uint32_t *groups_parts(const strokes *s, size_t count)
 {
     const bool by_body = s->options->grouping == ROBERTS_GROUP_BODY;
@@ -364,7 +365,7 @@ static uint32_t *groups_parts(const strokes *s, size_t count)
                 most = own->solid > most ? own->solid : most;
                 part[s->view[v].first + i] = next + own->solid;
             } else {
-                most += i > 0 && !is_same_edge(own - 1, own);
+                most += i > 0 && !(is_same_edge(own - 1, own) && own[-1].by == own->by);
                 part[s->view[v].first + i] = next + most;
             }
         }

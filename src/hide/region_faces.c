@@ -66,17 +66,34 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
 
 /* ---- neighbours in one plane ------------------------------------------------------------------------------------- */
 
-/* Whether the corners of one face lie in the plane of another, as far as both are planar. */
+/* The end of the pieces of the face that begins with `first`. end: of the body's faces. */
+static uint32_t pieces_end(const roberts_scene *scene, uint32_t body, uint32_t first, uint32_t end)
+{
+    const uint32_t number = scene_face_number(scene, first);
+    const bool convex = scene_is_convex(scene, body);
+    uint32_t f = first + 1;
+    while (f < end && scene_face_number(scene, f) == number &&
+           (number != ROBERTS_NONE || (!convex && scene_plane_number(scene, f) == scene_plane_number(scene, first))))
+        f++;
+    return f;
+}
+
+/* Whether the corners of a face, given by its first piece, lie in the plane of a piece of another, as far as both are
+ * planar. */
 static bool lies_in_plane_of(const hide_job *job, uint32_t face, uint32_t other)
 {
     const roberts_scene *scene = job->fronts.scene;
-    const double far = scene_deviation(scene, face) + scene_deviation(scene, other) +
-                       REGION_TOUCHING * job->seen.view.epsilon * job->seen.view.unit;
-    bool within = true;
-    for (uint32_t k = scene->face_start[face]; within && k < scene->face_start[face + 1]; k++)
-        within =
-            fabs(plane_at(scene_plane(scene, other), vec3_sub(scene->point[scene->corner[k]], scene->centre))) <= far;
-    return within;
+    const uint32_t body = scene_body_of_face(scene, face),
+                   end = pieces_end(scene, body, face, scene->solid[body + 1].face);
+    const plane F = scene_plane(scene, other);
+    for (uint32_t piece = face; piece < end; piece++) {
+        const double far = scene_deviation(scene, piece) + scene_deviation(scene, other) +
+                           REGION_TOUCHING * job->seen.view.epsilon * job->seen.view.unit;
+        for (uint32_t k = scene->face_start[piece]; k < scene->face_start[piece + 1]; k++)
+            if (fabs(plane_at(F, vec3_sub(scene->point[scene->corner[k]], scene->centre))) > far)
+                return false;
+    }
+    return true;
 }
 
 static bool is_one_color(const roberts_color *a, const roberts_color *b)
@@ -249,18 +266,6 @@ void cut_lines_free(seen_further *lines)
 }
 
 /* ---- depths of faces of several pieces --------------------------------------------------------------------------- */
-
-/* The end of the pieces of the face that begins with `first`. end: of the body's faces. */
-static uint32_t pieces_end(const roberts_scene *scene, uint32_t body, uint32_t first, uint32_t end)
-{
-    const uint32_t number = scene_face_number(scene, first);
-    const bool convex = scene_is_convex(scene, body);
-    uint32_t f = first + 1;
-    while (f < end && scene_face_number(scene, f) == number &&
-           (number != ROBERTS_NONE || (!convex && scene_plane_number(scene, f) == scene_plane_number(scene, first))))
-        f++;
-    return f;
-}
 
 /* Adds the tree of pieces first .. end - 1. False: no memory. */
 static bool add_tree(region_depths *d, uint32_t first, uint32_t end)

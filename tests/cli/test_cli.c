@@ -491,6 +491,40 @@ static void pens_that_are_off_move_nothing(void **state)
     assert_int_equal(layers, 17);
 }
 
+/* Two blocks, one against the other, behind two posts. */
+static void put_boxes(const char *path)
+{
+    static const int box[4][6] = {
+        {0, 0, 0, 4, 1, 1}, {0, -1, 0, 2, 0, 2}, {-1, -6, -3, 2, -5, 9}, {2, -8, -3, 5, -7, 9}};
+    static const int face[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
+    char text[2000] = "OFF\n32 24 0\n";
+    for (int v = 0; v < 32; v++) {
+        const int *b = box[v / 8];
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%d %d %d\n", b[v & 1 ? 3 : 0], b[v & 2 ? 4 : 1],
+                 b[v & 4 ? 5 : 2]);
+    }
+    for (int f = 0; f < 24; f++)
+        snprintf(text + strlen(text), sizeof text - strlen(text), "4 %d %d %d %d\n", f / 6 * 8 + face[f % 6][0],
+                 f / 6 * 8 + face[f % 6][1], f / 6 * 8 + face[f % 6][2], f / 6 * 8 + face[f % 6][3]);
+    put(path, text);
+}
+
+/* A hidden line is drawn where strokes of hatching lie on it. What one body hides of an edge is an element, and so is
+ * what the next one hides. */
+static void hidden_elements(void **state)
+{
+    static const char hatched[] = "--view front --hidden dashed --hatch spacing=0.5,angle=0,direction=across "
+                                  "--group element",
+                      behind_two[] = "--dir 0,-3,1 --hidden dashed --union --group element";
+    (void)state;
+    put("hatched.off", "OFF\n12 3 0\n0 2 3\n0 2 6\n0 5 4\n0 5 3\n1 2 3\n1 2 6\n1 5 4\n1 5 3\n2 6 1\n2 6 2\n4 6 1\n"
+                       "4 6 2\n4 0 1 5 4\n4 2 3 7 6\n4 8 9 11 10\n");
+    expect_in_file(hatched, "hatched.off", "data-edge=\"2-6\" data-faces=\"1\" data-by=\"0\"");
+    put_boxes("behind.off");
+    expect_in_file(behind_two, "behind.off", "data-edge=\"4-5\" data-faces=\"1,2\" data-by=\"2\"");
+    expect_in_file(behind_two, "behind.off", "data-edge=\"4-5\" data-faces=\"1,2\" data-by=\"3\"");
+}
+
 /* A triangle, and a wire through its middle. */
 static void borders_and_wires(void **state)
 {
@@ -1231,6 +1265,7 @@ int main(void)
         IN_FOLDER(options_reach_the_library),
         IN_FOLDER(angles_are_views),
         IN_FOLDER(pages_and_pens),
+        IN_FOLDER(hidden_elements),
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(pens_that_are_off_move_nothing),
         IN_FOLDER(lost_lines_have_a_class),

@@ -738,6 +738,15 @@ static void test_merged(void **state)
         roberts_regions_free(&l);
     }
     roberts_scene_free(scene);
+    /* a bent face, and one in the plane of half of it */
+    mesh = mesh_of_text("OFF\n6 2 0\n1 0 4\n1 2 3\n3 2 3\n3 0 3\n1 1 3\n3 1 3\n4 0 4 5 3\n4 4 1 2 5\n");
+    scene = build_scene(&mesh);
+    roberts_hide_options options = roberts_hide_options_default();
+    options.merge_regions = true;
+    assert_int_equal(roberts_regions(scene, &from_above, &options, &l, NULL), ROBERTS_OK);
+    assert_int_equal(l.count, 2);
+    roberts_regions_free(&l);
+    roberts_scene_free(scene);
 }
 
 static bool same_regions(const roberts_region_list *a, const roberts_region_list *b)
