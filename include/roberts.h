@@ -181,8 +181,8 @@ typedef struct roberts_scene roberts_scene;
 
 typedef struct roberts_scene_options {
     /** How far a corner may lie outside a face or beside its plane, as a part of the solid's size (the diagonal of its
-     * box); 0 = 1e-5. If all coordinates of a solid have six digits at most, or are float32, as a part of the largest
-     * of them, up to a hundred sizes. */
+     * box); 0 = 1e-5. If all coordinates of a solid have at most six digits, or are 32-bit floats, it is a part of
+     * the largest of them instead, up to a hundred sizes. */
     double tolerance;
     bool hull; /**< solids that would be refused, and inputs of points without faces, become their convex hulls */
     roberts_warnings warnings;
@@ -897,7 +897,7 @@ typedef struct roberts_distance {
  * Hershey's "simplex" fonts, Latin and Greek, close to ISO 3098; accents are composed. A character that the fonts lack
  * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the largest
  * visible part of faces and bodies; where there is room, none lies on a line or on another label. If a face or body is
- * too narrow for its label, this stands near by, and a leader line goes from it to a dot. Labels stay within the
+ * too narrow for its label, the label stands nearby, and a leader line goes from it to a dot. Labels stay within the
  * margins, or the frame of a field of view, unless placement.scale is given; a drawing that is fitted leaves room for
  * them. Hidden things are labelled only if hidden lines are drawn. */
 typedef struct roberts_lettering {
@@ -916,7 +916,8 @@ typedef struct roberts_lettering {
     bool overall;               /**< sheets: dimensions of the scene: width, height and depth (ISO 129-1) */
     size_t distance_count;
     /** [distance_count] sheets: dimensions between vertices, each in one view that shows it in true length, preferably
-     * one that shows both vertices; they need `scene`. If there is no such view or no room, a warning says so. */
+     * one that shows both vertices; they need `scene`. If there is no such view or no room, a warning says so.
+     * With `overall`, one that is the width, height or depth of the whole is not drawn again. */
     const roberts_distance *distance;
     bool zones;                /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
     const char *unit;          /**< printed after the numbers of dimensions; NULL: none */
@@ -1074,7 +1075,7 @@ enum {
 /** Drawings of one scene, each from roberts_hide() with the camera of its view; borrowed. */
 typedef struct roberts_sheet {
     roberts_sheet_angle angle;
-    double gap_mm;                                    /**< between views; 0 = 15, or 25 if there are distances */
+    double gap_mm; /**< between views; 0 = 15, or 25 if there are distances; more where labels or distances need it */
     const roberts_drawing *view[ROBERTS_SHEET_VIEWS]; /**< NULL: left out */
 } roberts_sheet;
 

@@ -385,11 +385,11 @@ static void warn_part(const cli_options *options)
 {
     char text[120];
     roberts_format told;
-    const char *is = options->plan ? "it is a plan, for --part" : "it is a part of a drawing, for --join";
+    const char *what = options->plan ? "it is a plan, for --part" : "it is a part of a drawing, for --join";
     if (ends_like_model(options->output))
-        snprintf(text, sizeof text, "its ending says that it is a model, but %s", is);
+        snprintf(text, sizeof text, "its ending says that it is a model, but %s", what);
     else if (roberts_format_by_path(options->output, &told))
-        snprintf(text, sizeof text, "its ending says %s, but %s", values_format_name(told), is);
+        snprintf(text, sizeof text, "its ending says %s, but %s", values_format_name(told), what);
     else
         return;
     message_warning(stderr, options->output, 0, text);
@@ -533,7 +533,7 @@ void check_warn(const cli_options *options, const options_given *given)
         return;
     if (options->plan || options->part.of) {
         warn_part(options);
-        return; /* of all else when the parts are joined */
+        return; /* the rest is warned of when the parts are joined */
     }
     if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output"))
         warn("--output", "the format null writes nothing");

@@ -51,7 +51,7 @@ bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_
 /* Does --style set pens of classes that none of the drawings has? Then `text` names them. */
 bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, size_t views, char *text, size_t size);
 
-/* Do all visible faces lack a colour, where --fill model or shade would take it? */
+/* Has no visible face a colour that --fill model or shade could use? */
 bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
 /* Does the light fall straight on all faces that are seen, so that --hatch draws no stroke? */

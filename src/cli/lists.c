@@ -73,7 +73,7 @@ static char *skip_mark(char *text)
     return strncmp(text, mark, sizeof mark - 1) == 0 ? text + sizeof mark - 1 : text;
 }
 
-/* Ends a line, which a NUL follows, before the CR of a CR LF. */
+/* Removes the CR at the end of a line. */
 static void cut_cr(char *line)
 {
     const size_t length = strlen(line);
@@ -112,7 +112,7 @@ roberts_status list_read(file_list *list, const char *path, roberts_error *error
     if (status != ROBERTS_OK)
         return status;
     const char end = memchr(list->text, '\0', size) ? '\0' : '\n';
-    for (char *at = skip_mark(list->text), *next; at < list->text + size; at = next) {
+    for (char *at = end == '\n' ? skip_mark(list->text) : list->text, *next; at < list->text + size; at = next) {
         char *stop = memchr(at, end, (size_t)(list->text + size - at));
         next = stop ? stop + 1 : list->text + size;
         if (stop)
@@ -167,7 +167,7 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
 }
 
 static const char wrong_kind[] = "the kind is none of vertex, edge, face and body",
-                  no_row[] = "the kind is none of vertex, edge, face and body, and the number is none";
+                  no_row[] = "the kind is none of vertex, edge, face and body, and the second field is no number";
 static const char wrong_quotes[] =
     "a field that begins with a quotation mark ends with one; two within it stand for one";
 

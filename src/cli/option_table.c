@@ -736,8 +736,8 @@ static const option rows[] = {
          "that is mm. Numbers have five digits and a decimal comma. overall: width, height and depth of the whole. "
          "v4-v17: the distance between two vertices, by their numbers in the file (--label vertices shows them). It "
          "is drawn once, in a view that shows it in true length, where possible one that shows both vertices. A "
-         "warning says where no view does, or where there is no room. Several with commas, as "
-         "overall,v4-v17,v4-v9."},
+         "warning says where no view does, or where there is no room. With overall, one that is the width, height or "
+         "depth of the whole is not drawn again. Several with commas, as overall,v4-v17,v4-v9."},
     {.group = GROUP_TEXT,
      .name = "label-size",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -943,14 +943,15 @@ static const option rows[] = {
      RANGE(0, 1),
      .brief = "how far from planar and convex",
      .help = "how far from planar and convex a solid may be, as a part of its size (default: 0, 1e-5)",
-     .manual = "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
-               "Default: 0, which is 1e-5. If all coordinates of a solid have six digits at most, as a part of the "
-               "largest of them, up to a hundred sizes.\nWhen a model is refused as not planar or not convex, the "
-               "message names a "
-               "tolerance that would accept it, where there is one up to 0.01: the smallest 1, 2 or 5 times a power of "
-               "ten that suffices. The limit is lower for a solid of more than six faces, 0.025 divided by the root of "
-               "their number, and lower again for a solid that is farther from the origin than it is large: a greater "
-               "tolerance would accept any shape. For models of more than 200,000 faces none is named."},
+     .manual =
+         "How far from planar and convex a solid may be, as a part of its size (the diagonal of its box). "
+         "Default: 0, which is 1e-5. If all coordinates of a solid have at most six digits, or are 32-bit floats, "
+         "it is a part of the largest of them instead, up to a hundred sizes.\nWhen a model is refused as not "
+         "planar or not convex, the message names a tolerance that would accept it, where there is one up to "
+         "0.01: the smallest 1, 2 or 5 times a power of ten that suffices. The limit is lower for a solid of more than "
+         "six faces, 0.025 divided by the root of "
+         "their number, and lower again for a solid that is farther from the origin than it is large: a greater "
+         "tolerance would accept any shape. For models of more than 200,000 faces none is named."},
 
     /* ---- messages ---- */
     {.group = GROUP_MESSAGES,

@@ -22,9 +22,6 @@
 #include "draw/page.h"
 #include "draw/shade.h"
 
-/* Depth of strokes: lines that lie on them are drawn. Far from overflow, so that differences are finite. */
-static const double behind_all = -1e300;
-
 /* mm: from farther feet, lines could not be counted. Only faces that are nearly edge-on have such feet. */
 static const double farthest_foot = 1e6;
 
@@ -182,8 +179,7 @@ static bool add_hatch_strokes(hatch_work *w, const hatch_lines *lines)
     for (size_t i = 0; i + 1 < w->crossing_count; i += 2) {
         const roberts_vec2 a = hatch_point(lines, &w->crossing[i]), b = hatch_point(lines, &w->crossing[i + 1]);
         if (!is_point(a, b))
-            p->item[p->count++] =
-                (piece){.a = a, .b = b, .za = behind_all, .zb = behind_all, .number = w->number, .line = LINE_HATCH};
+            p->item[p->count++] = (piece){.a = a, .b = b, .number = w->number, .line = LINE_HATCH};
     }
     return true;
 }

@@ -30,12 +30,12 @@ typedef struct label {
 /* The data for placing labels. */
 typedef struct placing {
     free_space *room;
-    free_space *vertices;            /* those that have labels, as boxes without size */
+    free_space *vertices;            /* all that are drawn, as boxes without size */
     double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;
 
-/* The data for letters of the usual height, and of another one. Without the room. */
+/* Data for letters of the usual height; `room` and `vertices` are not set. placing_set_height() changes the height. */
 placing placing_of(const strokes *s);
 void placing_set_height(placing *p, const strokes *s, double height);
 

@@ -71,12 +71,12 @@ static roberts_vec2 nearest_point(const target *of, roberts_vec2 p)
 /* Does a place seem to belong to another vertex, or to what is behind another line? */
 static bool is_elsewhere(const placing *p, const label *l, const space_box *box, roberts_vec2 middle)
 {
+    if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
+        return false;
     const roberts_vec2 from = nearest_point(l->of, middle);
     const double own = box_distance(box, l->of->at), length = hypot(middle.x - from.x, middle.y - from.y);
     const double off = fmin(0.5 * p->gap / length, 1.0); /* its own lines do not count */
     const roberts_vec2 start = {from.x + off * (middle.x - from.x), from.y + off * (middle.y - from.y)};
-    if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
-        return false;
     return (l->of->kind == ROBERTS_LABEL_VERTICES && space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
            space_count_crossings(p->room, start, middle) > 0;
 }

@@ -43,7 +43,7 @@ typedef struct layout {
     double half_mm;         /* what `half` is on paper */
     double symbol_size;     /* as in sheet_map */
     double left_mm, top_mm; /* of the room for the views */
-    /* What text needs beside all views. */
+    /* What text needs beside all views, mm. */
     double left, right, above, below;
 } layout;
 

@@ -240,18 +240,26 @@ static bool add_text(const strokes *s, roberts_line line, polylines *out)
     return notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
 }
 
+/* The room for text beside what is drawn. NULL: no memory. */
+static free_space *text_room(const strokes *s, const pieces *p)
+{
+    polylines standing = {0};
+    free_space *room = NULL;
+    if ((s->options->frame.off || add_frame(s, &standing)) && (s->options->symbol.off || add_symbol(s, &standing)))
+        room = labels_room(s, p, &standing);
+    polylines_free(&standing);
+    return room;
+}
+
 /* Finds the places of distances and labels, beside the pieces, the frame and the symbol. One room serves both, so that
  * neither lies on the other. */
 static roberts_status place_text(strokes *s, const pieces *p, roberts_error *error)
 {
-    polylines standing = {0};
-    free_space *room = NULL;
     distances_outcome outcome;
     roberts_status status = ROBERTS_OK;
     if (!distances_wanted(s) && !labels_wanted(s))
         return ROBERTS_OK;
-    if ((s->options->frame.off || add_frame(s, &standing)) && (s->options->symbol.off || add_symbol(s, &standing)))
-        room = labels_room(s, p, &standing);
+    free_space *room = text_room(s, p);
     if (!room)
         status = error_no_memory(error);
     if (status == ROBERTS_OK && distances_wanted(s))
@@ -259,7 +267,6 @@ static roberts_status place_text(strokes *s, const pieces *p, roberts_error *err
     if (status == ROBERTS_OK && labels_wanted(s) && !labels_add(s, room))
         status = error_no_memory(error);
     space_free(room);
-    polylines_free(&standing);
     return status;
 }
 
@@ -670,7 +677,6 @@ static roberts_status try_distances(const roberts_sheet *sheet, const roberts_dr
                                     roberts_error *error)
 {
     strokes s;
-    polylines standing = {0};
     pieces p = {0};
     free_space *room = NULL;
     size_t segments = 0;
@@ -681,13 +687,11 @@ static roberts_status try_distances(const roberts_sheet *sheet, const roberts_dr
         for (size_t i = 0; i < s.views; i++)
             collect(&s, &s.view[i], 0, &p);
         *scale = page_scale(&s.map);
-        if ((options->frame.off || add_frame(&s, &standing)) && (options->symbol.off || add_symbol(&s, &standing)))
-            room = labels_room(&s, &p, &standing);
+        room = text_room(&s, &p);
     }
     if (status == ROBERTS_OK)
         status = room ? distances_add(&s, room, outcome, error) : error_no_memory(error);
     space_free(room);
-    polylines_free(&standing);
     free(p.item);
     strokes_free(&s);
     return status;
@@ -713,8 +717,8 @@ static roberts_status add_reach(const roberts_sheet *sheet, const roberts_draw_o
 }
 
 /* Where distances do not all find a good place on the sheet, views must be farther apart, or farther from the margins.
- * Finds how far, in a few rounds: they make the scale smaller, and then the distances reach a little farther. Without a
- * better result there, nothing is changed; nor are views made smaller than a part of their size. */
+ * Finds how far, in a few rounds: they make the scale smaller, and then the distances reach a little farther. The best
+ * round counts. Rounds that make the views too small do not. */
 static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_options *options, sheet_reach *best,
                                  roberts_error *error)
 {
@@ -754,7 +758,7 @@ static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts
     strokes s;
     quiet.lettering.warnings = (roberts_warnings){0};
     roberts_status status = lay_sheet(&s, sheet, &quiet, reach, error);
-    const double scale = page_scale(&s.map);
+    const double scale = status == ROBERTS_OK ? page_scale(&s.map) : 0.0;
     if (status == ROBERTS_OK && !labels_add_reach(&s, &wanted))
         status = error_no_memory(error);
     strokes_free(&s);

@@ -215,7 +215,7 @@ static bool divide_lines(map_search *s)
     return unite_lines(s);
 }
 
-/* Finds the numbers of the lines at each node. NULL: no memory. */
+/* Counts the lines at each node. NULL: no memory. */
 static uint32_t *count_lines(const planar_map *m)
 {
     uint32_t *degree = alloc_zeroed(m->node_count, sizeof *degree);
@@ -257,11 +257,11 @@ bool planar_map_divide(planar_map *m, double touching)
 
 bool planar_map_join_loose(planar_map *m, double touching, double reach)
 {
-    map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * reach, .reach = reach};
-    uint32_t *degree = reach > touching ? count_lines(m) : NULL;
-    bool any = false;
     if (!(reach > touching))
         return true;
+    map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * reach, .reach = reach};
+    uint32_t *degree = count_lines(m);
+    bool any = false;
     s.loose = degree ? alloc_array(m->node_count, 1) : NULL;
     s.loose_count = m->node_count;
     for (size_t n = 0; s.loose && n < m->node_count; n++) {
@@ -294,17 +294,15 @@ void planar_map_free(planar_map *m)
 /* Removes lines with an end that no other line has, one after the other. False: no memory. */
 static bool prune(planar_map *m)
 {
-    uint32_t *degree = alloc_zeroed(m->node_count, sizeof *degree);
+    uint32_t *degree = count_lines(m);
     /* [node_count] the exclusive or of the numbers of the lines at a node: if one line is left, its number */
     uint32_t *sum = alloc_zeroed(m->node_count, sizeof *sum);
     uint8_t *gone = alloc_zeroed(m->line_count, 1);
     size_t to = 0;
     bool enough = degree && sum && gone;
     for (uint32_t i = 0; enough && i < m->line_count; i++)
-        for (int k = 0; k < 2; k++) {
-            degree[m->line[i][k]]++;
+        for (int k = 0; k < 2; k++)
             sum[m->line[i][k]] ^= i;
-        }
     for (uint32_t n = 0; enough && n < m->node_count; n++)
         for (uint32_t at = n; degree[at] == 1;) {
             uint32_t i = sum[at], other = m->line[i][0] == at ? m->line[i][1] : m->line[i][0];

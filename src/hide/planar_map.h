@@ -23,8 +23,8 @@ bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b);
 /* Makes the map planar. False: no memory. */
 bool planar_map_divide(planar_map *m, double touching);
 
-/* Joins ends that only one line has to all nodes and lines within `reach`, which is more than `touching`; so lines that
- * should meet do, if the model is rounded. The map is planar, and remains so. False: no memory. */
+/* Joins each end that no other line has to what is within `reach`, so that lines that should meet do if the model is
+ * rounded. Does nothing unless `reach` exceeds `touching`. The map is planar, and remains so. False: no memory. */
 bool planar_map_join_loose(planar_map *m, double touching, double reach);
 
 void planar_map_free(planar_map *m);

@@ -503,8 +503,8 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* The greatest departure of a face from its plane. The plane of a sliver may be far from right, but its corners are no
- * farther apart than its width. */
+/* The greatest departure of a face from its plane, but no more than rounding to six digits explains: one bent face must
+ * not join what is apart elsewhere. The plane of a sliver may be wrong by far, so its width counts if that is less. */
 static double greatest_departure(const seen *s)
 {
     const roberts_scene *scene = s->scene;
@@ -513,7 +513,7 @@ static double greatest_departure(const seen *s)
         float own = scene->face_deviation[f] < scene->face_width[f] ? scene->face_deviation[f] : scene->face_width[f];
         most = own > most ? own : most;
     }
-    return (double)most * scene->unit * s->view.per_unit;
+    return lesser((double)most * scene->unit * s->view.per_unit, SCENE_TOLERANCE * s->view.diameter);
 }
 
 bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest)

@@ -94,7 +94,8 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
  * departure limit how far from the face its plane is trusted. */
 #define WIDTHS_OF_SOLID 64.0
 
-/* No unit: a front may leave gaps in its outline of up to this times the departure of its faces from their planes. */
+/* No unit: a front may leave gaps in its outline of up to this times the departure of its faces from their planes.
+ * Ends of lines of regions that are no farther apart become one node. */
 #define LOOSE_DEPARTURES 4.0
 
 /* Epsilons of depth: what lies this much deeper than a sheet that fills a cell does not touch the sheet. A point that

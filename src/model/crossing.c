@@ -663,7 +663,7 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
         int i = k == 0 ? small : !small;
         lie[i] = lie_of(rules, face[i], face[1 - i], &over[i]);
         if (!(lie[i].over && lie[i].under) && !crossing_ends_on(lie[i]))
-            return true; /* it meets the other plane in no more than a point, or in a common side, or lies in it */
+            return true; /* it lies in the other plane, or has at most a point or a common side there: nothing ends */
     }
     for (int i = 0; i < 2; i++)
         if (crossing_ends_on(lie[i]) && !add_touch(face[i], face[1 - i], out))

@@ -1,6 +1,7 @@
 /* solid.c - one solid: its frame, the planes of its faces, its winding and its edges. */
 #include "model/solid.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -267,7 +268,7 @@ static const double SIX_DIGITS = 1e-8;
 /* A coordinate of six digits at most, or of float32, may be off by more than a small part of a solid far away. */
 static bool is_rounded(double x)
 {
-    if (x == 0.0 || (double)(float)x == x)
+    if (x == 0.0 || (fabs(x) <= (double)FLT_MAX && (double)(float)x == x))
         return true;
     double six = fabs(x) * pow(10.0, 5.0 - floor(log10(fabs(x))));
     return fabs(six - rint(six)) <= SIX_DIGITS;

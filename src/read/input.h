@@ -22,7 +22,7 @@
  * reading an endless one must end. */
 #define INPUT_BLANK_MAX ((size_t)1 << 26)
 
-/* Bytes: the most that is read after a model, so that an endless writer ends. It takes less than a second. */
+/* Bytes: the most that is read after a model, so that reading an endless input ends. It takes less than a second. */
 #define INPUT_REST_MAX ((uint64_t)1 << 30)
 
 /* ---- sources of bytes ------------------------------------------------------------------------------------------- */

@@ -35,8 +35,8 @@ typedef struct off_state {
     unsigned tries_in_vain;              /* to read pieces */
     size_t odd_colors, first_odd_color;  /* number of invalid colours, and the line of the first */
     off_place uneven;                    /* the first vertex that does not end with its line */
-    off_place short_face;                /* the first face that ends within the line of another face, it seems */
-    bool runs_on;                        /* the first face begins behind a vertex, on the same line */
+    off_place short_face;                /* the first face that seems to end within the line of the next */
+    size_t runs_on;                      /* the line of the first face, if a vertex ends there; 0: none does */
 } off_state;
 
 /* ---- off.c ----------------------------------------------------------------------------------------------------- */

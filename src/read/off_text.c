@@ -5,9 +5,9 @@
  * are texture coordinates (prefix ST). 0, 1, 3 or 4 numbers are a colour. A vertex with any other count on its line is
  * assumed to be laid out freely: the next four numbers are its colour, on whatever line they are.
  *
- * So a number that is missing, or one too many, shifts all words after it, and faces are read that are not there. Two
- * signs together tell this from a free layout: an item begins or ends where no item should, and what was read makes no
- * sense. Then the file is refused.
+ * So a number that is missing, or one too many, shifts all words after it, and the reader finds faces that the file
+ * does not contain. Two signs together tell this from a free layout: an item begins or ends where no item should, and
+ * what was read makes no sense. Then the file is refused.
  *
  * Most of the time goes into plain lines (off.h), so two loops read these with everything written out. That saves a
  * fifth of the time, and threads (off_pieces.c) read nothing else. */
@@ -509,7 +509,8 @@ static roberts_status face_color(reader *r, uint64_t *words)
     return off_color_face(r, &raw);
 }
 
-/* Reads a face. A token is known to follow. A face that ends amid the words of a face of its own lacks a corner. */
+/* Reads a face. A token is known to follow. A face that ends within a line that looks like
+ * a face itself probably lacks a corner. */
 static roberts_status read_face(reader *r, uint64_t f)
 {
     const size_t begun = r->in.line;
@@ -552,7 +553,7 @@ static roberts_status read_faces(reader *r)
     const uint64_t count = r->off->header.faces;
     patience lines = {0};
     if (count > 0 && off_faces_read(r) == 0 && r->off->uneven.line > 0)
-        r->off->runs_on = input_skip_in_line(&r->in) && *r->in.at != '}';
+        r->off->runs_on = input_skip_in_line(&r->in) && *r->in.at != '}' ? r->in.line : 0;
     while (off_faces_read(r) < count) {
         if (off_faces_read(r) > 0)
             off_read_pieces(r);
@@ -585,11 +586,11 @@ static const char *find_nonsense(const reader *r)
     if (r->off->odd_colors)
         return "a colour makes no sense";
     const uint32_t *first = r->mesh->face_start + r->mark.faces;
-    return r->off->runs_on && first[1] - first[0] < 3 ? "the first face has fewer than 3 corners" : NULL;
+    return first[1] - first[0] < 3 ? "the first face has fewer than 3 corners" : NULL;
 }
 
-/* Refuses a text whose words have run out of step with its lines, if that has led to nonsense: for a face that lacks a
- * corner, one face less. */
+/* Refuses a text whose words have run out of step with its lines, if that has led to nonsense. A face that runs into
+ * the next line is refused only if there are fewer faces than declared. */
 static roberts_status check_layout(reader *r)
 {
     const off_state *off = r->off;
@@ -598,7 +599,7 @@ static roberts_status check_layout(reader *r)
         return error_set(r->error, ROBERTS_BAD_SYNTAX, off->uneven.line,
                          "vertex %llu of 0..%llu does not end with its line, and then %s%s",
                          (unsigned long long)off->uneven.number, (unsigned long long)off->header.vertices - 1, nonsense,
-                         off->header.line == 0 ? "; each face must begin a line" : "");
+                         off->runs_on == off->uneven.line ? "; each face must begin a line" : "");
     if (off->short_face.line > 0 && off_faces_read(r) < off->header.faces)
         return error_set(r->error, ROBERTS_BAD_SYNTAX, off->short_face.line,
                          "face %llu of 0..%llu runs into the line of the next, and then there are fewer faces than "

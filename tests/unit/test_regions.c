@@ -453,7 +453,7 @@ static void add_areas(const roberts_scene *scene, double epsilon, double way, do
 
 /* A box on another, both turned and then rounded, as in files of few digits: what should touch misses by some units of
  * the last digit. Nearly always the areas are then as right as with a touching distance of some such units. (In the
- * other cases, a face is seen to enter another where neither is known so exactly, and a line is missing.) */
+ * other cases, rounding hides which of two faces is in front, and a line is missing.) */
 static void test_rounded(void **state)
 {
     rng r = {31};
@@ -483,6 +483,30 @@ static void test_rounded(void **state)
     }
     print_message("note: stacked boxes, rounded: %d of %d scenes have wrong regions\n", wrong, ROUNDED_SCENES);
     assert_true(wrong < ROUNDED_SCENES / 30);
+}
+
+/* A large box with one corner far off its place, which a great tolerance allows, takes nothing from a small one. */
+static void test_bent_neighbour(void **state)
+{
+    const roberts_scene_options options = {.tolerance = 0.01};
+    roberts_mesh mesh = {0};
+    roberts_region_list l;
+    size_t small = 0;
+    (void)state;
+    mesh_box(&mesh, (roberts_vec3){0, 0, 0}, (roberts_vec3){100, 100, 100});
+    for (size_t v = 0; v < mesh.vertex_count; v++)
+        if (mesh.vertex[v].x + mesh.vertex[v].y + mesh.vertex[v].z == 300)
+            mesh.vertex[v].z += 1;
+    mesh_box(&mesh, (roberts_vec3){110, 0, 0}, (roberts_vec3){111, 1, 1});
+    roberts_scene *scene = scene_of_mesh(&mesh, &options);
+    const roberts_camera camera = {.dir = {1, -2, 3}};
+    assert_int_equal(roberts_regions(scene, &camera, NULL, &l, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < l.count; i++)
+        small += l.region[i].solid == 1;
+    assert_int_equal(small, 3);
+    roberts_regions_free(&l);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
 }
 
 /* The near plane cuts solids, and what it cuts is seen. */
@@ -823,6 +847,7 @@ int main(void)
         cmocka_unit_test(test_depths_of_pieces),
         cmocka_unit_test(test_merged),
         cmocka_unit_test(test_rounded),
+        cmocka_unit_test(test_bent_neighbour),
         cmocka_unit_test(test_near_plane),
         cmocka_unit_test(test_threads_and_grid),
         cmocka_unit_test(test_refused),
