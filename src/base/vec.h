@@ -36,6 +36,12 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
+/* The length of (x, y), if that is far from overflow: with the same bits everywhere, unlike hypot(). */
+static inline double vec2_length(double x, double y)
+{
+    return sqrt(x * x + y * y);
+}
+
 /* Orders points by x, then y: -1, 0 or 1; -0 equals +0. */
 static inline int vec2_compare(roberts_vec2 a, roberts_vec2 b)
 {

@@ -120,7 +120,7 @@ bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
     double t[2];
     if (!array_reserve(&r->line, &r->line_room, r->line_count + 1, sizeof *r->line))
         return false;
-    r->line[r->line_count] = (page_line){a, b, hypot(b.x - a.x, b.y - a.y)};
+    r->line[r->line_count] = (page_line){a, b, vec2_length(b.x - a.x, b.y - a.y)};
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++) {
             const space_box cell = cell_box(r, x, y);
@@ -268,7 +268,7 @@ double space_to_next_box(const free_space *r, const space_box *box, uint32_t own
                 const double dx = greater(other->min.x - box->max.x, box->min.x - other->max.x);
                 const double dy = greater(other->min.y - box->max.y, box->min.y - other->max.y);
                 if (r->entry[i].what != own)
-                    least = lesser(least, hypot(greater(dx, 0.0), greater(dy, 0.0)));
+                    least = lesser(least, vec2_length(greater(dx, 0.0), greater(dy, 0.0)));
             }
     return least;
 }
@@ -374,7 +374,7 @@ static double segment_distance(roberts_vec2 p, roberts_vec2 a, roberts_vec2 b)
 {
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
     const double t = square > 0.0 ? fmin(fmax(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0), 1.0) : 0.0;
-    return hypot(a.x + t * x - p.x, a.y + t * y - p.y);
+    return vec2_length(a.x + t * x - p.x, a.y + t * y - p.y);
 }
 
 /* How far the border is from p: > 0 within the region (by the parity of crossings), < 0 outside. */
@@ -417,7 +417,7 @@ pole pole_find(const roberts_region_list *list, const roberts_region *region)
     pole best = {{min.x / 2.0 + max.x / 2.0, min.y / 2.0 + max.y / 2.0}, -INFINITY};
     const roberts_vec2 middle = best.at;
     roberts_vec2 size = {max.x - min.x, max.y - min.y};
-    const double half = hypot(size.x, size.y) / 2.0;
+    const double half = vec2_length(size.x, size.y) / 2.0;
     double most = -INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
         const roberts_vec2 from = {best.at.x - size.x / 2.0, best.at.y - size.y / 2.0};
@@ -425,7 +425,7 @@ pole pole_find(const roberts_region_list *list, const roberts_region *region)
             const roberts_vec2 p = {from.x + (i % GRID + 0.5) / GRID * size.x,
                                     from.y + (i / GRID + 0.5) / GRID * size.y};
             const double depth = depth_of(list, region, p);
-            const double off = half > 0.0 ? hypot(p.x - middle.x, p.y - middle.y) / half : 0.0;
+            const double off = half > 0.0 ? vec2_length(p.x - middle.x, p.y - middle.y) / half : 0.0;
             const double worth = depth > 0.0 ? depth * (1.0 - off_middle * off) : depth;
             if (worth > most) {
                 most = worth;

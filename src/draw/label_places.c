@@ -9,6 +9,7 @@
 
 #include "base/angle.h"
 #include "base/array.h"
+#include "base/vec.h"
 #include "draw/labels.h"
 
 /* Costs, in mm of lines that a label lies on. */
@@ -49,7 +50,7 @@ static double reach(roberts_vec2 half, roberts_vec2 d)
 static roberts_vec2 vertex_place(const placing *p, const label *l, size_t i, double *cost)
 {
     const roberts_vec2 d = p->side[i % VERTEX_SIDES], away = l->of->along;
-    const double ring = (double)(i / VERTEX_SIDES), length = hypot(away.x, away.y);
+    const double ring = (double)(i / VERTEX_SIDES), length = vec2_length(away.x, away.y);
     const double off = reach(l->half, d) + p->gap * (0.5 + 2.0 * ring);
     *cost = farther * ring;
     if (length > no_direction)
@@ -208,7 +209,7 @@ static size_t best_places(const placing *p, const label *l, roberts_vec2 middle[
         middle[1] = edge_place(l, 1, p->gap, &cost);
         return 2;
     }
-    if (!(hypot(l->of->along.x, l->of->along.y) > no_direction))
+    if (!(vec2_length(l->of->along.x, l->of->along.y) > no_direction))
         return 0; /* its lines go to all sides */
     for (size_t i = 0; i < VERTEX_SIDES; i++) {
         const roberts_vec2 place = vertex_place(p, l, i, &cost);

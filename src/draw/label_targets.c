@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/vec.h"
 #include "draw/free_space.h"
 
 unsigned targets_kinds(const roberts_lettering *lettering)
@@ -35,7 +36,7 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     const page_view *view = &s->view[v];
     const bool is_back = segment->state == ROBERTS_HIDDEN;
     const roberts_vec2 a = page_place(&view->map, segment->p0), b = page_place(&view->map, segment->p1);
-    const double length = hypot(b.x - a.x, b.y - a.y);
+    const double length = vec2_length(b.x - a.x, b.y - a.y);
     if (segment->v0 == ROBERTS_NONE || !(length > 0.0))
         return true;
     const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};

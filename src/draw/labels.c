@@ -56,7 +56,7 @@ static double cost_of_what_lies_there(const free_space *r, const space_box *box,
 static double box_distance(const space_box *box, roberts_vec2 p)
 {
     const double x = fmax(fmax(box->min.x - p.x, p.x - box->max.x), 0.0);
-    return hypot(x, fmax(fmax(box->min.y - p.y, p.y - box->max.y), 0.0));
+    return vec2_length(x, fmax(fmax(box->min.y - p.y, p.y - box->max.y), 0.0));
 }
 
 /* The point of a vertex or an edge that is nearest to `p`. */
@@ -74,7 +74,7 @@ static bool is_elsewhere(const placing *p, const label *l, const space_box *box,
     if (l->of->kind != ROBERTS_LABEL_VERTICES && l->of->kind != ROBERTS_LABEL_EDGES)
         return false;
     const roberts_vec2 from = nearest_point(l->of, middle);
-    const double own = box_distance(box, l->of->at), length = hypot(middle.x - from.x, middle.y - from.y);
+    const double own = box_distance(box, l->of->at), length = vec2_length(middle.x - from.x, middle.y - from.y);
     const double off = fmin(0.5 * p->gap / length, 1.0); /* its own lines do not count */
     const roberts_vec2 start = {from.x + off * (middle.x - from.x), from.y + off * (middle.y - from.y)};
     return (l->of->kind == ROBERTS_LABEL_VERTICES && space_to_next_box(p->vertices, box, l->of->point, own) < own) ||
@@ -190,7 +190,7 @@ static bool leader_is_free(const placing *p, const label *l, const space_box *bo
 static double leader_cost(const placing *p, const label *l, const space_box *box, roberts_vec2 end)
 {
     const roberts_vec2 at = l->of->at;
-    const double length = hypot(end.x - at.x, end.y - at.y), apart = leader_apart_heights * p->height;
+    const double length = vec2_length(end.x - at.x, end.y - at.y), apart = leader_apart_heights * p->height;
     double crossed = 0.0;
     for (int side = -1; side <= 1; side++) {
         const roberts_vec2 off = {side * p->gap * (end.y - at.y) / length, side * p->gap * (at.x - end.x) / length};
