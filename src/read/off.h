@@ -36,7 +36,7 @@ typedef struct off_state {
     size_t odd_colors, first_odd_color;  /* number of invalid colours, and the line of the first */
     off_place uneven;                    /* the first vertex that does not end with its line */
     off_place short_face;                /* the first face that seems to end within the line of the next */
-    size_t runs_on;                      /* the line of the first face, if a vertex ends there; 0: none does */
+    bool runs_on;                        /* the first face begins on the line of a vertex */
 } off_state;
 
 /* ---- off.c ----------------------------------------------------------------------------------------------------- */

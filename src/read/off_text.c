@@ -553,7 +553,7 @@ static roberts_status read_faces(reader *r)
     const uint64_t count = r->off->header.faces;
     patience lines = {0};
     if (count > 0 && off_faces_read(r) == 0 && r->off->uneven.line > 0)
-        r->off->runs_on = input_skip_in_line(&r->in) && *r->in.at != '}' ? r->in.line : 0;
+        r->off->runs_on = input_skip_in_line(&r->in) && *r->in.at != '}';
     while (off_faces_read(r) < count) {
         if (off_faces_read(r) > 0)
             off_read_pieces(r);
@@ -599,7 +599,7 @@ static roberts_status check_layout(reader *r)
         return error_set(r->error, ROBERTS_BAD_SYNTAX, off->uneven.line,
                          "vertex %llu of 0..%llu does not end with its line, and then %s%s",
                          (unsigned long long)off->uneven.number, (unsigned long long)off->header.vertices - 1, nonsense,
-                         off->runs_on == off->uneven.line ? "; each face must begin a line" : "");
+                         off->header.line == 0 ? "; each face must begin a line" : "");
     if (off->short_face.line > 0 && off_faces_read(r) < off->header.faces)
         return error_set(r->error, ROBERTS_BAD_SYNTAX, off->short_face.line,
                          "face %llu of 0..%llu runs into the line of the next, and then there are fewer faces than "

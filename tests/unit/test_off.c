@@ -496,8 +496,7 @@ static const struct {
      "vertices of OFF have 3; is NOFF or COFF meant?"},
     {"several faces on one line", "OFF 3 2 0 0 0 0 1 0 0 0 1 0 3 0 1 2 3 2 1 0", ROBERTS_BAD_SYNTAX, 1,
      "vertex 0 of 0..2 does not end with its line, and then there are fewer faces than declared; each face must begin "
-     "a "
-     "line"},
+     "a line"},
     {"a corner missing", "OFF\n4 3 0\n" POINTS "0 0 1\n3 0 1\n3 0 1 3\n3 1 2 3\n", ROBERTS_BAD_SYNTAX, 7,
      "face 0 of 0..2 runs into the line of the next, and then there are fewer faces than declared; look: line "
      "7 begins a face of 3 corners, and 2 numbers follow on it"},
