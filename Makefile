@@ -69,7 +69,7 @@ TEST_BIN := $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(TEST_SRC)))
 # begin first, so that none is left at the end.
 SLOW     := mesh_oracle cluster render metamorphic memory_order oracle paper readme region_oracle same_bytes \
             cross_oracle faults layers batch install off labels union_drawing verify_spoiled union image union_oracle \
-            fault_files python verify web
+            fault_files python verify web objet face_pieces parts covers strokes
 SLOW_BIN  = $(SLOW:%=$(BUILD)/tests/test_%)
 QUICK_BIN = $(filter-out $(SLOW_BIN),$(TEST_BIN))
 RUN_TESTS = CC='$(CC)' CXX='$(CXX)' CFLAGS_USED='$(CFLAGS)' ROBERTS_BUILD=$(BUILD) \
