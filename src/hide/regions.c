@@ -178,13 +178,7 @@ static uint32_t whole_face(const roberts_scene *scene, uint32_t face)
     uint32_t number = scene_face_number(scene, face);
     if (number == ROBERTS_NONE)
         return scene_first_piece(scene, scene_body_of_face(scene, face), face);
-    uint32_t step = 1; /* pieces are consecutive: longer and longer steps back, then shorter ones */
-    for (; step <= face && scene_face_number(scene, face - step) == number; step *= 2)
-        face -= step;
-    for (; step > 0; step /= 2)
-        if (step <= face && scene_face_number(scene, face - step) == number)
-            face -= step;
-    return face;
+    return scene->face_number ? scene_first_alike(scene->face_number, face, 0) : face;
 }
 
 /* Finds the depths of a cell in which the piece `piece` of `face` is seen at one point. F: the plane of the piece.

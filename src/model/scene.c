@@ -353,19 +353,24 @@ uint32_t scene_body_of_edge(const roberts_scene *scene, uint32_t edge)
     return body_of(scene, true, edge);
 }
 
-/* The pieces of a face are consecutive. Steps back grow while they stay in the face, then shrink. */
+/* Steps back grow while the numbers are equal, then shrink. */
+uint32_t scene_first_alike(const uint32_t *number, uint32_t at, uint32_t least)
+{
+    const uint32_t own = number[at];
+    uint32_t step = 1;
+    for (; at - least >= step && number[at - step] == own; step *= 2)
+        at -= step;
+    for (; step > 0; step /= 2)
+        if (at - least >= step && number[at - step] == own)
+            at -= step;
+    return at;
+}
+
 uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece)
 {
     if (!scene_is_in_pieces(scene, body, piece))
         return piece;
-    const uint32_t *of = scene->surface->plane_of, least = scene->solid[body].face, number = of[piece];
-    uint32_t step = 1;
-    for (; piece - least >= step && of[piece - step] == number; step *= 2)
-        piece -= step;
-    for (; step > 0; step /= 2)
-        if (piece - least >= step && of[piece - step] == number)
-            piece -= step;
-    return piece;
+    return scene_first_alike(scene->surface->plane_of, piece, scene->solid[body].face);
 }
 
 uint32_t scene_end_of_pieces(const roberts_scene *scene, uint32_t body, uint32_t piece)

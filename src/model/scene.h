@@ -186,6 +186,9 @@ static inline bool scene_is_in_pieces(const roberts_scene *scene, uint32_t body,
                   (piece + 1 < own[1].face && of[piece + 1] == of[piece]));
 }
 
+/* Returns the first of the equal numbers up to `at`, which follow one another; none before `least` counts. */
+uint32_t scene_first_alike(const uint32_t *number, uint32_t at, uint32_t least);
+
 /* Return the first piece of the planar face that a piece belongs to, and the piece after its last one. */
 uint32_t scene_first_piece(const roberts_scene *scene, uint32_t body, uint32_t piece);
 uint32_t scene_end_of_pieces(const roberts_scene *scene, uint32_t body, uint32_t piece);
