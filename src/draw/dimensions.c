@@ -422,10 +422,12 @@ static void judge(const strokes *s, const free_space *r, const page_view *view, 
 }
 
 /* Is the distance the width, height or depth of the scene, which the sheet has already? */
-static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bool *is, roberts_error *error)
+static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bool *found, roberts_error *error)
 {
-    *is = false;
-    for (size_t i = 0; s->options->lettering.overall && i < s->views; i++) {
+    *found = false;
+    if (!s->options->lettering.overall)
+        return ROBERTS_OK;
+    for (size_t i = 0; i < s->views; i++) {
         const page_view *view = &s->view[i];
         const roberts_vec2 low = view->drawing->window_min, high = view->drawing->window_max;
         roberts_camera camera;
@@ -440,7 +442,7 @@ static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bo
         const double slack = level_part * vec3_length(d);
         const bool is_level = fabs(d.y) <= slack && fabs(d.z) <= slack && high.x - low.x - fabs(d.x) <= slack;
         const bool is_upright = fabs(d.x) <= slack && fabs(d.z) <= slack && high.y - low.y - fabs(d.y) <= slack;
-        *is = *is || is_level || (is_upright && view->place == ROBERTS_SHEET_FRONT);
+        *found = *found || is_level || (is_upright && view->place == ROBERTS_SHEET_FRONT);
     }
     return ROBERTS_OK;
 }

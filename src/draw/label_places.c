@@ -10,7 +10,6 @@
 #include "base/angle.h"
 #include "base/array.h"
 #include "base/vec.h"
-#include "draw/labels.h"
 
 /* Costs, in mm of lines that a label lies on. */
 static const double beside_best = 0.2; /* the most that a place costs for not being the best one */

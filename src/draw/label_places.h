@@ -3,6 +3,7 @@
 #define ROBERTS_DRAW_LABEL_PLACES_H
 
 #include "draw/label_targets.h"
+#include "draw/sheet.h"
 
 enum {
     VERTEX_SIDES = 16, /* directions from a vertex */
@@ -58,5 +59,24 @@ roberts_vec2 label_place(const placing *p, const label *l, size_t i, double *cos
 
 /* The same with a leader line, VERTEX_SIDES * LEADER_RINGS places; `*end` receives the end of that line. */
 roberts_vec2 label_leader_place(const placing *p, const label *l, size_t i, roberts_vec2 *end, double *cost);
+
+/* ---- room for labels beside a drawing ---- */
+
+/* Whether there are labels of vertices or edges, which stand beside these. */
+bool labels_stand_beside(const roberts_draw_options *options);
+
+/* Makes room for labels beside a drawing that is to be fitted into the margins of `page`: widens its box from `min` to
+ * `max` so that, once this box is fitted, labels of vertices and edges have room in their best places. False: no
+ * memory. */
+bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
+                      roberts_vec2 *min, roberts_vec2 *max);
+
+/* Enlarges `reach` by the labels of vertices and edges in their best places, on a sheet that has been laid out. False:
+ * no memory. */
+bool labels_add_reach(const strokes *s, sheet_reach *reach);
+
+/* How far from the window of a drawing labels may reach where all pictures of a series have one window, mm; 0: there
+ * are none beside it. */
+double labels_reach(const roberts_draw_options *options);
 
 #endif

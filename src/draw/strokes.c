@@ -16,6 +16,7 @@
 #include "draw/dashes.h"
 #include "draw/dimensions.h"
 #include "draw/hatch.h"
+#include "draw/label_places.h"
 #include "draw/labels.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"

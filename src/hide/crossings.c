@@ -82,20 +82,21 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
     return true;
 }
 
-/* A face in several pieces is tested at the end, once, and is not computed here. *done: the pair needs nothing more.
- * False: no memory. */
-static bool leave_pieces(finder *t, const uint32_t body[2], const uint32_t piece[2], bool *done)
+static bool is_any_in_pieces(const finder *t, const uint32_t body[2], const uint32_t piece[2])
+{
+    return scene_is_in_pieces(t->rules.scene, body[0], piece[0]) ||
+           scene_is_in_pieces(t->rules.scene, body[1], piece[1]);
+}
+
+/* Leaves a pair of which a face is in several pieces to the end: then such a face is computed once. False: no memory.
+ */
+static bool leave_pair(finder *t, const uint32_t body[2], const uint32_t piece[2])
 {
     const roberts_scene *scene = t->rules.scene;
-    bool several[2];
-    uint32_t first[2];
-    for (int i = 0; i < 2; i++)
-        several[i] = scene_is_in_pieces(scene, body[i], piece[i]);
-    *done = several[0] || several[1];
-    if (!*done)
-        return true;
-    for (int i = 0; i < 2; i++)
-        first[i] = scene_first_piece(scene, body[i], piece[i]);
+    const bool several[2] = {scene_is_in_pieces(scene, body[0], piece[0]),
+                             scene_is_in_pieces(scene, body[1], piece[1])};
+    const uint32_t first[2] = {scene_first_piece(scene, body[0], piece[0]),
+                               scene_first_piece(scene, body[1], piece[1])};
     const int k = several[0] == several[1] ? first[1] < first[0] : several[1];
     return first[0] == first[1] || add_pair(t, first[k], first[1 - k]);
 }
@@ -119,14 +120,10 @@ static bool meet_whole(finder *t, const uint32_t body[2], const uint32_t first[2
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
-    bool done;
     if (seen_is_cap(t->rules.scene, pair->piece[0]) || seen_is_cap(t->rules.scene, pair->piece[1]))
         return true;
-    if (!leave_pieces(t, pair->body, pair->piece, &done))
-        return false;
-    if (done)
-        return true;
-    return meet_whole(t, pair->body, pair->piece);
+    return is_any_in_pieces(t, pair->body, pair->piece) ? leave_pair(t, pair->body, pair->piece)
+                                                        : meet_whole(t, pair->body, pair->piece);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
@@ -194,8 +191,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
 {
     const hide_fronts *fronts = t->fronts;
     const hide_front *f = &fronts->front[list[i].front], *g = &fronts->front[list[k].front];
+    const uint32_t body[2] = {f->solid, g->solid}, piece[2] = {f->piece, g->piece};
     crossing_face other[2];
-    bool done;
     if (hide_key(fronts, f) == hide_key(fronts, g))
         return true; /* a convex solid, or pieces of one face */
     if (!hide_is_face(f) || !hide_is_face(g))
@@ -203,9 +200,9 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     if (seen_is_cap(fronts->scene, f->piece) || seen_is_cap(fronts->scene, g->piece) ||
         filter_faces(fronts, list[i].front, list[k].front))
         return true;
-    if (!leave_pieces(t, (uint32_t[]){f->solid, g->solid}, (uint32_t[]){f->piece, g->piece}, &done))
-        return false;
-    return done || meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
+    if (is_any_in_pieces(t, body, piece))
+        return leave_pair(t, body, piece);
+    return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
 /* The entries of a cell that are tested. */
