@@ -20,7 +20,8 @@ STD      := -std=c17 -D_POSIX_C_SOURCE=200809L
 # -ffp-contract=off: a fused multiply-add would make signs depend on the compiler (see src/base/vec.h)
 # -fno-math-errno: a square root is one instruction, not followed by a test whether errno must be set; nothing reads it
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(THREADS) $(CFLAGS) -Iinclude -Isrc \
+COMPILE   = $(CC) $(STD) $(WARN) $(WERROR) -ffp-contract=off -fno-math-errno -fPIC $(THREADS) $(CFLAGS) \
+             -Iinclude -Isrc \
             $(TEST_DIRS) $(NEEDS) $(UNOPTIMIZED) -MMD -MP
 LINK      = $(CC) $(THREADS) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^)
 # Evaluated only where used: `make demo` must start without pkg-config.
@@ -238,7 +239,8 @@ clean: ## removes build/
 help: ## lists the targets
 	@sed -n -e 's/^##@ \(.*\)/\n\1:/p' -e 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' Makefile src/web/module.mk | \
 	    expand -t 24
-	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS TEST_CFLAGS LDFLAGS WERROR=-Werror THREADS= V=1 BUILD= PREFIX= LIBDIR= DESTDIR=\n'
+	@printf '\nVariables: CC CXX CFLAGS CXXFLAGS TEST_CFLAGS LDFLAGS WERROR=-Werror THREADS= V=1 BUILD= '
+	@printf 'PREFIX= LIBDIR= DESTDIR=\n'
 
 # How things are made
 $(BUILD)/libroberts.a: $(call object,$(LIB_SRC))
@@ -335,7 +337,8 @@ $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) 
 $(ORACLE_CGAL): $(ORACLE_X) $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call show,CXX,tests/oracle/*.cpp)
-	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math -DCGAL_HAS_NO_THREADS $(CXXFLAGS) -Iinclude -MMD -MP \
+	$(Q)$(CXX) -std=c++17 -Wall -Wextra -Wshadow $(WERROR) -frounding-math -DCGAL_HAS_NO_THREADS $(CXXFLAGS) \
+	    -Iinclude -MMD -MP \
 	    $(ORACLE_X:%=-include %) -x c++ -c -o $@ /dev/null
 
 $(BUILD)/obj/src/write/%.o $(BUILD)/obj/tests/paper/%.o: NEEDS = $(CAIRO_CFLAGS)

@@ -64,8 +64,10 @@ FNR == 1 {
         printf "%-24s%12s%12s%12s%10s%8s%10s%8s%10s\n", "", "triangles", "edges", "segments", "total", "goal", "MB", \
             "goal", "growth"
     } else if (table == "regions") {
-        title("What is seen of each face, against hidden lines (view, grid and hide), CPU seconds of one thread. The edges\n" \
-              "that are not drawn are hidden for the regions alone. The goal is 3 times at the most. written: as JSON;\n" \
+        title("What is seen of each face, against hidden lines (view, grid and hide), CPU seconds of one thread. " \
+              "The edges\n" \
+              "that are not drawn are hidden for the regions alone. The goal is 3 times at the most. " \
+              "written: as JSON;\n" \
               "growth: of the regions, from the smallest size, over edges")
         printf "%-24s%12s%12s%10s%10s%8s%10s%10s\n", "", "faces", "segments", "hidden", "regions", "times", "written", \
             "growth"
@@ -200,7 +202,8 @@ table == "regions" && value("kind") == "regions" && value("runs") > 0 {
         from_edges[key] = value("edges")
         from_total[key] = value("regions_cpu")
     }
-    printf "%-24s%12s%12s%10.3f%10.3f%8s%10.3f%10s\n", key, grouped(value("faces")), grouped(value("segments")), hiding, \
+    printf "%-24s%12s%12s%10.3f%10.3f%8s%10.3f%10s\n", key, grouped(value("faces")), \
+        grouped(value("segments")), hiding, \
         value("regions_cpu"), times(value("regions_cpu"), hiding), value("draw_cpu"), \
         exponent(from_total[key], value("regions_cpu"), from_edges[key], value("edges"), 0.002)
 }
