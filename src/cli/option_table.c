@@ -184,6 +184,18 @@ static const option rows[] = {
          "Refuses a file with a body that is not a closed, planar, convex solid, and says which and why. Otherwise "
          "bodies of any kind are drawn."},
     {.group = GROUP_OUTPUT,
+     .name = "rounded",
+     .flags = OPTION_DRAWS,
+     .set = values_set_flag,
+     TO(scene.rounded),
+     .brief = "decimals were rounded",
+     .help = "coordinates were rounded to decimals: what touched before still touches",
+     .manual =
+         "Says that coordinates were rounded to decimals, as in 0.707107. What touched before the rounding, or lay in "
+         "one plane, may now be apart by a unit of the last digit, and lines are missing or drawn twice. With this "
+         "option, the touching distance is at least two such units. It has no effect on coordinates of more than nine "
+         "digits, nor if two units are more than 1e-4 of the model's size."},
+    {.group = GROUP_OUTPUT,
      .name = "fill-rule",
      .flags = OPTION_DRAWS,
      .value = "RULE",
@@ -932,8 +944,8 @@ static const option rows[] = {
      .manual =
          "The touching distance, in model units, at most a hundredth of the scene: points nearer than this touch. "
          "Default: 0, which is 1e-11 of the scene's diameter, at least 16 units in the last place of the largest "
-         "coordinate, and at least 2 such units of 32-bit floats if the file holds these. --stats says what it is "
-         "and why."},
+         "coordinate, and at least 2 such units of 32-bit floats if the file holds these (see also --rounded). "
+         "--stats says what it is and why."},
     {.group = GROUP_ENGINE,
      .name = "tolerance",
      .flags = OPTION_DRAWS,

@@ -409,6 +409,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
                      "--union has no effect: no body is closed");
+    if (options->scene.rounded && v->drawing[0].epsilon_reason != ROBERTS_EPSILON_DECIMAL)
+        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
+                     "--rounded has no effect: coordinates are whole, or have more than nine digits or too few");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
         warn_of_file(
             options, name_inputs(options, options->input[0], name, sizeof name),

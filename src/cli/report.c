@@ -238,7 +238,8 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
     } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
                    [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
                    [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
-                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"}};
+                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
+                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last digit of decimal coordinates"}};
     const struct reason *reason = &reasons[d->epsilon_reason];
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
     print_name(options);

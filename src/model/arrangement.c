@@ -463,8 +463,8 @@ static placed_side *place_sides(const face_pieces *f, const uint32_t *given, dou
         uint32_t r = at[s->side];
         roberts_vec3 A = f->node[given[r]].point, B = f->node[given[r + 1 < f->ring_count ? r + 1 : 0]].point;
         bool off = false;
-        double t = place_on(&f->node[s->from], A, B, 0.25 * touching, &off);
-        double u = place_on(&f->node[s->to], A, B, 0.25 * touching, &off);
+        double t = place_on(&f->node[s->from], A, B, touching, &off);
+        double u = place_on(&f->node[s->to], A, B, touching, &off);
         placed[i] = (placed_side){s->side, lesser(t, u), greater(t, u), off, *s};
     }
     free(at);

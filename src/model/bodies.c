@@ -24,8 +24,7 @@
 #include "model/weld.h"
 #include "read/mesh.h"
 
-/* The touching distance, as in the view: a fraction of the scene's diameter, or ulps of its largest coordinate. If
- * coordinates are 32-bit floats, it is at least the step between adjacent floats. */
+/* The touching distance: the fraction of the scene's diameter, and the ulps of its largest coordinate. */
 #define TOUCHING_OF_DIAMETER 1e-11
 #define TOUCHING_ULPS 16.0
 
@@ -213,7 +212,7 @@ double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
-    return fmax(TOUCHING_OF_DIAMETER * diameter, fmax(rounding, scene_float32_step(scene, mesh)));
+    return fmax(fmax(TOUCHING_OF_DIAMETER * diameter, rounding), fmax(scene->steps.float32, scene->steps.decimal));
 }
 
 /* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];

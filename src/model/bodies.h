@@ -19,7 +19,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
                             bool known, bodies_notes *notes, roberts_error *error);
 
 /* Returns the touching distance, as in the view: a fraction of the scene's diameter, or ulps of its largest coordinate.
- * If coordinates are 32-bit floats, it is at least the step between adjacent floats. */
+ * Of 32-bit floats, and of rounded decimals, it is at least two units of their last place. */
 double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
 
 #endif

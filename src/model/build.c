@@ -475,6 +475,7 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
         status = error_no_memory(&found);
     } else {
         (*scene)->whole = whole;
+        (*scene)->steps = whole ? whole->steps : mesh_rounding(mesh, chosen.rounded);
         status = build(*scene, mesh, lend, &chosen, &notes, &found);
         bool bodies = !chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status));
         if (!bodies)
@@ -494,7 +495,6 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
         }
     }
     if (status == ROBERTS_OK) {
-        (*scene)->float32_step = scene_float32_step(*scene, mesh);
         if (!lend) {
             free((*scene)->turned);
             (*scene)->turned = NULL;

@@ -159,12 +159,7 @@ void scene_clear(roberts_scene *scene)
     free(scene->vertex_color);
     free(scene->face_color);
     mesh_groups_free(scene->group, scene->group_count);
-    *scene = (roberts_scene){.whole = scene->whole};
-}
-
-double scene_float32_step(const roberts_scene *scene, const roberts_mesh *mesh)
-{
-    return scene->whole ? scene->whole->float32_step : mesh_float32_step(mesh);
+    *scene = (roberts_scene){.whole = scene->whole, .steps = scene->steps};
 }
 
 void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi)

@@ -21,6 +21,7 @@
 
 #include "base/vec.h"
 #include "base/warp.h"
+#include "read/mesh.h"
 
 /* Default tolerance: how far from planar and convex a solid may be. Published polyhedra are given to six digits. */
 #define SCENE_TOLERANCE 1e-5
@@ -87,7 +88,7 @@ typedef struct scene_reach {
  * the whole, to the last bit. */
 typedef struct scene_whole {
     roberts_vec3 box_min, box_max; /* of all vertices that faces use */
-    double float32_step;           /* see mesh_float32_step() */
+    mesh_steps steps;              /* of the rounding of all coordinates */
     scene_reach reach;             /* perspective: by the camera that will see the part */
     roberts_vec2 low, high;        /* the picture's box, view units */
     uint32_t columns, rows;        /* of its covers (hide/cover.h); 0: none are kept */
@@ -123,7 +124,7 @@ struct roberts_scene {
     roberts_vec3 box_min, box_max;            /* box of all vertices that faces use */
     roberts_vec3 centre;                      /* middle of that box */
     scene_surface *surface;                   /* NULL: all bodies are convex */
-    double float32_step;                      /* see mesh_float32_step() */
+    mesh_steps steps;                         /* of the rounding of coordinates; zeros if it does not count */
     roberts_group *group;                     /* [group_count] as in the input; NULL: none */
     size_t group_count;
     const scene_whole *whole; /* NULL: this is all there is; else the scene is a part of it. Borrowed */
@@ -342,9 +343,6 @@ bool scene_alloc_arrays(roberts_scene *scene, kept_numbers kept);
 /* The same as roberts_scene_take() for a mesh that is a part of a whole, which the scene borrows. (In build.c.) */
 roberts_status scene_take_part(roberts_mesh *mesh, const roberts_scene_options *options, const scene_whole *whole,
                                roberts_scene **scene, roberts_error *error);
-
-/* Returns mesh_float32_step() of the mesh, or of the whole that the scene is a part of. */
-double scene_float32_step(const roberts_scene *scene, const roberts_mesh *mesh);
 
 /* Sets the scene's box, its centre and its unit. A part of a scene has those of the whole. */
 void scene_set_box(roberts_scene *scene, roberts_vec3 lo, roberts_vec3 hi);

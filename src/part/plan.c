@@ -30,7 +30,7 @@
 enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 
 /* The last digit is the version. */
-static const char magic[PLAN_BEGIN] = "roberts plan 3\n";
+static const char magic[PLAN_BEGIN] = "roberts plan 4\n";
 
 /* Touching distances and roundings: how much larger the margin of boxes in the picture is. The cells that list fronts
  * are widened by a quarter of that (hide_margin()). */
@@ -191,6 +191,7 @@ part_stamp part_stamp_of(const roberts_task *task)
     s.levels = h->levels;
     s.unite = h->unite;
     s.even_odd = task->scene.even_odd;
+    s.rounded = task->scene.rounded;
     s.solids = task->scene.solids;
     return s;
 }
@@ -349,7 +350,9 @@ static roberts_status put_input(planner *pl, const char *name, roberts_error *er
         (mesh.vertex_count > MESH_MOST - pl->vertices || mesh.face_count > MESH_MOST - pl->faces))
         status = error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more vertices or faces than 32 bits can number");
     if (status == ROBERTS_OK) {
-        facts->whole.float32_step = fmax(facts->whole.float32_step, mesh_float32_step(&mesh));
+        const mesh_steps steps = mesh_rounding(&mesh, pl->task->scene.rounded);
+        facts->whole.steps.float32 = fmax(facts->whole.steps.float32, steps.float32);
+        facts->whole.steps.decimal = fmax(facts->whole.steps.decimal, steps.decimal);
         facts->has_names |= mesh.group_count > 0;
         status = put_mesh(pl, &mesh, error);
         pl->vertices += mesh.vertex_count;
@@ -504,7 +507,7 @@ static roberts_status place_bodies(planner *pl, const view *v, const roberts_sce
 static roberts_status put_places(planner *pl, roberts_error *error)
 {
     plan_facts *facts = &pl->p->facts;
-    roberts_scene scene = {.whole = &facts->whole, .float32_step = facts->whole.float32_step};
+    roberts_scene scene = {.whole = &facts->whole, .steps = facts->whole.steps};
     view v;
     box3 *box = alloc_array(facts->bodies, sizeof *box);
     scene_set_box(&scene, facts->whole.box_min, facts->whole.box_max);

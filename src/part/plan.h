@@ -30,8 +30,8 @@ enum {
 typedef struct part_stamp {
     double dir[3], eye[3], look_at[3], up[3], oblique[2], near_distance, fov, roll; /* of the camera */
     double crease, epsilon, tolerance;
-    uint8_t perspective, has_look_at, crease_auto, all_edges, keep_hidden, levels, unite, even_odd, solids;
-    uint8_t padding[7];
+    uint8_t perspective, has_look_at, crease_auto, all_edges, keep_hidden, levels, unite, even_odd, solids, rounded;
+    uint8_t padding[6];
 } part_stamp;
 
 typedef struct plan_body {

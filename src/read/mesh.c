@@ -6,8 +6,26 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/error.h"
 #include "base/vec.h"
+
+/* ---- rounded coordinates: see mesh_rounding() ---- */
+
+enum {
+    DECIMAL_DIGITS = 9,   /* as many as give every 32-bit float. A double that was not rounded has up to 17 */
+    DECIMAL_SAMPLE = 1000 /* vertices that are examined, at equal distances in the list */
+};
+
+/* Model units: a multiple of this is as a person writes it, or exact: 0.5, 0.375. */
+static const double EXACT = 0x1p-20;
+
+/* Units of the last digit: a number nearer than this to a whole one is one. Nine digits of a double are this exact. */
+static const double DIGIT_ERROR = 1e-6;
+
+/* Part of the size (the diagonal of the box): the largest step. On a large sheet, this is less than a tenth of a pen.
+ */
+static const double DECIMAL_MOST = 1e-4;
 
 mesh_mark mesh_here(const roberts_mesh *mesh)
 {
@@ -175,19 +193,61 @@ bool mesh_missing(roberts_mesh *mesh, const char *path)
     return source->missing;
 }
 
-double mesh_float32_step(const roberts_mesh *mesh)
+/* Returns two ulps of a 32-bit float of this size. */
+static double float_step(double size)
 {
-    double most = 0.0;
     int exponent;
-    for (size_t i = 0; i < mesh->source_count; i++) {
-        size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
-        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++)
-            most = greater(most, vec3_largest(mesh->vertex[v]));
+    frexp(size, &exponent); /* 2^(exponent - 1) <= size, and the last of 24 bits is 2^-23 of that */
+    return size > 0.0 ? ldexp(2.0, exponent - FLT_MANT_DIG) : 0.0;
+}
+
+/* Returns the least number of decimal digits that x has; more than `most` if that many do not give it. x > 0. */
+static int digit_count(double x, int most)
+{
+    int count = 1;
+    for (double y = x * pow(10.0, -floor(log10(x))); count <= most && !(fabs(y - rint(y)) <= DIGIT_ERROR); count++)
+        y *= 10.0;
+    return count;
+}
+
+/* Returns two units of the last digit of coordinates that were rounded to decimals. 0: they were not, or so coarsely
+ * that the picture shows it. A coordinate that is a whole number of EXACT is no sign of rounding. */
+static double decimal_step(const roberts_vec3 *vertex, size_t count)
+{
+    int digits = 0;
+    double largest = 0.0;
+    roberts_vec3 low = vertex[0], high = vertex[0];
+    for (size_t i = 0; i < count; i += count / DECIMAL_SAMPLE + 1) {
+        const double coordinate[] = {fabs(vertex[i].x), fabs(vertex[i].y), fabs(vertex[i].z)};
+        box_add(&low, &high, vertex[i]);
+        for (int k = 0; k < 3; k++) {
+            double whole = coordinate[k] / EXACT;
+            int more = whole == rint(whole) ? 0 : digit_count(coordinate[k], DECIMAL_DIGITS);
+            if (more > DECIMAL_DIGITS)
+                return 0.0;
+            if (more > 0)
+                largest = greater(largest, coordinate[k]);
+            digits = more > digits ? more : digits;
+        }
     }
-    if (most == 0.0)
-        return 0.0;
-    frexp(most, &exponent); /* 2^(exponent - 1) <= most, and the last of 24 bits is 2^-23 of that */
-    return ldexp(2.0, exponent - FLT_MANT_DIG);
+    double step = digits ? 2.0 * pow(10.0, floor(log10(largest)) + 1 - digits) : 0.0;
+    return step <= DECIMAL_MOST * vec3_length(vec3_sub(high, low)) ? step : 0.0;
+}
+
+mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals)
+{
+    mesh_steps steps = {0.0, 0.0};
+    double largest = 0.0;
+    for (size_t i = 0, first = 0; i <= mesh->source_count; i++) { /* the first vertices may come from no input */
+        size_t end = i < mesh->source_count ? mesh->source[i].first_vertex : mesh->vertex_count;
+        bool float32 = i > 0 && mesh->source[i - 1].float32;
+        if (decimals && !float32 && first < end)
+            steps.decimal = greater(steps.decimal, decimal_step(mesh->vertex + first, end - first));
+        for (; first < end; first++)
+            largest = float32 ? greater(largest, vec3_largest(mesh->vertex[first])) : largest;
+    }
+    steps.float32 = float_step(largest);
+    return steps;
 }
 
 bool mesh_group(roberts_mesh *mesh, const char *name)

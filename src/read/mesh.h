@@ -101,9 +101,16 @@ void mesh_float32(roberts_mesh *mesh);
  * memory. */
 bool mesh_missing(roberts_mesh *mesh, const char *path);
 
-/* Returns two ulps of a 32-bit float as large as the largest coordinate read as one, model units; 0: none was. Rounding
- * to floats moves a point along each axis by at most a quarter of that. */
-double mesh_float32_step(const roberts_mesh *mesh);
+/* Two units of the last place of rounded coordinates, model units; 0: none. Rounding moves a point along each axis by
+ * at most a quarter of that. */
+typedef struct mesh_steps {
+    double float32; /* of the largest coordinate read as a 32-bit float */
+    double decimal; /* of the largest decimal one, if all have few digits */
+} mesh_steps;
+
+/* Finds the steps. Of 32-bit floats an input says that it holds them. decimals: find those of decimals too (how: see
+ * read/README.md), else theirs is 0. */
+mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals);
 
 /* Room for the name of a group, including its end; longer names are truncated. */
 enum { MESH_GROUP_NAME = 256 };

@@ -812,7 +812,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->box_max = from->box_max;
     to->centre = from->centre;
     to->unit = from->unit;
-    to->float32_step = from->float32_step;
+    to->steps = from->steps;
     if (!map || !begin_arrays(c) || (from->surface && !begin_surface(c))) {
         free(map);
         return error_no_memory(error);

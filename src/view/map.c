@@ -386,7 +386,8 @@ static void choose_epsilon(view *v, const roberts_scene *scene, double given, do
         roberts_epsilon_reason reason;
     } choices[] = {{EPSILON_OF_DIAMETER * v->diameter, ROBERTS_EPSILON_DIAMETER},
                    {EPSILON_ULPS * DBL_EPSILON * largest_coordinate, ROBERTS_EPSILON_ROUNDING},
-                   {scene->float32_step / v->unit, ROBERTS_EPSILON_FLOAT32}};
+                   {scene->steps.float32 / v->unit, ROBERTS_EPSILON_FLOAT32},
+                   {scene->steps.decimal / v->unit, ROBERTS_EPSILON_DECIMAL}};
     v->epsilon = given / v->unit;
     v->epsilon_reason = ROBERTS_EPSILON_GIVEN;
     for (size_t i = 0; !(given > 0.0) && i < sizeof choices / sizeof choices[0]; i++)

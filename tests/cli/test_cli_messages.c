@@ -723,6 +723,9 @@ static const struct {
     {"--fill-rule evenodd models/platonic/cube.off",
      "models/platonic/cube.off: warning: --fill-rule has no effect: no face crosses itself\n"},
     {"--fill-rule nonzero models/platonic/cube.off", ""},
+    {"--rounded models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --rounded has no effect: coordinates are "
+     "whole, or have more than nine digits or too few\n"},
     {"--fill-rule evenodd --batch in models/platonic/cube.off", ""},
     {"--fill-rule evenodd models/star/pentagrammic-prism.off", ""},
 };

@@ -122,14 +122,15 @@ static void steps(void **state)
         roberts_mesh mesh = {0};
         assert_true(mesh_source(&mesh, "text"));
         mesh_vertex(&mesh, (roberts_vec3){1e30, 0, 0});
-        assert_true(mesh_float32_step(&mesh) == 0.0);
+        assert_true(mesh_rounding(&mesh, true).float32 == 0.0);
         assert_true(mesh_source(&mesh, "floats"));
         mesh_float32(&mesh);
-        assert_true(mesh_float32_step(&mesh) == 0.0);
+        assert_true(mesh_rounding(&mesh, true).float32 == 0.0);
         mesh_vertex(&mesh, (roberts_vec3){0, -(double)sizes[i], 0});
         assert_true(mesh_source(&mesh, "text again"));
         mesh_vertex(&mesh, (roberts_vec3){1e30, 0, 0});
-        assert_true(mesh_float32_step(&mesh) == 2.0 * ((double)nextafterf(sizes[i], INFINITY) - (double)sizes[i]));
+        assert_true(mesh_rounding(&mesh, true).float32 ==
+                    2.0 * ((double)nextafterf(sizes[i], INFINITY) - (double)sizes[i]));
         roberts_mesh_free(&mesh);
     }
 }

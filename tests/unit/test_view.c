@@ -750,26 +750,34 @@ static void epsilon_by_table(void **state)
         roberts_vec3 low; /* of a cube of size 2 */
         roberts_camera camera;
         double given, expected;
-        double float32_step;
+        mesh_steps steps;
     } table[] = {
-        {"by the diameter", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter, 0},
-        {"by the diameter, off the origin", {1000, 0, 0}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter, 0},
-        {"by the largest coordinate", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * (1e9 + 2), 0},
-        {"the same, negative", {0, -1e9, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * 1e9, 0},
-        {"by the eye", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 1e9, 0}}, 0, 16 * ulp * 1e9, 0},
-        {"eye not that far", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 30, 0}}, 0, 1e-11 * diameter, 0},
-        {"by 32-bit floats", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 0x1p-22, 0x1p-22},
-        {"by 32-bit floats, from an eye", {5, 5, 5}, {ROBERTS_PERSPECTIVE, .eye = {0, 30, 0}}, 0, 0x1p-20, 0x1p-20},
-        {"floats that do not count", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * (1e9 + 2), 0x1p-22},
-        {"given, in spite of floats", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-9, 1e-9, 0x1p-22},
-        {"given", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-5, 1e-5, 0},
-        {"given, below rounding", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 1e-20, 1e-20, 0},
+        {"by the diameter", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter, {0, 0}},
+        {"by the diameter, off the origin", {1000, 0, 0}, {.dir = {1, 2, 3}}, 0, 1e-11 * diameter, {0, 0}},
+        {"by the largest coordinate", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * (1e9 + 2), {0, 0}},
+        {"the same, negative", {0, -1e9, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * 1e9, {0, 0}},
+        {"by the eye", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 1e9, 0}}, 0, 16 * ulp * 1e9, {0, 0}},
+        {"eye not that far", {-1, -1, -1}, {ROBERTS_PERSPECTIVE, .eye = {0, 30, 0}}, 0, 1e-11 * diameter, {0, 0}},
+        {"by 32-bit floats", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 0x1p-22, {0x1p-22, 0}},
+        {"by 32-bit floats, from an eye",
+         {5, 5, 5},
+         {ROBERTS_PERSPECTIVE, .eye = {0, 30, 0}},
+         0,
+         0x1p-20,
+         {0x1p-20, 0}},
+        {"floats that do not count", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 0, 16 * ulp * (1e9 + 2), {0x1p-22, 0}},
+        {"given, in spite of floats", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-9, 1e-9, {0x1p-22, 0}},
+        {"by decimals", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 2e-6, {0x1p-22, 2e-6}},
+        {"decimals finer than floats", {-1, -1, -1}, {.dir = {1, 2, 3}}, 0, 0x1p-22, {0x1p-22, 2e-9}},
+        {"given, in spite of decimals", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-9, 1e-9, {0, 2e-6}},
+        {"given", {-1, -1, -1}, {.dir = {1, 2, 3}}, 1e-5, 1e-5, {0, 0}},
+        {"given, below rounding", {1e9, 0, 0}, {.dir = {1, 2, 3}}, 1e-20, 1e-20, {0, 0}},
     };
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
         roberts_scene *scene = cube_scene(table[i].low, 2);
         view v;
-        scene->float32_step = table[i].float32_step;
+        scene->steps = table[i].steps;
         assert_int_equal(view_prepare(&v, scene, &table[i].camera, table[i].given, NULL), ROBERTS_OK);
         double epsilon = v.epsilon * v.unit;
         if (fabs(epsilon - table[i].expected) > 1e-9 * table[i].expected)

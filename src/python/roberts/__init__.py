@@ -183,12 +183,13 @@ class Scene:
     solids      what is no convex solid is refused
     tolerance   how far a corner may lie off its face's plane, as a part of the solid's size; 0: 1e-5
     even_odd    the inside of a face that crosses itself is what its border winds round an odd number of times
+    rounded     decimal coordinates were rounded: what touches to within two units of their last digit touches
     The scene keeps arrays that are read in place. What is drawn does not follow later changes of them.
     Raises Error, MemoryError, ValueError.
     """
 
     def __init__(self, vertices: Any, faces: Any, *, hull: bool = False, solids: bool = False, tolerance: float = 0.0,
-                 even_odd: bool = False) -> None:
+                 even_odd: bool = False, rounded: bool = False) -> None:
         points = np.require(vertices, np.float64, "CA")
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
@@ -197,7 +198,8 @@ class Scene:
                       vertex=points.ctypes.data, face_start=start.ctypes.data, corner=corners.ctypes.data)
         mesh.arrays = points, start, corners  # they live as long as the mesh
         c.check("mesh_check", ctypes.byref(mesh))
-        self._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd), _Warned())
+        self._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
+                                          rounded=rounded), _Warned())
 
     def _build(self, mesh: c.mesh, options: c.scene_options, warned: _Warned) -> None:
         options.warnings = warned.struct
@@ -302,7 +304,7 @@ def _pack(faces: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, solids: bool = False,
-         tolerance: float = 0.0, even_odd: bool = False) -> Scene:
+         tolerance: float = 0.0, even_odd: bool = False, rounded: bool = False) -> Scene:
     """Reads an OFF, STL, OBJ or PLY file, text or binary; its content decides which.
 
     what  a path ("-" is standard input), or the bytes of a file
@@ -320,7 +322,8 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
         path = os.fspath(what)
         name = name or os.path.basename(path)
         c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
-    scene._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd), warned)
+    scene._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
+                                          rounded=rounded), warned)
     scene.name = name or ""
     return scene
 

@@ -62,7 +62,7 @@ class mesh(Structure):
 
 class scene_options(Structure):
     _fields_ = [("tolerance", c_double), ("hull", c_bool), ("warnings", warnings), ("threads", c_uint32),
-                ("solids", c_bool), ("even_odd", c_bool)]
+                ("solids", c_bool), ("even_odd", c_bool), ("rounded", c_bool)]
 
 
 class camera(Structure):
