@@ -324,8 +324,7 @@ static double drawn_cost(const strokes *s, const free_space *r, const page_view 
     cost += line_cost(s, r, l.line[0], l.line[1]);
     for (int i = 0; i < 2; i++) { /* other lines end at the vertex, too */
         const double from = 2.0 * margin_mm;
-        const roberts_vec2 a = {l.extension[i][0].x + from * d->off.x, l.extension[i][0].y + from * d->off.y};
-        cost += extension_part * line_cost(s, r, a, l.extension[i][1]);
+        cost += extension_part * line_cost(s, r, moved_along(l.extension[i][0], d->off, from), l.extension[i][1]);
     }
     return cost;
 }
@@ -346,7 +345,7 @@ static bool nth_place(const strokes *s, const seen_distance *seen, size_t i, dim
     d->shift = shift == 0 ? 0.0 : (shift == 1 ? 1.0 : -1.0) * (length / 2.0 + beyond_mm + half);
     for (int k = 0; k < 2; k++) {
         d->corner[k] = seen->at[k];
-        d->end[k] = (roberts_vec2){seen->at[k].x + off_mm * d->off.x, seen->at[k].y + off_mm * d->off.y};
+        d->end[k] = moved_along(seen->at[k], d->off, off_mm);
     }
     const roberts_vec2 centre = {(low.x + high.x) / 2.0 - middle.x, (low.y + high.y) / 2.0 - middle.y};
     *cost = per_ring * ring + (shift ? text_beyond : 0.0) +
@@ -393,18 +392,17 @@ static void enlarge_box(space_box *box, roberts_vec2 p)
     box->max = (roberts_vec2){fmax(box->max.x, p.x), fmax(box->max.y, p.y)};
 }
 
-/* Records how far a dimension reaches beyond its view, or that it is a poor one. */
-static void judge(const strokes *s, const free_space *r, const page_view *view, const dimension *d,
-                  distances_outcome *outcome)
+/* Records how far a dimension reaches beyond its view, and whether it lies across lines. */
+static void record_outcome(const strokes *s, const free_space *r, const page_view *view, const dimension *d,
+                           distances_outcome *outcome)
 {
-    const roberts_vec2 low = page_place(&view->map, view->drawing->window_min);
-    const roberts_vec2 high = page_place(&view->map, view->drawing->window_max);
-    space_box all = {{low.x, high.y}, {high.x, low.y}}, box[DIMENSION_BOXES];
+    space_box box[DIMENSION_BOXES];
     dimension_lines l;
     if (!dimension_lay(s, d, &l))
         return;
     if (line_cost(s, r, l.line[0], l.line[1]) > 0.0)
         outcome->poor++;
+    space_box all = {l.line[0], l.line[0]};
     for (int i = 0; i < 2; i++) {
         enlarge_box(&all, l.line[i]);
         enlarge_box(&all, l.extension[i][1]);
@@ -413,12 +411,7 @@ static void judge(const strokes *s, const free_space *r, const page_view *view, 
         enlarge_box(&all, box[i].min);
         enlarge_box(&all, box[i].max);
     }
-    const double beyond[4] = {low.x - all.min.x, all.max.x - high.x, high.y - all.min.y, all.max.y - low.y};
-    double *reach[4] = {&outcome->reach.view[view->place].left, &outcome->reach.view[view->place].right,
-                        &outcome->reach.view[view->place].above, &outcome->reach.view[view->place].below};
-    for (int i = 0; i < 4; i++)
-        if (beyond[i] > 0.0)
-            *reach[i] = fmax(*reach[i], beyond[i] + margin_mm);
+    sheet_add_box(&outcome->reach, view, &all, margin_mm);
 }
 
 /* Is the distance the width, height or depth of the scene, which the sheet has already? */
@@ -490,7 +483,7 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
         warn_left_out(s, of, "there is no room; choose smaller letters, a smaller scale or a larger page");
         return ROBERTS_OK;
     }
-    judge(s, r, seen.view, &best, outcome);
+    record_outcome(s, r, seen.view, &best, outcome);
     return add_to_page(s, r, &best) ? ROBERTS_OK : error_no_memory(error);
 }
 

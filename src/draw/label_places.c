@@ -298,18 +298,10 @@ bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options
 /* Enlarges the reach by a label in its best places. */
 static void add_label_reach(const placing *p, const strokes *s, const label *l, sheet_reach *reach)
 {
-    const page_view *view = &s->view[l->of->view];
-    const roberts_vec2 low = page_place(&view->map, view->drawing->window_min);
-    const roberts_vec2 high = page_place(&view->map, view->drawing->window_max);
     roberts_vec2 middle[2];
     for (size_t i = 0, places = best_places(p, l, middle); i < places; i++) {
         const space_box box = label_box(l, middle[i]);
-        sheet_reach own = {0};
-        own.view[view->place].left = low.x - box.min.x + slack_mm;
-        own.view[view->place].right = box.max.x - high.x + slack_mm;
-        own.view[view->place].above = high.y - box.min.y + slack_mm;
-        own.view[view->place].below = box.max.y - low.y + slack_mm;
-        sheet_add_reach(reach, &own);
+        sheet_add_box(reach, &s->view[l->of->view], &box, slack_mm);
     }
 }
 

@@ -258,6 +258,18 @@ void sheet_add_reach(sheet_reach *reach, const sheet_reach *more)
     }
 }
 
+void sheet_add_box(sheet_reach *reach, const page_view *view, const space_box *box, double more)
+{
+    const roberts_vec2 low = page_place(&view->map, view->drawing->window_min);
+    const roberts_vec2 high = page_place(&view->map, view->drawing->window_max);
+    const double beyond[4] = {low.x - box->min.x, box->max.x - high.x, high.y - box->min.y, box->max.y - low.y};
+    double *own[4] = {&reach->view[view->place].left, &reach->view[view->place].right, &reach->view[view->place].above,
+                      &reach->view[view->place].below};
+    for (int i = 0; i < 4; i++)
+        if (beyond[i] > 0.0)
+            *own[i] = fmax(*own[i], beyond[i] + more);
+}
+
 bool sheet_lay(const roberts_sheet *sheet, const roberts_draw_options *options, const sheet_reach *reach,
                sheet_map *map, roberts_error *error)
 {

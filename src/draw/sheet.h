@@ -2,8 +2,7 @@
 #ifndef ROBERTS_DRAW_SHEET_H
 #define ROBERTS_DRAW_SHEET_H
 
-#include "draw/chain.h"
-#include "draw/page.h"
+#include "draw/strokes.h"
 
 /* Where each view and the symbol lie. */
 typedef struct sheet_map {
@@ -21,6 +20,9 @@ typedef struct sheet_reach {
 
 /* Enlarges `reach` so that it includes `more`. */
 void sheet_add_reach(sheet_reach *reach, const sheet_reach *more);
+
+/* Enlarges `reach` by a box on the paper: where it lies beyond the window of `view`, `more` mm are added. */
+void sheet_add_box(sheet_reach *reach, const page_view *view, const space_box *box, double more);
 
 /* Lays the views on the page by their windows, as options->placement says. The top view has exactly the x of the front
  * view, the side view exactly its y. `reach` has room beside the views, between them unless sheet->gap_mm is given.
