@@ -66,16 +66,17 @@ roberts_color region_color(const hide_job *job, uint32_t piece)
 
 /* ---- neighbours in one plane ------------------------------------------------------------------------------------- */
 
-/* The end of the pieces of the face that begins with `first`. end: of the body's faces. */
-static uint32_t pieces_end(const roberts_scene *scene, uint32_t body, uint32_t first, uint32_t end)
+/* The end of the pieces of the face that begins with `first`: of one in the input all pieces, whether or not they lie
+ * in one plane. */
+static uint32_t face_end(const roberts_scene *scene, uint32_t body, uint32_t first)
 {
     const uint32_t number = scene_face_number(scene, first);
-    const bool convex = scene_is_convex(scene, body);
-    uint32_t f = first + 1;
-    while (f < end && scene_face_number(scene, f) == number &&
-           (number != ROBERTS_NONE || (!convex && scene_plane_number(scene, f) == scene_plane_number(scene, first))))
-        f++;
-    return f;
+    uint32_t end = first + 1;
+    if (number == ROBERTS_NONE)
+        return scene_end_of_pieces(scene, body, first);
+    while (end < scene->solid[body + 1].face && scene_face_number(scene, end) == number)
+        end++;
+    return end;
 }
 
 /* Whether the corners of a face, given by its first piece, lie in the plane of a piece of another, as far as both are
@@ -83,8 +84,7 @@ static uint32_t pieces_end(const roberts_scene *scene, uint32_t body, uint32_t f
 static bool lies_in_plane_of(const hide_job *job, uint32_t face, uint32_t other)
 {
     const roberts_scene *scene = job->fronts.scene;
-    const uint32_t body = scene_body_of_face(scene, face),
-                   end = pieces_end(scene, body, face, scene->solid[body + 1].face);
+    const uint32_t end = face_end(scene, scene_body_of_face(scene, face), face);
     const plane F = scene_plane(scene, other);
     for (uint32_t piece = face; piece < end; piece++) {
         const double far = scene_deviation(scene, piece) + scene_deviation(scene, other) +
@@ -288,7 +288,7 @@ bool region_depths_build(region_depths *d, const hide_fronts *fronts, double tou
     for (uint32_t body = 0; scene->face_number && body < scene->solid_count; body++) {
         const uint32_t all = scene->solid[body + 1].face;
         for (uint32_t f = scene->solid[body].face, end; !fronts->culled[body] && f < all; f = end) {
-            end = pieces_end(scene, body, f, all);
+            end = face_end(scene, body, f);
             if (end - f < 2)
                 continue;
             if (!d->root) {
