@@ -166,8 +166,6 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
     return status;
 }
 
-static const char wrong_kind[] = "the kind is none of vertex, edge, face and body",
-                  no_row[] = "the kind is none of vertex, edge, face and body, and the second field is no number";
 static const char wrong_quotes[] =
     "a field that begins with a quotation mark ends with one; two within it stand for one";
 
@@ -223,9 +221,9 @@ static bool take_number(const char *text, uint32_t *number)
     return parse_integer(*text == 'v' || *text == 'V' ? text + 1 : text, number);
 }
 
-/* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL; no_row: it may be the titles
- * of the columns. */
-static const char *read_line(char *line, char comma, roberts_name *name)
+/* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL. Sets *titles if it may be
+ * the titles of the columns. */
+static const char *read_line(char *line, char comma, roberts_name *name, bool *titles)
 {
     static const char *const kinds[] = {"vertex", "edge", "face", "body", NULL};
     static const roberts_label_kind of[] = {ROBERTS_LABEL_VERTICES, ROBERTS_LABEL_EDGES, ROBERTS_LABEL_FACES,
@@ -240,8 +238,11 @@ static const char *read_line(char *line, char comma, roberts_name *name)
     for (char *c = word; *c; c++)
         *c = (char)(*c >= 'A' && *c <= 'Z' ? *c - 'A' + 'a' : *c);
     const size_t kind = parse_find(word, kinds);
+    *titles = !kinds[kind] && !strpbrk(number, "0123456789");
+    if (*titles)
+        return "the kind is none of vertex, edge, face and body, and the second field is no number";
     if (!kinds[kind])
-        return strpbrk(number, "0123456789") ? wrong_kind : no_row;
+        return "the kind is none of vertex, edge, face and body";
     *name = (roberts_name){.of = of[kind]};
     const char *why = take_name(text, comma, &name->text);
     if (why)
@@ -342,11 +343,12 @@ static roberts_status read_lines(listed_names *l, char *text, const char *path, 
         cut_cr(at);
         if (*at == '#' || at[strspn(at, " \t,;")] == '\0')
             continue;
+        bool titles = false;
         const bool first = !comma;
         if (first)
             comma = separator(at);
-        const char *why = read_line(at, comma, &name);
-        if (first && why == no_row)
+        const char *why = read_line(at, comma, &name, &titles);
+        if (first && titles)
             continue;
         if (why)
             return lists_fail(error, ROBERTS_BAD_SYNTAX, path, line, why);
