@@ -10,11 +10,11 @@
 
 enum { MISUSE_SIZE = 8192 }; /* two file names, and the fault */
 
-/* File names may contain control characters; a terminal must not obey them. */
+/* Writes a text that may have file names in it. */
 static void put_plain(FILE *log, const char *text)
 {
     for (; *text; text++)
-        if ((unsigned char)*text < 0x20 || *text == 0x7f)
+        if (message_is_control(*text))
             fprintf(log, "\\x%02x", (unsigned)(unsigned char)*text);
         else
             fputc(*text, log);

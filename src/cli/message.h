@@ -22,6 +22,12 @@ int message_misuse(const char *format, ...) MESSAGE_PRINTF;
 void message_open(FILE *log);
 void message_close(FILE *log);
 
+/* A terminal must not obey control characters in names. */
+static inline bool message_is_control(char c)
+{
+    return (unsigned char)c < ' ' || c == 0x7f;
+}
+
 /* Writes "roberts: " and the subject of the message: a file or a picture, or NULL. */
 void message_begin(FILE *log, const char *label);
 

@@ -175,8 +175,8 @@ static void find_missing(const roberts_mesh *mesh, run_stats *run)
     for (size_t i = 0; i < mesh->source_count && !*run->missing; i++)
         if (mesh->source[i].missing)
             snprintf(run->missing, sizeof run->missing, "%s", mesh->source[i].missing);
-    for (char *c = run->missing; *c; c++) /* a terminal must not obey it */
-        *c = (char)((unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c);
+    for (char *c = run->missing; *c; c++)
+        *c = message_is_control(*c) ? '?' : *c;
 }
 
 /* Are names compared with the mesh? With --batch they may be for other models. */
