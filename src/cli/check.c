@@ -19,14 +19,9 @@
 
 enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
 
-static bool is_table(roberts_format format)
-{
-    return format == ROBERTS_CSV || format == ROBERTS_JSON;
-}
-
 static bool has_page(roberts_format format)
 {
-    return format != ROBERTS_CSV && format != ROBERTS_JSON && format != ROBERTS_NULL;
+    return !values_is_table(format) && format != ROBERTS_NULL;
 }
 
 /* ---- misuse ---- */
@@ -148,7 +143,7 @@ static int check_outputs(const cli_options *options)
     for (uint32_t i = 0; i < options->turntable && status == EXIT_DONE; i++)
         if (parse_numbered(options->output, i, name, sizeof name))
             status = check_written(options, "output", "the drawing", name);
-    for (int i = 0; options->is_sheet && is_table(options->draw.format) && i < ROBERTS_SHEET_VIEWS; i++)
+    for (int i = 0; options->is_sheet && values_is_table(options->draw.format) && i < ROBERTS_SHEET_VIEWS; i++)
         if (status == EXIT_DONE &&
             parse_named(options->output, roberts_sheet_view_name(options->sheet, i), name, sizeof name))
             status = check_written(options, "output", "the table", name);
@@ -362,53 +357,38 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
 
-/* An ending that names another format misleads whoever opens the file. */
-static void warn_ending(const cli_options *options)
-{
-    char text[80];
-    roberts_format told;
-    const roberts_format written = options->draw.format;
-    const bool model = ends_like_model(options->output);
-    if (written == ROBERTS_NULL || !(model || (roberts_format_by_path(options->output, &told) && told != written)))
-        return;
-    if (model)
-        snprintf(text, sizeof text, "its ending says that it is a model, but it is %s, as --format says",
-                 values_format_name(written));
-    else
-        snprintf(text, sizeof text, "its ending says %s, but it is %s, as --format says", values_format_name(told),
-                 values_format_name(written));
-    message_warning(stderr, options->output, 0, text);
-}
-
-/* Neither a part nor a plan is a drawing yet. */
-static void warn_part(const cli_options *options)
+/* An ending that names something else than what the file will be misleads whoever opens it. */
+static void warn_ending(const char *name, const char *but)
 {
     char text[120];
     roberts_format told;
-    const char *what = options->plan ? "it is a plan, for --part" : "it is a part of a drawing, for --join";
-    if (ends_like_model(options->output))
-        snprintf(text, sizeof text, "its ending says that it is a model, but %s", what);
-    else if (roberts_format_by_path(options->output, &told))
-        snprintf(text, sizeof text, "its ending says %s, but %s", values_format_name(told), what);
+    if (ends_like_model(name))
+        snprintf(text, sizeof text, "its ending says that it is a model, but %s", but);
+    else if (roberts_format_by_path(name, &told))
+        snprintf(text, sizeof text, "its ending says %s, but %s", values_format_name(told), but);
     else
         return;
-    message_warning(stderr, options->output, 0, text);
+    message_warning(stderr, name, 0, text);
+}
+
+/* The ending of the output's name may differ from --format. */
+static void warn_format(const cli_options *options)
+{
+    char but[60];
+    roberts_format told;
+    const roberts_format written = options->draw.format;
+    if (written == ROBERTS_NULL || (roberts_format_by_path(options->output, &told) && told == written))
+        return;
+    snprintf(but, sizeof but, "it is %s, as --format says", values_format_name(written));
+    warn_ending(options->output, but);
 }
 
 /* Regions are JSON, unless the name ends in .csv. */
 static void warn_regions(const cli_options *options)
 {
-    char text[80];
     roberts_format told;
-    if (!options->regions)
-        return;
-    if (ends_like_model(options->regions))
-        snprintf(text, sizeof text, "its ending says that it is a model, but regions are written as json");
-    else if (roberts_format_by_path(options->regions, &told) && !is_table(told))
-        snprintf(text, sizeof text, "its ending says %s, but regions are written as json", values_format_name(told));
-    else
-        return;
-    message_warning(stderr, options->regions, 0, text);
+    if (options->regions && !(roberts_format_by_path(options->regions, &told) && values_is_table(told)))
+        warn_ending(options->regions, "regions are written as json");
 }
 
 /* Are there regions that could be merged? Labels from a file may be those of faces. */
@@ -430,7 +410,8 @@ static void warn_place(const cli_options *options)
     if (parse_numbered(options->output, 0, name, sizeof name))
         message_warning(stderr, options->output, 0,
                         "the file gets this very name: only --turntable puts a number there");
-    if (parse_named(options->output, "", name, sizeof name) && !(options->is_sheet && is_table(options->draw.format)))
+    if (parse_named(options->output, "", name, sizeof name) &&
+        !(options->is_sheet && values_is_table(options->draw.format)))
         message_warning(stderr, options->output, 0,
                         "the file gets this very name: only tables of --sheet have the name of a view there");
 }
@@ -532,13 +513,14 @@ void check_warn(const cli_options *options, const options_given *given)
     if (options->quiet)
         return;
     if (options->plan || options->part.of) {
-        warn_part(options);
+        warn_ending(options->output,
+                    options->plan ? "it is a plan, for --part" : "it is a part of a drawing, for --join");
         return; /* the rest is warned of when the parts are joined */
     }
     if (options->draw.format == ROBERTS_NULL && options_is_given(given, "output"))
         warn("--output", "the format null writes nothing");
     if (options_is_given(given, "format"))
-        warn_ending(options);
+        warn_format(options);
     warn_regions(options);
     if (options->hide.merge_regions && !has_regions(options))
         warn("--merge-regions", "there are no regions without --regions, --fill, --hatch or labels of faces");
@@ -553,11 +535,11 @@ void check_warn(const cli_options *options, const options_given *given)
     } else {
         warn_useless(options, given, OPTION_PAPER, "has no page");
     }
-    if (!is_table(options->draw.format))
+    if (!values_is_table(options->draw.format))
         warn_useless(options, given, OPTION_TABLE, "is no table");
     else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)
         warn("--columns +level", "it is 0 in visible rows, and there are no others without --hidden");
-    for (size_t i = 0; is_table(options->draw.format) && i < options->draw.column_count; i++)
+    for (size_t i = 0; values_is_table(options->draw.format) && i < options->draw.column_count; i++)
         if (options->draw.column[i] == ROBERTS_COLUMN_BY && options->draw.hidden == ROBERTS_HIDDEN_NONE)
             warn("--columns +by", "it is empty in visible rows, and there are no others without --hidden");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)

@@ -270,7 +270,7 @@ typedef struct glance {
 /* Examines segments until `enough` of them are known to be drawn. */
 static glance look(const cli_options *options, const roberts_drawing *drawing, size_t views, size_t enough)
 {
-    const bool page = options->draw.format != ROBERTS_CSV && options->draw.format != ROBERTS_JSON;
+    const bool page = !values_is_table(options->draw.format);
     glance g = {0};
     for (const roberts_drawing *d = drawing; d < drawing + views; d++) {
         roberts_vec2 min = d->window_min, max = d->window_max;

@@ -4,6 +4,7 @@
  * nothing jumps. */
 #include "cli/picture.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/hints.h"
@@ -30,8 +31,8 @@ typedef struct views {
     bool explained; /* a warning has said why it is almost empty */
 } views;
 
-/* What messages call the inputs: the first of them, and how many more there are. */
-static const char *name_inputs(const cli_options *options, const char *first, char *name, size_t size)
+/* Names the inputs: the first of them, and how many more there are. */
+static const char *name_several(const cli_options *options, const char *first, char *name, size_t size)
 {
     if (strcmp(first, "-") == 0)
         first = "standard input";
@@ -42,6 +43,19 @@ static const char *name_inputs(const cli_options *options, const char *first, ch
     return name;
 }
 
+/* What messages call the inputs. */
+static const char *name_inputs(const cli_options *options, char *name, size_t size)
+{
+    return name_several(options, options->input[0], name, size);
+}
+
+/* The same without folders. */
+static const char *write_title(const cli_options *options, char *title, size_t size)
+{
+    const char *first = options->input[0], *slash = strrchr(first, '/');
+    return name_several(options, slash ? slash + 1 : first, title, size);
+}
+
 static void warn_of_file(const cli_options *options, const char *file, const char *text)
 {
     const roberts_warnings *to = &options->scene.warnings;
@@ -49,18 +63,24 @@ static void warn_of_file(const cli_options *options, const char *file, const cha
         to->warn(to->context, file, 0, text);
 }
 
-/* The same without folders. */
-static const char *write_title(const cli_options *options, char *title, size_t size)
+static void warn_of_inputs(const cli_options *options, const char *text)
 {
-    const char *first = options->input[0], *slash = strrchr(first, '/');
-    return name_inputs(options, slash ? slash + 1 : first, title, size);
+    char name[NAME_SIZE];
+    warn_of_file(options, name_inputs(options, name, sizeof name), text);
+}
+
+/* Begins a line about the inputs in the log. */
+static void begin_of_inputs(const cli_options *options)
+{
+    char name[NAME_SIZE];
+    message_begin(options->log, name_inputs(options, name, sizeof name));
 }
 
 /* Reports the error, which concerns the inputs if it names no file. Returns the exit status. */
 static int fail(const cli_options *options, roberts_error *error, picture_result *result)
 {
     if (!error->file[0] && error->status != ROBERTS_BAD_ARGUMENT)
-        name_inputs(options, options->input[0], error->file, sizeof error->file);
+        name_inputs(options, error->file, sizeof error->file);
     hint_memory(options, error);
     result->error = *error;
     return message_error(options->log, error);
@@ -82,14 +102,13 @@ static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, r
 /* Names the solids that hulls have replaced, by their numbers; prints nothing if there are none. */
 static void tell_hulls(const cli_options *options, const roberts_scene *scene)
 {
-    char name[NAME_SIZE];
     const uint32_t solids = (uint32_t)roberts_scene_solid_count(scene);
     uint32_t hulls = 0, told = 0;
     for (uint32_t s = 0; s < solids; s++)
         hulls += roberts_scene_is_hull(scene, s);
     if (hulls == 0)
         return;
-    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    begin_of_inputs(options);
     fputs(hulls == 1 ? "a convex hull in place of solid" : "convex hulls in place of solids", options->log);
     for (uint32_t s = 0; s < solids && told < HULLS_TOLD; s++)
         if (roberts_scene_is_hull(scene, s))
@@ -102,13 +121,12 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
 {
     static const char *const names[] = {
         [ROBERTS_CONVEX] = "convex", [ROBERTS_CLOSED] = "closed but not convex", [ROBERTS_OPEN] = "open"};
-    char name[NAME_SIZE];
     size_t of[ROBERTS_OPEN + 1] = {0}, told = 0;
     for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
         of[roberts_scene_body_kind(scene, s)]++;
     if (of[ROBERTS_CLOSED] + of[ROBERTS_OPEN] == 0)
         return;
-    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    begin_of_inputs(options);
     for (size_t kind = 0; kind <= ROBERTS_OPEN; kind++)
         if (of[kind] > 0)
             fprintf(options->log, "%s%zu %s", told++ ? ", " : "bodies: ", of[kind], names[kind]);
@@ -119,7 +137,6 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
  * are drawn, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
-    char name[NAME_SIZE];
     if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
         return;
     const size_t curved = hint_curved(scene);
@@ -127,7 +144,7 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
     if (curved == 0 && !is_round)
         return;
     message_open(options->log);
-    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    begin_of_inputs(options);
     if (is_round)
         fputs(
             "note: edges of 30 degrees and less are drawn, since the bodies are convex; --crease 30 leaves them out\n",
@@ -141,17 +158,16 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
 
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
 {
-    char name[NAME_SIZE];
     const size_t bodies = roberts_scene_solid_count(scene);
     message_open(options->log);
-    message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+    begin_of_inputs(options);
     fprintf(options->log, "%zu bod%s, %zu vertices, %zu face%s", bodies, bodies == 1 ? "y" : "ies", run->vertices,
             run->faces, run->faces == 1 ? "" : "s");
     if (run->lines > 0)
         fprintf(options->log, ", %zu points and lines", run->lines);
     fprintf(options->log, "; %.3f s\n", run->read.wall + run->solids.wall);
     if (*run->missing) {
-        message_begin(options->log, name_inputs(options, options->input[0], name, sizeof name));
+        begin_of_inputs(options);
         fprintf(options->log, "colours are missing, since there is no file %s\n", run->missing);
     }
     tell_kinds(options, scene);
@@ -187,23 +203,20 @@ static bool checks_names(const cli_options *options)
 
 static void warn_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies)
 {
-    char text[256], name[NAME_SIZE];
+    char text[256];
     if (checks_names(options) && hint_idle_names(options, mesh, bodies, text, sizeof text))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
+        warn_of_inputs(options, text);
 }
 
 /* Options without effect on these bodies. With --batch they may be for other models. `faces`: of the mesh. */
 static void warn_idle_bodies(const cli_options *options, const roberts_scene *scene, size_t faces)
 {
-    char name[NAME_SIZE];
     if (options->quiet || options->batch)
         return;
     if (options->scene.hull && hint_idle_hull(scene, faces))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     "--hull has no effect: all bodies are convex solids");
+        warn_of_inputs(options, "--hull has no effect: all bodies are convex solids");
     if (options->scene.even_odd && hint_idle_rule(scene))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     "--fill-rule has no effect: no face crosses itself");
+        warn_of_inputs(options, "--fill-rule has no effect: no face crosses itself");
 }
 
 /* Reads the inputs and builds the scene. The mesh is released. */
@@ -245,15 +258,10 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     return status;
 }
 
-static bool is_table(const cli_options *options)
-{
-    return options->draw.format == ROBERTS_CSV || options->draw.format == ROBERTS_JSON;
-}
-
 /* Whether the output or a check needs the body that hides a part of a line. */
 static bool names_hiders(const cli_options *options)
 {
-    return is_table(options) || options->verify ||
+    return values_is_table(options->draw.format) || options->verify ||
            (options->draw.format == ROBERTS_SVG && options->draw.grouping == ROBERTS_GROUP_ELEMENT);
 }
 
@@ -273,7 +281,7 @@ static bool needs_regions(const cli_options *options)
     const roberts_draw_options *page = &options->draw;
     const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
                        page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
-    const bool strokes = page->format != ROBERTS_NULL && !is_table(options);
+    const bool strokes = page->format != ROBERTS_NULL && !values_is_table(page->format);
     unsigned kinds = page->lettering.labels;
     for (size_t i = 0; i < page->lettering.name_count; i++)
         kinds |= (unsigned)page->lettering.name[i].of;
@@ -352,7 +360,7 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
 /* Whether the output needs faces of edges, names, or vertices from the scene. */
 static bool needs_scene(const cli_options *options)
 {
-    return is_table(options) || options->distance_count > 0 ||
+    return values_is_table(options->draw.format) || options->distance_count > 0 ||
            (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
 }
 
@@ -360,7 +368,7 @@ static bool needs_scene(const cli_options *options)
 static const char *name_output(const cli_options *options, char *name, size_t size)
 {
     if (options->draw.format == ROBERTS_NULL)
-        return name_inputs(options, options->input[0], name, size);
+        return name_inputs(options, name, size);
     return strcmp(options->output, "-") == 0 ? "standard output" : options->output;
 }
 
@@ -386,7 +394,7 @@ static bool has_obj(const cli_options *options)
  * file is missing. */
 static void warn_no_colors(const cli_options *options, const char *missing)
 {
-    char text[NAME_SIZE], name[NAME_SIZE];
+    char text[NAME_SIZE];
     if (options->draw.shaded && !*missing)
         return;
     const int used = snprintf(text, sizeof text, "%s: no face that is seen has a colour",
@@ -396,33 +404,31 @@ static void warn_no_colors(const cli_options *options, const char *missing)
     else if (has_obj(options))
         snprintf(text + used, sizeof text - (size_t)used,
                  " (those of an OBJ are in the .mtl files beside it that it names)");
-    warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
+    warn_of_inputs(options, text);
 }
 
 /* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
 static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const char *missing)
 {
-    char text[256], name[NAME_SIZE];
-    const bool page = options->draw.format != ROBERTS_NULL && !is_table(options);
+    char text[256];
+    const bool page = options->draw.format != ROBERTS_NULL && !values_is_table(options->draw.format);
     if (options->quiet || options->turntable > 0)
         return;
     if (options->hide.unite && scene && hint_idle_union(scene))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     "--union has no effect: no body is closed");
+        warn_of_inputs(options, "--union has no effect: no body is closed");
     if (options->scene.rounded && v->drawing[0].epsilon_reason != ROBERTS_EPSILON_DECIMAL)
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     "--rounded has no effect: coordinates are whole, or have more than nine digits or too few");
+        warn_of_inputs(options,
+                       "--rounded has no effect: coordinates are whole, or have more than nine digits or too few");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
-        warn_of_file(
-            options, name_inputs(options, options->input[0], name, sizeof name),
+        warn_of_inputs(
+            options,
             "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_no_colors(options, v->drawing, v->count))
         warn_no_colors(options, missing);
     if (page && hint_idle_hatch(options, v->drawing, v->count))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name),
-                     "--hatch has no effect: the light falls straight on all faces that are seen");
+        warn_of_inputs(options, "--hatch has no effect: the light falls straight on all faces that are seen");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
-        warn_of_file(options, name_inputs(options, options->input[0], name, sizeof name), text);
+        warn_of_inputs(options, text);
 }
 
 static void free_views(views *v)
@@ -437,7 +443,7 @@ static void free_views(views *v)
  * view. */
 static bool name_table(const cli_options *options, size_t i, char *name, size_t size)
 {
-    return options->is_sheet && is_table(options) &&
+    return options->is_sheet && values_is_table(options->draw.format) &&
            parse_named(options->output, roberts_sheet_view_name(options->sheet, (int)i), name, size);
 }
 
@@ -617,11 +623,6 @@ static int draw_joined(const cli_options *given, run_stats run, picture_result *
     return exit_status;
 }
 
-static double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 static roberts_camera turned(const cli_options *options, const roberts_scene *scene, uint32_t i)
 {
     roberts_camera camera = options->camera;
@@ -642,8 +643,8 @@ static roberts_status find_window(const cli_options *options, const roberts_scen
         if (i == 0)
             *all = one;
         all->framed = all->framed || one.framed;
-        all->min = (roberts_vec2){lesser(all->min.x, one.min.x), lesser(all->min.y, one.min.y)};
-        all->max = (roberts_vec2){-lesser(-all->max.x, -one.max.x), -lesser(-all->max.y, -one.max.y)};
+        all->min = (roberts_vec2){fmin(all->min.x, one.min.x), fmin(all->min.y, one.min.y)};
+        all->max = (roberts_vec2){fmax(all->max.x, one.max.x), fmax(all->max.y, one.max.y)};
     }
     return status;
 }

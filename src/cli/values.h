@@ -55,6 +55,11 @@ bool values_pen_is_set(const roberts_draw_options *draw, size_t pen);
 /* The name that -f and endings of files give to a format. */
 const char *values_format_name(roberts_format format);
 
+static inline bool values_is_table(roberts_format format)
+{
+    return format == ROBERTS_CSV || format == ROBERTS_JSON;
+}
+
 /* For any option: the row says where the value goes (o->field) and what it may be. */
 option_set values_set_flag;      /* bool */
 option_set values_set_text;      /* const char *, not empty */
