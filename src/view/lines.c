@@ -62,18 +62,25 @@ static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_e
     return are_flat(scene, first + edge->f[0], first + edge->f[1], scene_way(surface->edge_is[e]), crease);
 }
 
-/* The faces of edge `e` of the body in `scene`, which has one or two. */
-static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e,
-                                double crease)
+/* The faces of edge `e` of the body in `scene`, which has one or two; `flat` is not set. */
+static edge_faces sides_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e)
 {
     edge_faces found = {0};
     uint32_t first = scene->solid[w->body].face;
     uint8_t is = scene->surface->edge_is[e];
     add_edge_face(facing_of_face(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &found);
-    if (edge->f[1] == ROBERTS_NONE)
-        return found;
-    add_edge_face(facing_of_face(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
-    found.flat = is_flatter(scene, first, edge, e, crease);
+    if (edge->f[1] != ROBERTS_NONE)
+        add_edge_face(facing_of_face(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &found);
+    return found;
+}
+
+/* The same with `flat`. */
+static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e,
+                                double crease)
+{
+    edge_faces found = sides_of_edge(w, scene, edge, e);
+    if (edge->f[1] != ROBERTS_NONE)
+        found.flat = is_flatter(scene, scene->solid[w->body].face, edge, e, crease);
     return found;
 }
 
@@ -98,11 +105,7 @@ static bool is_folded_cut(const seen_walk *w, const roberts_scene *scene, uint32
     if (edge->f[1] == ROBERTS_NONE)
         return false;
     if (!(scene->surface->edge_is[e] & EDGE_MANY)) {
-        const uint32_t first = scene->solid[w->body].face;
-        const uint8_t is = scene->surface->edge_is[e];
-        edge_faces faces = {0};
-        add_edge_face(facing_of_face(w->of, scene, first + edge->f[0]), is & EDGE_TURNED_0, &faces);
-        add_edge_face(facing_of_face(w->of, scene, first + edge->f[1]), is & EDGE_TURNED_1, &faces);
+        const edge_faces faces = sides_of_edge(w, scene, edge, e);
         return is_fold(&faces);
     }
     const scene_many *many = scene_many_at(scene, e);
@@ -140,13 +143,9 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     }
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
                                       : faces_of_edge(w, scene, edge, e, crease);
-    bool fold = is_fold(&faces);
-    line->class = ROBERTS_OUTLINE;
-    bool border = edge->f[1] == ROBERTS_NONE, flat = !border && !fold && faces.flat;
-    if (border)
-        line->class = ROBERTS_BORDER;
-    else if (!fold && faces.left > 0)
-        line->class = ROBERTS_CREASE;
+    bool border = edge->f[1] == ROBERTS_NONE, fold = is_fold(&faces);
+    line->class = border ? ROBERTS_BORDER : !fold && faces.left > 0 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
+    bool flat = !border && !fold && faces.flat;
     return flat ? s->rules.all_edges : !s->rules.rest;
 }
 
