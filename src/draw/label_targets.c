@@ -41,13 +41,24 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
         return true;
     const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};
     const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
-    target one = {ROBERTS_LABEL_VERTICES, v, segment->v0, 0, is_back, a, along, 0.0, 0.0, 0};
+    target one = {
+        .kind = ROBERTS_LABEL_VERTICES, .view = v, .number = segment->v0, .is_back = is_back, .at = a, .along = along};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && is_on_page(s, view, a) && !add_target(t, &one))
         return false;
-    one = (target){ROBERTS_LABEL_VERTICES, v, segment->v1, 0, is_back, b, {-along.x, -along.y}, 0.0, 0.0, 0};
+    one.number = segment->v1;
+    one.at = b;
+    one.along = (roberts_vec2){-along.x, -along.y};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && is_on_page(s, view, b) && !add_target(t, &one))
         return false;
-    one = (target){ROBERTS_LABEL_EDGES, v, segment->v0, segment->v1, is_back, middle, along, length / 2.0, length, 0};
+    one = (target){.kind = ROBERTS_LABEL_EDGES,
+                   .view = v,
+                   .number = segment->v0,
+                   .other = segment->v1,
+                   .is_back = is_back,
+                   .at = middle,
+                   .along = along,
+                   .reach = length / 2.0,
+                   .size = length};
     return !(kinds & ROBERTS_LABEL_EDGES) || !is_on_page(s, view, middle) || add_target(t, &one);
 }
 
@@ -152,30 +163,23 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t)
 
 /* ---- what it says ---- */
 
-static int compare_names(const roberts_name *p, roberts_label_kind kind, uint32_t number, uint32_t other)
+static int compare_names(const void *a, const void *b)
 {
-    if (p->of != kind)
-        return p->of < kind ? -1 : 1;
-    if (p->number != number)
-        return p->number < number ? -1 : 1;
-    return (p->other > other) - (p->other < other);
+    const roberts_name *p = a, *q = b;
+    if (p->of != q->of)
+        return p->of < q->of ? -1 : 1;
+    if (p->number != q->number)
+        return p->number < q->number ? -1 : 1;
+    return (p->other > q->other) - (p->other < q->other);
 }
 
 /* Names are in order. NULL: it has none. */
 static const char *find_name(const roberts_lettering *lettering, const target *of)
 {
-    size_t low = 0, high = lettering->name_count;
-    while (low < high) {
-        const size_t mid = low + (high - low) / 2;
-        const int order = compare_names(&lettering->name[mid], of->kind, of->number, of->other);
-        if (order == 0)
-            return lettering->name[mid].text;
-        if (order < 0)
-            low = mid + 1;
-        else
-            high = mid;
-    }
-    return NULL;
+    const roberts_name wanted = {.of = of->kind, .number = of->number, .other = of->other}, *name = NULL;
+    if (lettering->name_count > 0)
+        name = bsearch(&wanted, lettering->name, lettering->name_count, sizeof wanted, compare_names);
+    return name ? name->text : NULL;
 }
 
 /* The prefix that distinguishes numbers of vertices, faces and bodies if several kinds are shown. Edges have two
