@@ -202,25 +202,12 @@ static roberts_status check_segments(const roberts_drawing *drawing, roberts_err
     return ROBERTS_OK;
 }
 
-static page_writer *writer_of(roberts_format format)
-{
-    switch (format) {
-    case ROBERTS_SVG:
-        return svg_write;
-    case ROBERTS_PDF:
-        return pdf_write;
-    case ROBERTS_PNG:
-        return image_write;
-    case ROBERTS_TIKZ:
-        return tikz_write;
-    case ROBERTS_DXF:
-        return dxf_write;
-    case ROBERTS_HPGL:
-        return hpgl_write;
-    default:
-        return surface_write;
-    }
-}
+/* By format; the others have no page. */
+static page_writer *const page_writers[] = {
+    [ROBERTS_SVG] = svg_write,     [ROBERTS_PDF] = pdf_write,   [ROBERTS_PS] = surface_write,
+    [ROBERTS_EPS] = surface_write, [ROBERTS_PNG] = image_write, [ROBERTS_TIKZ] = tikz_write,
+    [ROBERTS_DXF] = dxf_write,     [ROBERTS_HPGL] = hpgl_write,
+};
 
 /* Warns once about the characters that the fonts lack. Fonts of viewers are unknown here, except those of PDF. */
 static void tell_missing(const strokes *s)
@@ -257,7 +244,7 @@ static roberts_status write_page(const subject *what, const roberts_draw_options
                                         : strokes_make(&s, what->drawing, options, error);
     if (status == ROBERTS_OK) {
         tell_missing(&s);
-        status = writer_of(options->format)(&s, out, error);
+        status = page_writers[options->format](&s, out, error);
     }
     if (status == ROBERTS_OK && options->ink)
         *options->ink = strokes_measure(&s);
@@ -289,24 +276,13 @@ static roberts_status write_format(const subject *what, const roberts_draw_optio
             region_table_write_json(what->regions, out);
         return ROBERTS_OK;
     }
-    switch (options->format) {
-    case ROBERTS_SVG:
-    case ROBERTS_PDF:
-    case ROBERTS_PS:
-    case ROBERTS_EPS:
-    case ROBERTS_PNG:
-    case ROBERTS_TIKZ:
-    case ROBERTS_DXF:
-    case ROBERTS_HPGL:
+    if (options->format < ROBERTS_SVG || options->format > ROBERTS_NULL)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown format");
+    if ((size_t)options->format < sizeof page_writers / sizeof page_writers[0])
         return write_page(what, options, out, error);
-    case ROBERTS_CSV:
-    case ROBERTS_JSON:
+    if (options->format != ROBERTS_NULL)
         write_table(what, options, out);
-        return ROBERTS_OK;
-    case ROBERTS_NULL:
-        return ROBERTS_OK;
-    }
-    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown format");
+    return ROBERTS_OK;
 }
 
 static roberts_status check_subject(const subject *what, roberts_error *error)
