@@ -290,7 +290,7 @@ static double line_cost(const strokes *s, const free_space *r, roberts_vec2 a, r
         const double t = (double)i / parts, u = (i + 1.0) / parts;
         const roberts_vec2 p = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
         const roberts_vec2 q = {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
-        cost += box_cost(s, r, (space_box){{fmin(p.x, q.x), fmin(p.y, q.y)}, {fmax(p.x, q.x), fmax(p.y, q.y)}});
+        cost += box_cost(s, r, space_box_around(p, q));
     }
     return cost;
 }

@@ -115,7 +115,7 @@ static space_box cell_box(const free_space *r, uint32_t x, uint32_t y)
 
 bool space_add_line(free_space *r, roberts_vec2 a, roberts_vec2 b)
 {
-    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const space_box box = space_box_around(a, b);
     const cells in = cells_of(r, &box);
     double t[2];
     if (!array_reserve(&r->line, &r->line_room, r->line_count + 1, sizeof *r->line))
@@ -292,7 +292,7 @@ bool space_line_meets_box(roberts_vec2 a, roberts_vec2 b, const space_box *box)
 
 bool space_line_meets_boxes(const free_space *r, roberts_vec2 a, roberts_vec2 b, uint32_t own)
 {
-    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const space_box box = space_box_around(a, b);
     const cells in = cells_of(r, &box);
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
@@ -305,7 +305,7 @@ bool space_line_meets_boxes(const free_space *r, roberts_vec2 a, roberts_vec2 b,
 /* A crossing counts in its own cell. */
 size_t space_count_crossings(const free_space *r, roberts_vec2 a, roberts_vec2 b)
 {
-    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const space_box box = space_box_around(a, b);
     const cells in = cells_of(r, &box);
     size_t count = 0;
     for (uint32_t y = in.low_y; y <= in.high_y; y++)
@@ -343,7 +343,7 @@ static bool add_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, siz
 
 bool space_find_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, space_parts *out)
 {
-    const space_box box = {{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+    const space_box box = space_box_around(a, b);
     const cells in = cells_of(r, &box);
     size_t kept = 0;
     out->count = 0;

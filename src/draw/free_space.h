@@ -11,6 +11,12 @@ typedef struct space_box {
     roberts_vec2 min, max;
 } space_box;
 
+/* The least box that holds both points. */
+static inline space_box space_box_around(roberts_vec2 a, roberts_vec2 b)
+{
+    return (space_box){{fmin(a.x, b.x), fmin(a.y, b.y)}, {fmax(a.x, b.x), fmax(a.y, b.y)}};
+}
+
 typedef struct free_space free_space;
 
 /* An empty page of this size. within: what text must not leave. NULL: no memory. */

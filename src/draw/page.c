@@ -90,7 +90,7 @@ static double standard_scale(double scale)
 
 double page_wanted_scale(const roberts_placement *placement, double fitting)
 {
-    double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
+    double unit_mm = page_unit_mm(placement);
     if (placement->standard && placement->scale == 0.0 && isnormal(fitting / unit_mm))
         return standard_scale(fitting / unit_mm) * unit_mm;
     return placement->scale * unit_mm;
@@ -118,9 +118,8 @@ void page_refuse(const roberts_page *page, const roberts_placement *placement, d
                  roberts_error *error)
 {
     char asked[40], fits[40], x_mm[40], y_mm[40];
-    double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
     scale_name(placement->scale, asked, sizeof asked);
-    scale_name(fitting / unit_mm, fits, sizeof fits);
+    scale_name(fitting / page_unit_mm(placement), fits, sizeof fits);
     length_name(drawn_mm.x, x_mm, sizeof x_mm);
     length_name(drawn_mm.y, y_mm, sizeof y_mm);
     error_set(error, ROBERTS_BAD_ARGUMENT, 0,

@@ -39,6 +39,12 @@ page_map page_fit(const roberts_page *page, roberts_vec2 min, roberts_vec2 max);
 bool page_lay(const roberts_page *page, const roberts_placement *placement, roberts_vec2 min, roberts_vec2 max,
               page_map *map, roberts_error *error);
 
+/* A model unit in mm. */
+static inline double page_unit_mm(const roberts_placement *placement)
+{
+    return placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
+}
+
 /* The placement's scale in mm per model unit, if `fitting` is the largest that fits. 0 stands for `fitting`. */
 double page_wanted_scale(const roberts_placement *placement, double fitting);
 

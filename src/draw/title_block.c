@@ -35,10 +35,13 @@ bool title_block_is_wanted(const roberts_draw_options *options)
     return options->lettering.title || options->lettering.field_count > 0;
 }
 
+/* In the middle of its cell. */
 roberts_vec2 title_block_symbol(double *size)
 {
+    const block_cell *cell = &cells[SYMBOL_CELL];
     *size = 0.7;
-    return (roberts_vec2){(30.0 - 0.7 * 22.75) / 2.0, row_mm + (row_mm - 0.7 * 10.5) / 2.0};
+    return (roberts_vec2){(cell->right - cell->left - *size * SYMBOL_WIDTH) / 2.0,
+                          row_mm + (row_mm - *size * SYMBOL_HEIGHT) / 2.0};
 }
 
 static const char *find_field(const roberts_lettering *lettering, const char *name)
@@ -52,9 +55,7 @@ static const char *find_field(const roberts_lettering *lettering, const char *na
 /* The ratio of the drawing to the object: 1:20, 2:1. */
 static void scale_text(const strokes *s, char *text, size_t size)
 {
-    const roberts_placement *placement = &s->options->placement;
-    const double unit_mm = placement->unit_mm > 0.0 ? placement->unit_mm : 1.0;
-    const double ratio = page_scale(&s->map) / unit_mm;
+    const double ratio = page_scale(&s->map) / page_unit_mm(&s->options->placement);
     char number[40];
     dimension_text(ratio < 1.0 ? 1.0 / ratio : ratio, NULL, number, sizeof number);
     snprintf(text, size, ratio < 1.0 ? "1:%s" : "%s:1", number);
@@ -240,6 +241,12 @@ static bool is_at_block(const strokes *s, double x)
     return title_block_is_wanted(s->options) && x > s->frame_mm[1].x - BLOCK_WIDTH;
 }
 
+/* A point by its coordinates along a level or upright side and across it. */
+static roberts_vec2 by_side(bool is_level, double along, double across)
+{
+    return is_level ? (roberts_vec2){along, across} : (roberts_vec2){across, along};
+}
+
 static bool add_zones(strokes *s, bool is_level)
 {
     static const char letters[] = "ABCDEFGHJKLMNPQRSTUVWXYZ"; /* without I and O */
@@ -258,14 +265,12 @@ static bool add_zones(strokes *s, bool is_level)
             const bool is_centre = i + 1 == fields / 2, is_lower = is_level && side == 1;
             const double off = edge + out * strip_mm / 2.0, far = edge + out * strip_mm,
                          near = is_centre && !(is_lower && is_at_block(s, at)) ? edge - out * mark_mm : edge;
-            const text_line line = {shown,
-                                    is_level ? (roberts_vec2){middle, off + letter_mm / 2.0}
-                                             : (roberts_vec2){off, middle + letter_mm / 2.0},
-                                    letter_mm, 0.5, TEXT_LEVEL};
+            text_line line = {shown, by_side(is_level, middle, off), letter_mm, 0.5, TEXT_LEVEL};
+            line.at.y += letter_mm / 2.0;
             done = notes_add_text(&s->notes, &line, false);
             if (done && i + 1 < fields)
-                done = notes_add_line(&s->notes, is_level ? (roberts_vec2){at, far} : (roberts_vec2){far, at},
-                                      is_level ? (roberts_vec2){at, near} : (roberts_vec2){near, at}, s->units_per_mm);
+                done =
+                    notes_add_line(&s->notes, by_side(is_level, at, far), by_side(is_level, at, near), s->units_per_mm);
         }
         begin = end;
     }
