@@ -48,6 +48,22 @@ static inline int32_t page_round(double units)
     return whole - (up < whole);
 }
 
+/* The point of the page nearest to a place in its units; to a place in mm. */
+static inline page_point page_rounded(roberts_vec2 p)
+{
+    return (page_point){page_round(p.x), page_round(p.y)};
+}
+
+static inline page_point page_from_mm(roberts_vec2 mm, double units_per_mm)
+{
+    return page_rounded((roberts_vec2){mm.x * units_per_mm, mm.y * units_per_mm});
+}
+
+static inline bool page_is_same(page_point p, page_point q)
+{
+    return p.x == q.x && p.y == q.y;
+}
+
 /* The square of their distance. It is exact, because a page is less than 2^22 units wide. Square roots of two such
  * squares are in the same order as the squares. */
 static inline double page_square(page_point p, page_point q)

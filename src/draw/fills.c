@@ -143,11 +143,10 @@ static bool take_region(void *context, const page_region *region)
     bool enough = true;
     for (size_t r = 0; color.alpha > 0 && enough && r < region->ring_count; r++) {
         size_t first = region->ring_start[r], end = region->ring_start[r + 1];
-        roberts_vec2 last = region->point[end - 1];
-        page_point a = {page_round(last.x), page_round(last.y)};
+        page_point a = page_rounded(region->point[end - 1]);
         for (size_t k = first; enough && k < end; k++) {
-            page_point b = {page_round(region->point[k].x), page_round(region->point[k].y)};
-            if (compare_points(a, b) != 0)
+            page_point b = page_rounded(region->point[k]);
+            if (!page_is_same(a, b))
                 enough = add_fill_side(&w->side, a, b, key);
             a = b;
         }
@@ -168,8 +167,8 @@ static int compare_places(const void *pa, const void *pb)
 
 static bool is_same_place(const fill_side *s, const fill_side *t)
 {
-    return (compare_points(s->a, t->a) == 0 && compare_points(s->b, t->b) == 0) ||
-           (compare_points(s->a, t->b) == 0 && compare_points(s->b, t->a) == 0);
+    return (page_is_same(s->a, t->a) && page_is_same(s->b, t->b)) ||
+           (page_is_same(s->a, t->b) && page_is_same(s->b, t->a));
 }
 
 /* Adds a seam along a side, in its colour. False: no memory. */
@@ -184,7 +183,7 @@ static bool add_seam(fill_work *w, size_t from, size_t to)
     const fill_side *first = &w->side.item[from];
     bool both = false;
     for (size_t i = from + 1; i < to && is_opaque(w->side.item[i].key); i++)
-        both = both || (w->side.item[i].key != first->key && compare_points(w->side.item[i].a, first->a) != 0);
+        both = both || (w->side.item[i].key != first->key && !page_is_same(w->side.item[i].a, first->a));
     return !both || !is_opaque(first->key) || add_seam_along(w, first);
 }
 
@@ -193,7 +192,7 @@ static bool add_rim(fill_work *w, size_t from, size_t to)
 {
     const fill_side *first = &w->side.item[from];
     for (size_t i = from + 1; i < to; i++)
-        if (compare_points(w->side.item[i].a, first->a) != 0)
+        if (!page_is_same(w->side.item[i].a, first->a))
             return true;
     if (from == to)
         return true;
@@ -226,8 +225,7 @@ static bool join_regions(fill_work *w)
     for (size_t i = 0, next; enough && i < count; i = next) {
         size_t place = kept;
         for (next = i; enough && next < count && is_same_place(&item[next], &item[i]); next++)
-            if (kept > place && item[kept - 1].key == item[next].key &&
-                compare_points(item[kept - 1].a, item[next].a) != 0) {
+            if (kept > place && item[kept - 1].key == item[next].key && !page_is_same(item[kept - 1].a, item[next].a)) {
                 kept--; /* they run against one another */
                 enough = !apart || !is_opaque(item[next].key) || add_seam_along(w, &item[next]);
             } else {
@@ -285,7 +283,7 @@ static size_t next_side(const side_list *sides, const fill_side *from)
     const fill_side key = {.a = from->b, .key = from->key};
     size_t found = SIZE_MAX;
     for (size_t i = first_from(sides, &key);
-         i < sides->count && sides->item[i].key == key.key && compare_points(sides->item[i].a, key.a) == 0; i++)
+         i < sides->count && sides->item[i].key == key.key && page_is_same(sides->item[i].a, key.a); i++)
         if (!sides->item[i].done &&
             (found == SIZE_MAX || turns_sooner(from->a, from->b, sides->item[i].b, sides->item[found].b)))
             found = i;
@@ -311,7 +309,7 @@ static size_t reverse_of(const side_list *sides, const fill_side *side)
 {
     const fill_side key = {.a = side->b, .key = side->key};
     size_t i = first_from(sides, &key);
-    while (sides->item[i].done || compare_points(sides->item[i].b, side->a) != 0)
+    while (sides->item[i].done || !page_is_same(sides->item[i].b, side->a))
         i++;
     return i;
 }
@@ -340,7 +338,7 @@ static bool draw_ring(side_list *sides, size_t first, polylines *out)
     for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &sides->item[i];
         side->done = 1;
-        bool back = compare_points(side->b, start) == 0;
+        bool back = page_is_same(side->b, start);
         enough = back || add_point(out, side->b);
         i = back ? SIZE_MAX : next_side(sides, side);
     }
@@ -353,7 +351,7 @@ static bool draw_ring(side_list *sides, size_t first, polylines *out)
 static page_point moved(page_point p, page_point q, double units)
 {
     double part = fmin(units / page_distance(p, q), 0.5);
-    return (page_point){page_round(p.x + part * (q.x - p.x)), page_round(p.y + part * (q.y - p.y))};
+    return page_rounded((roberts_vec2){p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)});
 }
 
 /* Draws the seam that begins with side `first`, up to its end. Seams have round ends. Where the filled area ends, a
@@ -522,7 +520,7 @@ static bool draw_plate(const plate *p, polylines *out)
 {
     bool enough = polylines_start(out);
     for (int i = 0; enough && i < 4; i++)
-        enough = add_point(out, (page_point){page_round(p->corner[i].x), page_round(p->corner[i].y)});
+        enough = add_point(out, page_rounded(p->corner[i]));
     if (enough)
         close_ring(out);
     return enough;

@@ -161,11 +161,6 @@ static roberts_vec2 hatch_point(const hatch_lines *lines, const hatch_crossing *
                           lines->origin.y + c->t * lines->along.y + across * lines->across.y};
 }
 
-static bool is_point(roberts_vec2 a, roberts_vec2 b)
-{
-    return page_round(a.x) == page_round(b.x) && page_round(a.y) == page_round(b.y);
-}
-
 /* Adds the strokes between crossings. Each line crosses the rings an even number of times. */
 static bool add_hatch_strokes(hatch_work *w, const hatch_lines *lines)
 {
@@ -178,7 +173,7 @@ static bool add_hatch_strokes(hatch_work *w, const hatch_lines *lines)
         return false;
     for (size_t i = 0; i + 1 < w->crossing_count; i += 2) {
         const roberts_vec2 a = hatch_point(lines, &w->crossing[i]), b = hatch_point(lines, &w->crossing[i + 1]);
-        if (!is_point(a, b))
+        if (!page_is_same(page_rounded(a), page_rounded(b)))
             p->item[p->count++] = (piece){.a = a, .b = b, .number = w->number, .line = LINE_HATCH};
     }
     return true;
@@ -258,7 +253,7 @@ static void add_part(const piece *of, double from, double to, pieces *out)
         part.a = (roberts_vec2){of->a.x + from * d.x, of->a.y + from * d.y};
     if (to < 1.0)
         part.b = (roberts_vec2){of->a.x + to * d.x, of->a.y + to * d.y};
-    if (!is_point(part.a, part.b))
+    if (!page_is_same(page_rounded(part.a), page_rounded(part.b)))
         out->item[out->count++] = part;
 }
 

@@ -25,12 +25,6 @@ static bool add_target(targets *t, const target *one)
     return true;
 }
 
-static bool is_on_page(const strokes *s, const page_view *view, roberts_vec2 mm)
-{
-    return !view->drawing->framed || (mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
-                                      mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
-}
-
 static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *segment, unsigned kinds, targets *t)
 {
     const page_view *view = &s->view[v];
@@ -43,12 +37,14 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
     target one = {
         .kind = ROBERTS_LABEL_VERTICES, .view = v, .number = segment->v0, .is_back = is_back, .at = a, .along = along};
-    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && is_on_page(s, view, a) && !add_target(t, &one))
+    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && strokes_is_in_frame(s, view, a) &&
+        !add_target(t, &one))
         return false;
     one.number = segment->v1;
     one.at = b;
     one.along = (roberts_vec2){-along.x, -along.y};
-    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && is_on_page(s, view, b) && !add_target(t, &one))
+    if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && strokes_is_in_frame(s, view, b) &&
+        !add_target(t, &one))
         return false;
     one = (target){.kind = ROBERTS_LABEL_EDGES,
                    .view = v,
@@ -59,7 +55,7 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
                    .along = along,
                    .reach = length / 2.0,
                    .size = length};
-    return !(kinds & ROBERTS_LABEL_EDGES) || !is_on_page(s, view, middle) || add_target(t, &one);
+    return !(kinds & ROBERTS_LABEL_EDGES) || !strokes_is_in_frame(s, view, middle) || add_target(t, &one);
 }
 
 /* A region whose middle the frame cuts off has no label. */
@@ -75,7 +71,7 @@ static bool add_region(const strokes *s, uint32_t v, const roberts_region *regio
                   .at = page_place(&view->map, middle.at),
                   .reach = middle.distance * mm,
                   .size = region->area};
-    if (!is_on_page(s, view, one.at))
+    if (!strokes_is_in_frame(s, view, one.at))
         return true;
     if ((kinds & ROBERTS_LABEL_FACES) && region->face != ROBERTS_NONE && !add_target(t, &one))
         return false;

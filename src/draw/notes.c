@@ -19,11 +19,6 @@ bool notes_add_text(notes *n, const text_line *line, bool is_back)
     return true;
 }
 
-static page_point on_page(roberts_vec2 mm, double units_per_mm)
-{
-    return (page_point){page_round(mm.x * units_per_mm), page_round(mm.y * units_per_mm)};
-}
-
 /* Does the line from a to b hold p? */
 static bool holds_point(page_point a, page_point b, page_point p)
 {
@@ -55,7 +50,7 @@ static bool join_line(notes *n, page_point p, page_point q)
 
 bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm)
 {
-    const page_point p = on_page(a, units_per_mm), q = on_page(b, units_per_mm);
+    const page_point p = page_from_mm(a, units_per_mm), q = page_from_mm(b, units_per_mm);
     if ((p.x == q.x && p.y == q.y) || join_line(n, p, q))
         return true;
     return polylines_start(&n->lines) && polylines_append(&n->lines, p) && polylines_append(&n->lines, q);
@@ -68,7 +63,7 @@ bool notes_add_dot(notes *n, roberts_vec2 at, double radius_mm, double units_per
     for (int i = 0; i < CORNERS && done; i++) {
         const roberts_vec2 d = angle_unit(360.0 / CORNERS * i);
         const roberts_vec2 p = {at.x + radius_mm * d.x, at.y + radius_mm * d.y};
-        done = polylines_append(&n->lines, on_page(p, units_per_mm));
+        done = polylines_append(&n->lines, page_from_mm(p, units_per_mm));
     }
     if (done)
         n->lines.item[n->lines.count - 1].closed = true;
@@ -80,7 +75,7 @@ bool notes_add_box(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm
     const roberts_vec2 corner[4] = {a, {b.x, a.y}, b, {a.x, b.y}};
     bool done = polylines_start(&n->lines);
     for (int i = 0; i < 4 && done; i++)
-        done = polylines_append(&n->lines, on_page(corner[i], units_per_mm));
+        done = polylines_append(&n->lines, page_from_mm(corner[i], units_per_mm));
     if (done)
         n->lines.item[n->lines.count - 1].closed = true;
     return done;

@@ -599,7 +599,7 @@ typedef struct rounded_ends {
 
 static rounded_ends ends_of(const piece *p)
 {
-    return (rounded_ends){{page_round(p->a.x), page_round(p->a.y)}, {page_round(p->b.x), page_round(p->b.y)}};
+    return (rounded_ends){page_rounded(p->a), page_rounded(p->b)};
 }
 
 static bool are_twins(rounded_ends p, rounded_ends q)

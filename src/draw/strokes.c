@@ -105,6 +105,12 @@ static bool has_place(const roberts_draw_options *options, roberts_line line)
            (line != LINE_HATCH || options->hatching.on);
 }
 
+bool strokes_is_in_frame(const strokes *s, const page_view *view, roberts_vec2 mm)
+{
+    return !view->drawing->framed || (mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
+                                      mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
+}
+
 bool strokes_has_place(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line)
 {
     if (segment->state == ROBERTS_CLIPPED)
@@ -175,11 +181,6 @@ static roberts_vec2 place_on_page(const strokes *s, const page_map *map, roberts
     return (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
 }
 
-static bool is_point(const piece *p)
-{
-    return page_round(p->a.x) == page_round(p->b.x) && page_round(p->a.y) == page_round(p->b.y);
-}
-
 /* Appends the pieces that have a place, numbered from `number` on. Leaves out those without length once rounded. `p`
  * has room for all segments. */
 static void collect(const strokes *s, const page_view *view, size_t number, pieces *p)
@@ -197,7 +198,7 @@ static void collect(const strokes *s, const page_view *view, size_t number, piec
                      .zb = segment->z0 + t[1] * z,
                      .number = (uint32_t)(number + i),
                      .line = (uint8_t)line};
-        if (!is_point(&own))
+        if (!page_is_same(page_rounded(own.a), page_rounded(own.b)))
             p->item[p->count++] = own;
     }
 }
@@ -544,8 +545,10 @@ static strokes nothing_drawn(const roberts_draw_options *options)
 {
     const roberts_page *page = &options->page;
     bool is_fine = fmax(page->width_mm, page->height_mm) <= finest_longest_mm;
+    const double units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm;
     return (strokes){.options = options,
-                     .units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm,
+                     .units_per_mm = units_per_mm,
+                     .thousandths = (int32_t)(1000.0 / units_per_mm + 0.5),
                      .frame_mm = {{page->margin_mm, page->margin_mm},
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }

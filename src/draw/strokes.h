@@ -46,6 +46,7 @@ typedef struct strokes {
     const roberts_draw_options *options;
     page_map map; /* of a sheet: of its front view */
     double units_per_mm;
+    int32_t thousandths;                 /* of a mm, in a unit */
     page_view view[ROBERTS_SHEET_VIEWS]; /* [views] those of a sheet that are there, or the only one */
     size_t views;
     const roberts_sheet *sheet;     /* NULL: a single drawing */
@@ -99,6 +100,12 @@ double strokes_text_height(const roberts_draw_options *options);
 /* Whether letters are text of the file's reader, and no strokes. */
 bool strokes_text_is_native(const roberts_draw_options *options);
 
+/* Whether line `i` of the text is of this class, which is LINE_TEXT or LINE_HIDDEN_TEXT. */
+static inline bool strokes_text_is_of(const strokes *s, size_t i, roberts_line class)
+{
+    return s->notes.item[i].is_back == (class == LINE_HIDDEN_TEXT);
+}
+
 /* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
 const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);
 
@@ -125,6 +132,9 @@ size_t strokes_part_end(const strokes *s, size_t first, size_t end);
 /* Whether a segment has a place on the page, and its class. A class whose pen is off has its place: it draws nothing,
  * but all else stays where it is. So drawings for one pen each fit together. */
 bool strokes_has_place(const roberts_draw_options *options, const roberts_segment *segment, roberts_line *line);
+
+/* Whether a place of a view, in mm, is not cut off at the frame of a field of view. */
+bool strokes_is_in_frame(const strokes *s, const page_view *view, roberts_vec2 mm);
 
 /* How often and how far the pen goes. */
 roberts_ink strokes_measure(const strokes *s);

@@ -17,8 +17,7 @@ typedef struct dxf {
     const strokes *s;
     output *out;
     const char *layer;
-    int32_t height;      /* of the page, in its units */
-    int32_t thousandths; /* of a mm, in a unit */
+    int32_t height; /* of the page, in its units */
 } dxf;
 
 /* ---- records ---- */
@@ -66,10 +65,10 @@ static void write_mm(output *out, uint32_t code, double mm)
 static void write_point(const dxf *p, uint32_t code, page_point at)
 {
     write_code(p->out, code);
-    output_thousandths(p->out, at.x * p->thousandths);
+    output_thousandths(p->out, at.x * p->s->thousandths);
     output_bytes(p->out, "\n", 1);
     write_code(p->out, code + 10);
-    output_thousandths(p->out, (p->height - at.y) * p->thousandths);
+    output_thousandths(p->out, (p->height - at.y) * p->s->thousandths);
     output_bytes(p->out, "\n", 1);
 }
 
@@ -171,18 +170,13 @@ static void write_line_types(const dxf *p)
 }
 
 /* Whether text of this class is written as text. */
-static bool is_text_of(const strokes *s, size_t i, roberts_line class)
-{
-    return s->notes.item[i].is_back == (class == LINE_HIDDEN_TEXT);
-}
-
 static bool has_text(const strokes *s, roberts_line class)
 {
     const bool is_text = class == LINE_TEXT || class == LINE_HIDDEN_TEXT;
     if (!is_text || !strokes_text_is_native(s->options) || strokes_pen(s->options, class)->off)
         return false;
     for (size_t i = 0; i < s->notes.count; i++)
-        if (is_text_of(s, i, class))
+        if (strokes_text_is_of(s, i, class))
             return true;
     return false;
 }
@@ -313,9 +307,9 @@ static void write_texts(dxf *p, roberts_line class)
     p->layer = strokes_class_name(class);
     for (size_t i = 0; i < s->notes.count; i++) {
         const text_line line = notes_line(&s->notes, i);
-        const page_point at = {page_round(line.at.x * s->units_per_mm), page_round(line.at.y * s->units_per_mm)};
+        const page_point at = page_from_mm(line.at, s->units_per_mm);
         const uint32_t aligned = line.align <= 0.0 ? 0 : line.align < 1.0 ? 1 : 2;
-        if (!is_text_of(s, i, class) || !*line.text)
+        if (!strokes_text_is_of(s, i, class) || !*line.text)
             continue;
         begin_entity(p, "TEXT");
         write_point(p, 10, at);
@@ -332,10 +326,7 @@ static void write_texts(dxf *p, roberts_line class)
 
 roberts_status dxf_write(const strokes *s, output *out, roberts_error *error)
 {
-    dxf p = {.s = s,
-             .out = out,
-             .height = page_round(s->options->page.height_mm * s->units_per_mm),
-             .thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    dxf p = {.s = s, .out = out, .height = page_round(s->options->page.height_mm * s->units_per_mm)};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
     write_header(&p);
     write_text(out, 0, "SECTION");

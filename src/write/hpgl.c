@@ -77,7 +77,7 @@ static page_point on_plotter(const hpgl *p, page_point at)
         x -= width / 2.0;
         y -= height / 2.0;
     }
-    return (page_point){page_round(x), page_round(y)};
+    return page_rounded((roberts_vec2){x, y});
 }
 
 static void write_point(output *out, page_point at)

@@ -133,10 +133,18 @@ static double text_width(const char *text)
     return width;
 }
 
-static void write_number(output *to, double number)
+static void write_numbers(output *to, const double *number, int count, const char *operator)
 {
-    output_number(to, number);
-    output_bytes(to, " ", 1);
+    for (int i = 0; i < count; i++) {
+        output_number(to, number[i]);
+        output_bytes(to, " ", 1);
+    }
+    output_text(to, operator);
+}
+
+static void write_color(output *to, unsigned char red, unsigned char green, unsigned char blue, const char *operator)
+{
+    write_numbers(to, (const double[]){red / 255.0, green / 255.0, blue / 255.0}, 3, operator);
 }
 
 static void write_byte(output *to, unsigned char byte)
@@ -156,8 +164,7 @@ static void write_runs(output *to, const char *text, double size)
         if (!open || g.is_symbol != is_symbol) {
             output_text(to, open ? ") Tj " : "");
             output_text(to, g.is_symbol ? "/F2 " : "/F1 ");
-            write_number(to, size);
-            output_text(to, "Tf (");
+            write_numbers(to, &size, 1, "Tf (");
         }
         open = true;
         is_symbol = g.is_symbol;
@@ -175,13 +182,7 @@ static void write_line(const strokes *s, const text_line *line, output *to)
     const double x = line->at.x * s->units_per_mm, y = line->at.y * s->units_per_mm;
     const roberts_vec2 d = line->along, up = text_upward(d);
     output_text(to, "BT ");
-    write_number(to, d.x);
-    write_number(to, d.y);
-    write_number(to, up.x);
-    write_number(to, up.y);
-    write_number(to, x - before * d.x);
-    write_number(to, y - before * d.y);
-    output_text(to, "Tm ");
+    write_numbers(to, (const double[]){d.x, d.y, up.x, up.y, x - before * d.x, y - before * d.y}, 6, "Tm ");
     write_runs(to, line->text, size);
     output_text(to, "ET\n");
 }
@@ -191,30 +192,27 @@ static void write_class(const strokes *s, roberts_line class, output *to)
     const roberts_pen *pen = strokes_pen(s->options, class);
     if (pen->off)
         return;
-    write_number(to, pen->red / 255.0);
-    write_number(to, pen->green / 255.0);
-    write_number(to, pen->blue / 255.0);
-    output_text(to, "rg\n");
+    write_color(to, pen->red, pen->green, pen->blue, "rg\n");
     for (size_t i = 0; i < s->notes.count; i++) {
         const text_line line = notes_line(&s->notes, i);
-        if (s->notes.item[i].is_back == (class == LINE_HIDDEN_TEXT))
+        if (strokes_text_is_of(s, i, class))
             write_line(s, &line, to);
     }
-}
-
-/* Writes the text of the page, in its units. */
-static void write_text(const strokes *s, output *to)
-{
-    if (!strokes_text_is_native(s->options) || s->notes.count == 0)
-        return;
-    write_class(s, LINE_HIDDEN_TEXT, to);
-    write_class(s, LINE_TEXT, to);
 }
 
 /* Does the page need fonts, or is all its text strokes? */
 static bool has_fonts(const strokes *s)
 {
     return strokes_text_is_native(s->options) && s->notes.count > 0;
+}
+
+/* Writes the text of the page, in its units. */
+static void write_text(const strokes *s, output *to)
+{
+    if (!has_fonts(s))
+        return;
+    write_class(s, LINE_HIDDEN_TEXT, to);
+    write_class(s, LINE_TEXT, to);
 }
 
 enum { COMPRESSION = 1, OFFSET_DIGITS = 10, TAIL_MOST = 1000 /* bytes behind the stream */ };
@@ -235,20 +233,6 @@ typedef struct pdf_plot {
 
 /* ---- the stream ---- */
 
-static void write_numbers(output *text, const double *number, int count, const char *operator)
-{
-    for (int i = 0; i < count; i++) {
-        output_number(text, number[i]);
-        output_bytes(text, " ", 1);
-    }
-    output_text(text, operator);
-}
-
-static void write_color(output *text, const unsigned char rgb[3], const char *operator)
-{
-    write_numbers(text, (const double[]){rgb[0] / 255.0, rgb[1] / 255.0, rgb[2] / 255.0}, 3, operator);
-}
-
 /* Makes what follows as opaque as the resource says (write_resources()). */
 static void write_alpha(output *text, int alpha)
 {
@@ -263,7 +247,7 @@ static void begin_class(void *context, roberts_line line)
     const roberts_pen *pen = strokes_pen(p->s->options, line);
     const double units = p->s->units_per_mm;
     double dash[2];
-    write_color(&p->text, (const unsigned char[]){pen->red, pen->green, pen->blue}, "RG ");
+    write_color(&p->text, pen->red, pen->green, pen->blue, "RG ");
     write_numbers(&p->text, (const double[]){pen->width_mm * units}, 1, "w [");
     if (strokes_dash(p->s->options, line, dash))
         write_numbers(&p->text, (const double[]){dash[0] * units, dash[1] * units}, 2, "");
@@ -302,7 +286,7 @@ static void write_page(pdf_plot *p)
     const roberts_background *color = &p->s->options->background;
     const double points = points_per_mm / p->s->units_per_mm;
     if (color->on) {
-        write_color(&p->text, (const unsigned char[]){color->red, color->green, color->blue}, "rg\n");
+        write_color(&p->text, color->red, color->green, color->blue, "rg\n");
         write_numbers(&p->text,
                       (const double[]){0.0, 0.0, page->width_mm * points_per_mm, page->height_mm * points_per_mm}, 4,
                       "re f\n");
@@ -333,8 +317,7 @@ static void write_fills(pdf_plot *p)
         const fill_color *color = &f->paint[i].color;
         if (color->alpha != alpha)
             write_alpha(&p->text, alpha = color->alpha);
-        write_color(&p->text, (const unsigned char[]){color->red, color->green, color->blue},
-                    f->paint[i].seam ? "RG\n" : "rg\n");
+        write_color(&p->text, color->red, color->green, color->blue, f->paint[i].seam ? "RG\n" : "rg\n");
         write_paint(p, &f->paint[i], f->paint[i].seam ? "S\n" : "f\n");
     }
     if (alpha != 255)

@@ -178,7 +178,6 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
 typedef struct svg_plot {
     const strokes *s;
     output *out;
-    int32_t thousandths; /* of a mm, in a unit */
 } svg_plot;
 
 static void begin_layer(void *context, roberts_line line)
@@ -190,9 +189,9 @@ static void begin_layer(void *context, roberts_line line)
 static void write_point(const svg_plot *p, const char *command, page_point at)
 {
     output_bytes(p->out, command, 2);
-    output_thousandths(p->out, at.x * p->thousandths);
+    output_thousandths(p->out, at.x * p->s->thousandths);
     output_bytes(p->out, " ", 1);
-    output_thousandths(p->out, at.y * p->thousandths);
+    output_thousandths(p->out, at.y * p->s->thousandths);
     output_bytes(p->out, " ", 1);
 }
 
@@ -245,19 +244,20 @@ static void write_text_line(output *out, const text_line *line)
 static void write_text_layer(const strokes *s, roberts_line class, output *out)
 {
     const roberts_pen *pen = strokes_pen(s->options, class);
+    const char *name = class == LINE_TEXT ? "letters" : "hidden-letters";
     size_t written = 0;
     for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
         const text_line line = notes_line(&s->notes, i);
-        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+        if (!strokes_text_is_of(s, i, class))
             continue;
         if (written++ == 0) {
             output_text(out, "<g");
-            svg_id(out, s->options, class == LINE_TEXT ? "letters" : "hidden-letters");
-            svg_layer(out, s->options, strokes_class_number(s->options, class),
-                      class == LINE_TEXT ? "letters" : "hidden-letters");
-            if (strokes_are_grouped(s->options)) /* the pointer finds what lies below */
-                output_text(out, class == LINE_TEXT ? " class=\"letters\" pointer-events=\"none\""
-                                                    : " class=\"hidden-letters\" pointer-events=\"none\"");
+            svg_id(out, s->options, name);
+            svg_layer(out, s->options, strokes_class_number(s->options, class), name);
+            if (strokes_are_grouped(s->options)) {
+                svg_attribute(out, "class", name);
+                svg_attribute(out, "pointer-events", "none"); /* the pointer finds what lies below */
+            }
             output_text(out, " font-family=\"sans-serif\" fill=\"");
             svg_color(out, pen->red, pen->green, pen->blue);
             output_text(out, "\">\n");
@@ -273,12 +273,12 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
  * asked not to smooth their borders. Where layers are numbered, the name of this one begins with a percent sign: the
  * software of AxiDraw leaves such layers out, since a pen cannot fill. */
 
-static void write_fill_point(output *out, const char *command, page_point at, int32_t thousandths)
+static void write_fill_point(const strokes *s, output *out, const char *command, page_point at)
 {
     output_bytes(out, command, 1);
-    output_thousandths(out, at.x * thousandths);
+    output_thousandths(out, at.x * s->thousandths);
     output_bytes(out, " ", 1);
-    output_thousandths(out, at.y * thousandths);
+    output_thousandths(out, at.y * s->thousandths);
 }
 
 /* Writes a colour, and its opacity if it is translucent, up to the quote of the last value. */
@@ -294,7 +294,6 @@ static void write_color(output *out, const fill_color *color)
 
 static void write_fill(const strokes *s, const fill_paint *paint, output *out)
 {
-    const int32_t thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5);
     output_text(out, "<path");
     if (paint->body != ROBERTS_NONE)
         svg_attribute_integer(out, "data-body", paint->body);
@@ -305,7 +304,7 @@ static void write_fill(const strokes *s, const fill_paint *paint, output *out)
         const polyline *line = &s->fills.lines.item[i];
         const page_point *p = s->fills.lines.point + line->first;
         for (uint32_t k = 0; k < line->count; k++)
-            write_fill_point(out, k == 0 ? "M" : "L", p[k], thousandths);
+            write_fill_point(s, out, k == 0 ? "M" : "L", p[k]);
         output_text(out, line->closed ? "Z\n" : "\n");
     }
     output_text(out, "\"/>\n");
@@ -347,21 +346,18 @@ static bool write_region(void *context, const page_region *on)
 {
     region_writer *w = context;
     const fill_color color = fills_color(w->s->options, on->region);
-    const int32_t thousandths = (int32_t)(1000.0 / w->s->units_per_mm + 0.5);
     if (on->ring_count == 0 || color.alpha == 0)
         return true;
     change_groups(w, on);
     output_text(w->out, "<path class=\"region\"");
-    if (on->region->face != ROBERTS_NONE) {
+    if (on->region->face != ROBERTS_NONE)
         svg_attribute_integer(w->out, "data-face", on->region->face);
-    }
     output_text(w->out, " fill=\"");
     write_color(w->out, &color);
     output_text(w->out, " d=\"");
     for (size_t r = 0; r < on->ring_count; r++) {
         for (size_t k = on->ring_start[r]; k < on->ring_start[r + 1]; k++)
-            write_fill_point(w->out, k == on->ring_start[r] ? "M" : "L",
-                             (page_point){page_round(on->point[k].x), page_round(on->point[k].y)}, thousandths);
+            write_fill_point(w->s, w->out, k == on->ring_start[r] ? "M" : "L", page_rounded(on->point[k]));
         output_text(w->out, "Z");
     }
     output_text(w->out, "\"/>\n");
@@ -424,7 +420,6 @@ typedef struct svg_groups {
     output *out;
     level order[LEVELS]; /* from the outermost */
     int depth;           /* how many of them there are */
-    int32_t thousandths; /* of a mm, in a unit */
     uint32_t bodies;     /* numbered layers: those of frame, symbol and text come after so many */
 } svg_groups;
 
@@ -524,7 +519,7 @@ static void close_levels(const svg_groups *w, int count)
 static void write_coordinate(const svg_groups *w, const char *before, int32_t units)
 {
     output_bytes(w->out, before, 1);
-    output_thousandths(w->out, units * w->thousandths);
+    output_thousandths(w->out, units * w->s->thousandths);
 }
 
 /* Lines are relative in elements: these are short, so relative ends have fewer digits. */
@@ -624,7 +619,7 @@ static void write_paths(const svg_groups *w, const stroke_group *g)
 static void svg_groups_write(const strokes *s, output *out)
 {
     const bool by_body = s->options->grouping == ROBERTS_GROUP_BODY;
-    svg_groups w = {.s = s, .out = out, .thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    svg_groups w = {.s = s, .out = out};
     int open = 0;
     if (s->sheet)
         w.order[w.depth++] = LEVEL_VIEW;
@@ -698,7 +693,7 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_element(out, "desc", s->options->description);
     if (s->options->background.on)
         write_background(out, s->options);
-    svg_plot p = {s, out, (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    svg_plot p = {s, out};
     const plotter to = {begin_layer, write_stroke, end_part, &p};
     roberts_status status = ROBERTS_OK;
     if (!write_fills(s, out))

@@ -124,8 +124,7 @@ enum { POINTS_A_LINE = 8 /* then the text goes on in a new line */ };
 typedef struct tikz {
     const strokes *s;
     output *out;
-    int32_t height;      /* of the page, in its units */
-    int32_t thousandths; /* of a mm, in a unit */
+    int32_t height; /* of the page, in its units */
 } tikz;
 
 /* ---- text ---- */
@@ -134,9 +133,9 @@ typedef struct tikz {
 static void write_point(const tikz *p, page_point at)
 {
     output_bytes(p->out, "(", 1);
-    output_thousandths(p->out, at.x * p->thousandths);
+    output_thousandths(p->out, at.x * p->s->thousandths);
     output_bytes(p->out, ",", 1);
-    output_thousandths(p->out, (p->height - at.y) * p->thousandths);
+    output_thousandths(p->out, (p->height - at.y) * p->s->thousandths);
     output_bytes(p->out, ")", 1);
 }
 
@@ -237,11 +236,8 @@ static int by_number(const void *a, const void *b)
 static void add_seen_vertex(const strokes *s, uint32_t number, roberts_vec2 end, seen_vertex *list, size_t *count)
 {
     roberts_vec2 mm = page_place(&s->map, end);
-    const bool cut_off = s->drawing->framed && !(mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
-                                                 mm.y >= s->frame_mm[0].y && mm.y <= s->frame_mm[1].y);
-    if (number != ROBERTS_NONE && !cut_off)
-        list[(*count)++] =
-            (seen_vertex){number, {page_round(mm.x * s->units_per_mm), page_round(mm.y * s->units_per_mm)}};
+    if (number != ROBERTS_NONE && strokes_is_in_frame(s, s->view, mm))
+        list[(*count)++] = (seen_vertex){number, page_from_mm(mm, s->units_per_mm)};
 }
 
 /* Writes the vertices at which a line that is drawn as visible begins or ends, each once. A sheet has each vertex in
@@ -290,15 +286,20 @@ static void begin_class(void *context, roberts_line line)
     output_text(p->out, "}]\n");
 }
 
-static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
+static void write_points(const tikz *p, const page_point *point, size_t count)
 {
-    const tikz *p = context;
-    output_text(p->out, "\\path ");
     for (size_t i = 0; i < count; i++) {
         if (i > 0)
             output_text(p->out, i % POINTS_A_LINE == 0 ? "\n--" : "--");
         write_point(p, point[i]);
     }
+}
+
+static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
+{
+    const tikz *p = context;
+    output_text(p->out, "\\path ");
+    write_points(p, point, count);
     output_text(p->out, closed ? "--cycle;\n" : ";\n");
 }
 
@@ -310,17 +311,6 @@ static void end_part(void *context, bool last)
 }
 
 /* ---- fills ---- */
-
-static void add_points(const tikz *p, const polylines *lines, const polyline *line)
-{
-    for (uint32_t i = 0; i < line->count; i++) {
-        if (i > 0)
-            output_text(p->out, i % POINTS_A_LINE == 0 ? "\n--" : "--");
-        write_point(p, lines->point[line->first + i]);
-    }
-    if (line->closed)
-        output_text(p->out, "--cycle\n");
-}
 
 /* One path for each colour, and one for each line of a seam. */
 static void write_fills(const tikz *p)
@@ -343,7 +333,10 @@ static void write_fills(const tikz *p)
                 }
                 output_text(p->out, "] ");
             }
-            add_points(p, &f->lines, &f->lines.item[k]);
+            const polyline *line = &f->lines.item[k];
+            write_points(p, f->lines.point + line->first, line->count);
+            if (line->closed)
+                output_text(p->out, "--cycle\n");
             if (k + 1 == paint->end || paint->seam)
                 output_text(p->out, ";\n");
         }
@@ -367,8 +360,7 @@ static void write_nodes(const tikz *p, roberts_line class)
     size_t written = 0;
     for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
         const text_line line = notes_line(&s->notes, i);
-        const page_point at = {page_round(line.at.x * s->units_per_mm), page_round(line.at.y * s->units_per_mm)};
-        if (s->notes.item[i].is_back != (class == LINE_HIDDEN_TEXT))
+        if (!strokes_text_is_of(s, i, class))
             continue;
         if (written++ == 0) {
             begin_style(p->out, style);
@@ -389,7 +381,7 @@ static void write_nodes(const tikz *p, roberts_line class)
             output_mm(p->out, text_degrees(&line));
         }
         output_text(p->out, "] at ");
-        write_point(p, at);
+        write_point(p, page_from_mm(line.at, s->units_per_mm));
         output_text(p->out, " {");
         tikz_text_write(p->out, line.text);
         output_text(p->out, "};\n");
@@ -404,10 +396,7 @@ static const char begin_picture[] =
 roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->options->page;
-    tikz p = {.s = s,
-              .out = out,
-              .height = page_round(page->height_mm * s->units_per_mm),
-              .thousandths = (int32_t)(1000.0 / s->units_per_mm + 0.5)};
+    tikz p = {.s = s, .out = out, .height = page_round(page->height_mm * s->units_per_mm)};
     const plotter to = {begin_class, write_stroke, end_part, &p};
     if (page->width_mm > longest_mm || page->height_mm > longest_mm)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
