@@ -143,6 +143,26 @@ static bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
 
 /* ---- convex solids ----------------------------------------------------------------------------------------------- */
 
+/* Returns where the near plane cuts the side from a to b. */
+static double cut_at(const cutter *c, uint32_t a, uint32_t b)
+{
+    return (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
+}
+
+/* Adds the vertices of a solid that are kept. False: no memory. */
+static bool keep_vertices(cutter *c, uint32_t solid)
+{
+    const roberts_scene *from = c->from;
+    const roberts_vec3 none = {0.0, 0.0, 0.0};
+    for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
+        c->vertex[v] = cutter_keeps(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
+        if (cutter_keeps(c, v) &&
+            !cutter_add_vertex(c, from->point[v], from->low ? from->low[v] : none, scene_vertex_number(from, v)))
+            return false;
+    }
+    return true;
+}
+
 /* Returns the edge of the solid between two of its vertices. Edges ascend by (v[0], v[1]). */
 static uint32_t find_edge_between(const cutter *c, uint32_t solid, uint32_t a, uint32_t b)
 {
@@ -163,12 +183,8 @@ static uint32_t find_edge_between(const cutter *c, uint32_t solid, uint32_t a, u
 static bool cut_vertices(cutter *c, uint32_t solid)
 {
     const roberts_scene *from = c->from;
-    for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++) {
-        c->vertex[v] = cutter_keeps(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
-        if (cutter_keeps(c, v) &&
-            !cutter_add_vertex(c, from->point[v], (roberts_vec3){0.0, 0.0, 0.0}, scene_vertex_number(from, v)))
-            return false;
-    }
+    if (!keep_vertices(c, solid))
+        return false;
     for (uint32_t i = from->solid[solid].edge; i < from->solid[solid + 1].edge; i++) {
         const scene_edge edge = scene_edge_at(from, solid, i);
         uint32_t a = edge.v[0], b = edge.v[1];
@@ -177,7 +193,7 @@ static bool cut_vertices(cutter *c, uint32_t solid)
         c->cut[i] = ROBERTS_NONE;
         if (cutter_keeps(c, a) == cutter_keeps(c, b))
             continue;
-        double t = (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
+        double t = cut_at(c, a, b);
         c->cut[i] = c->clip->scene.vertex_count;
         if (cutter_keeps(c, a))
             origin->t1 = t;
@@ -247,22 +263,26 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
+/* The plane of caps, which are seen from the eye. */
+static plane near_plane(const cutter *c)
+{
+    return (plane){-c->dir.x, -c->dir.y, -c->dir.z, vec3_dot(c->dir, vec3_sub(c->eye, c->from->centre)) - c->near};
+}
+
 /* Adds the cap. `start` is one of the cut edges. If a border weaves through the plane, there are several rings, and the
  * cap has one of them. Then the outline is not a single cycle, and the faces hide one by one (see hide/front.c). False:
  * no memory. */
 static bool add_cap(cutter *c, uint32_t start)
 {
-    const roberts_scene *from = c->from;
     uint32_t begin = (uint32_t)c->clip->scene.corner_count, e = start;
-    plane F = {-c->dir.x, -c->dir.y, -c->dir.z, 0.0}; /* inward: away from the eye */
     double width;
     do {
         if (!cutter_add_corner(c, c->cut[e]))
             return false;
         e = c->next[e];
     } while (e != start);
-    F.d = vec3_dot(c->dir, vec3_sub(c->eye, from->centre)) - c->near;
-    return cutter_measure_width(c, begin, &width) && cutter_add_face(c, F, c->touching, width, ROBERTS_NONE);
+    return cutter_measure_width(c, begin, &width) &&
+           cutter_add_face(c, near_plane(c), c->touching, width, ROBERTS_NONE);
 }
 
 /* Adds the edges that are kept, completely or in part, in order, followed by those of the cap. map: numbers of the
@@ -348,26 +368,15 @@ static uint32_t find_cut(const cutter *c, uint32_t a, uint32_t b)
     return found->vertex;
 }
 
-/* Returns where the near plane cuts the side from a to b. */
-static double cut_at(const cutter *c, uint32_t a, uint32_t b)
-{
-    return (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
-}
-
 /* Adds the vertices that are kept, and a new vertex on each side that is cut. False: no memory. */
 static bool cut_body_vertices(cutter *c, uint32_t body)
 {
     const roberts_scene *from = c->from;
     const scene_solid *own = &from->solid[body];
-    const roberts_vec3 none = {0.0, 0.0, 0.0};
     size_t to = 0;
     c->side_count = 0;
-    for (uint32_t v = own->vertex; v < own[1].vertex; v++) {
-        c->vertex[v] = cutter_keeps(c, v) ? c->clip->scene.vertex_count : ROBERTS_NONE;
-        if (cutter_keeps(c, v) &&
-            !cutter_add_vertex(c, from->point[v], from->low ? from->low[v] : none, scene_vertex_number(from, v)))
-            return false;
-    }
+    if (!keep_vertices(c, body))
+        return false;
     for (uint32_t f = own->face; f < own[1].face; f++)
         for (uint32_t first = from->face_start[f], end = from->face_start[f + 1], k = first; k < end; k++)
             if (!list_side(c, from->corner[k], from->corner[k + 1 < end ? k + 1 : first]))
@@ -538,20 +547,6 @@ static int compare_lines(const void *pa, const void *pb)
     return (a->to > b->to) - (a->to < b->to);
 }
 
-/* Returns the first of the sorted lines that begins at a vertex. */
-static size_t first_from(const cut_line *both, size_t count, uint32_t vertex)
-{
-    size_t low = 0, high = count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (both[middle].from < vertex)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Moves the vertices that begin or end an odd number of lines to the front, each once, ascending. Returns how many. */
 static size_t keep_odd(uint32_t *vertex, size_t count)
 {
@@ -611,7 +606,7 @@ static void use_line(const cut_line *both, size_t count, uint8_t *used, size_t i
 {
     const cut_line back = {both[i].to, both[i].from};
     used[i] = 1;
-    for (size_t k = first_from(both, count, back.from); k < count && both[k].from == back.from; k++)
+    for (size_t k = find_numbered(both, count, sizeof *both, back.from); k < count && both[k].from == back.from; k++)
         if (both[k].to == back.to && !used[k]) {
             used[k] = 1;
             return;
@@ -625,7 +620,7 @@ static size_t add_loop(const cut_line *both, size_t count, uint8_t *used, uint32
     uint32_t at = start;
     ring[length++] = start;
     for (;;) {
-        size_t low = first_from(both, count, at);
+        size_t low = find_numbered(both, count, sizeof *both, at);
         while (low < count && both[low].from == at && used[low])
             low++;
         if (low == count || both[low].from != at)
@@ -667,6 +662,9 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
     face_rules rules = {to->point, 1e-9, c->touching, to->unit, true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
+    plane F = near_plane(c);
+    if (!(vec3_dot(pieces.fit.n, c->dir) > 0.0)) /* as the pieces are wound */
+        F = (plane){-F.a, -F.b, -F.c, -F.d};
     for (size_t n = 0; enough && n < pieces.node_count; n++)
         if (pieces.node[n].vertex == ROBERTS_NONE) {
             pieces.node[n].vertex = to->vertex_count;
@@ -674,10 +672,6 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
         }
     for (size_t p = 0; enough && p < pieces.piece_count; p++) {
         const face_piece *piece = &pieces.piece[p];
-        roberts_vec3 n = pieces.fit.n;
-        double side = vec3_dot(n, c->dir) > 0.0 ? 1.0 : -1.0;
-        plane F = {-side * c->dir.x, -side * c->dir.y, -side * c->dir.z, 0.0};
-        F.d = side * (vec3_dot(c->dir, vec3_sub(c->eye, c->from->centre)) - c->near);
         for (uint32_t i = 0; enough && i < piece->count; i++)
             enough = cutter_add_corner(c, pieces.node[piece->node[i]].vertex);
         enough =
@@ -717,13 +711,7 @@ static bool cut_body(cutter *c, uint32_t body, uint32_t *map)
 {
     const roberts_scene *from = c->from;
     const scene_solid *own = &from->solid[body];
-    roberts_scene *to = &c->clip->scene;
     cut_lines lines = {0};
-    c->first = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
-    to->solid[body] = c->first;
-    c->whole = true;
-    for (uint32_t v = own->vertex; v < own[1].vertex; v++)
-        c->whole = c->whole && c->depth[v] >= c->near;
     bool enough = cut_body_vertices(c, body);
     for (uint32_t f = own->face; enough && f < own[1].face; f++)
         enough = cut_piece(c, f, &map[f], &lines);
@@ -740,19 +728,19 @@ static bool cut_body(cutter *c, uint32_t body, uint32_t *map)
 /* Clips one solid. `map` is scratch, [face_count of from]. */
 static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, roberts_error *error)
 {
-    if (!scene_is_convex(c->from, solid))
-        return cut_body(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
     const roberts_scene *from = c->from;
     roberts_scene *to = &c->clip->scene;
     uint32_t start = ROBERTS_NONE, cap = ROBERTS_NONE;
     c->first = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     to->solid[solid] = c->first;
-    if (holds_eye(c, solid))
-        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
-                         (unsigned)solid);
     c->whole = true;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++)
         c->whole = c->whole && c->depth[v] >= c->near;
+    if (!scene_is_convex(from, solid))
+        return cut_body(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
+    if (holds_eye(c, solid))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
+                         (unsigned)solid);
     if (!cut_vertices(c, solid))
         return error_no_memory(error);
     for (uint32_t f = from->solid[solid].face; f < from->solid[solid + 1].face; f++)
