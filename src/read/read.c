@@ -143,7 +143,7 @@ roberts_status read_refuse_foreign(reader *r, size_t length)
     return ROBERTS_OK;
 }
 
-enum { STL_HEADER = 80, STL_TRIANGLE = 50, STL_FIRST = STL_HEADER + 4, LOOK = 512 };
+enum { LOOK = 512 };
 
 /* Does the input have the length of binary STL with that many triangles? */
 static bool has_size_of_stl(reader *r)

@@ -10,6 +10,9 @@
 #include "read/input.h"
 #include "read/mesh.h"
 
+/* Binary STL, bytes: a header, the number of triangles, the triangles. */
+enum { STL_HEADER = 80, STL_FIRST = STL_HEADER + 4, STL_TRIANGLE = 50 };
+
 struct off_division;
 struct off_state;
 

@@ -15,7 +15,7 @@
 #include "base/array.h"
 #include "base/bits.h"
 
-enum { HEADER = 80, COUNT = 4, TRIANGLE = 50, FLOAT = 4, POINT = 3 * FLOAT, LEAST_CORNERS = 3, AT_ONCE = 32 };
+enum { FLOAT = 4, POINT = 3 * FLOAT, LEAST_CORNERS = 3, AT_ONCE = 32 };
 
 /* ---- equal positions ------------------------------------------------------------------------------------------- */
 
@@ -243,11 +243,11 @@ static roberts_status read_triangles(reader *r, position_table *t, size_t count)
     if (!reserve(t, r->mesh, 3 * count))
         return error_no_memory(r->error);
     for (size_t i = 0; i < 3 * count; i++) {
-        const char *at = r->in.at + i / 3 * TRIANGLE + POINT + i % 3 * POINT; /* the normal comes first */
+        const char *at = r->in.at + i / 3 * STL_TRIANGLE + POINT + i % 3 * POINT; /* the normal comes first */
         p[i] = (roberts_vec3){read_float(at, true), read_float(at + FLOAT, true),
                               read_float(at + 2 * (size_t)FLOAT, true)};
         if (!mesh_position(p[i])) {
-            r->in.at += i / 3 * TRIANGLE;
+            r->in.at += i / 3 * STL_TRIANGLE;
             return read_fail(r, ROBERTS_BAD_NUMBER, "triangle %zu has a coordinate that is infinite or no number",
                              facets_read(r) + i / 3);
         }
@@ -261,7 +261,7 @@ static roberts_status read_triangles(reader *r, position_table *t, size_t count)
     for (size_t i = 0; i < 3 * count; i++)
         if (!add_corner(r->mesh, t, p[i], hash[i]) || (i % 3 == 2 && !mesh_end_face(r->mesh)))
             return error_no_memory(r->error);
-    r->in.at += count * TRIANGLE;
+    r->in.at += count * STL_TRIANGLE;
     return ROBERTS_OK;
 }
 
@@ -270,17 +270,17 @@ roberts_status stl_read_binary(reader *r)
     position_table table = {.first = r->mesh->vertex_count};
     roberts_status status = ROBERTS_OK;
     r->binary = true;
-    if (!input_need(&r->in, HEADER + COUNT))
+    if (!input_need(&r->in, STL_FIRST))
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the number of triangles");
-    const uint64_t count = read_word(r->in.at + HEADER, true);
-    r->in.at += HEADER + COUNT;
+    const uint64_t count = read_word(r->in.at + STL_HEADER, true);
+    r->in.at += STL_FIRST;
     mesh_float32(r->mesh);
     if (count == 0)
         warning_send(r->warnings, r->name, 0, "this is binary STL without triangles");
     for (uint64_t done = 0; done < count && status == ROBERTS_OK;) {
         size_t part = count - done < AT_ONCE ? (size_t)(count - done) : AT_ONCE;
-        if (!input_need(&r->in, part * TRIANGLE))
-            part = (size_t)(r->in.end - r->in.at) / TRIANGLE; /* the part available before its end */
+        if (!input_need(&r->in, part * STL_TRIANGLE))
+            part = (size_t)(r->in.end - r->in.at) / STL_TRIANGLE; /* the part available before its end */
         status = part ? read_triangles(r, &table, part) : ends_early(r, done, count);
         done += part;
     }
