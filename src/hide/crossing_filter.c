@@ -98,12 +98,6 @@ typedef struct pair_search {
     box_tree tree;
 } pair_search;
 
-static box3 wide_box(const hide_box *box)
-{
-    return (box3){{(double)box->x0, (double)box->y0, (double)box->z0},
-                  {(double)box->x1, (double)box->y1, (double)box->z1}};
-}
-
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
 {
     hide_bounds own = hide_no_bounds;
@@ -134,7 +128,7 @@ static void add_units(pair_search *s, uint32_t body)
         if (!convex && are_edge_on(fronts, f, end))
             continue;
         hide_box box = convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end);
-        s->box[s->count] = wide_box(&box);
+        s->box[s->count] = hide_box3(&box);
         s->unit[s->count++] = (unit){body, convex ? ROBERTS_NONE : f};
     }
 }
@@ -164,7 +158,7 @@ static bool list_faces(const hide_fronts *fronts, const unit *of, const box3 *bo
     for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; f < last; f++) {
         uint32_t end = one ? scene_end_of_pieces(scene, of->body, f) : f + 1;
         boxed_face item = {box_of_pieces(fronts, f, end), f};
-        box3 wide = wide_box(&item.box);
+        box3 wide = hide_box3(&item.box);
         if (are_edge_on(fronts, f, end) || !box3_meet(&wide, box))
             continue;
         if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))

@@ -77,12 +77,6 @@ static double picture_area(const roberts_vec3 *P, const hide_face *F)
     return 0.5 * fabs(twice);
 }
 
-static box3 space_box(const hide_box *box)
-{
-    return (box3){{(double)box->x0, (double)box->y0, (double)box->z0},
-                  {(double)box->x1, (double)box->y1, (double)box->z1}};
-}
-
 static item measure_front(const hide_fronts *fronts, uint32_t front)
 {
     item of = {.front = front, .up = {0, 0, 1}};
@@ -263,7 +257,7 @@ bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_
     bool done = b.item && b.box && b.place && tree->node;
     for (uint32_t i = 0; done && i < count; i++) {
         b.item[i] = measure_front(fronts, front[i]);
-        b.box[i] = space_box(&fronts->front_box[front[i]]);
+        b.box[i] = hide_box3(&fronts->front_box[front[i]]);
         b.place[i] = i;
     }
     if (done)

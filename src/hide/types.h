@@ -3,6 +3,7 @@
 #define ROBERTS_HIDE_TYPES_H
 
 #include "base/box.h"
+#include "base/search.h"
 #include "view/seen.h"
 
 typedef struct hide_space {
@@ -19,6 +20,12 @@ typedef struct hide_space {
 typedef struct hide_box {
     float x0, x1, y0, y1, z0, z1;
 } hide_box;
+
+static inline box3 hide_box3(const hide_box *box)
+{
+    return (box3){{(double)box->x0, (double)box->y0, (double)box->z0},
+                  {(double)box->x1, (double)box->y1, (double)box->z1}};
+}
 
 /* A front face, or the outline of several (F is not used then). Its sides run counter-clockwise in the picture. */
 typedef struct hide_face {
