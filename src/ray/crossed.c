@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 
 /* Distances beside the line at which rays are cast, in touching distances. An end of the line may have been moved to a
  * corner within that distance, so the first ray is farther away. Near the ends of the line a face may be narrow, so
@@ -89,15 +90,7 @@ void crossed_end(crossed *c)
 /* Returns the first piece of the face with this number; face_count: none. */
 static uint32_t first_piece(const crossed *c, uint32_t number)
 {
-    uint32_t low = 0, high = c->scene->face_count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (c->piece[middle].number < number)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
+    return (uint32_t)find_numbered(c->piece, c->scene->face_count, sizeof *c->piece, number);
 }
 
 static bool is_point_in_plane(const crossed *c, uint32_t face, roberts_vec3 X)
