@@ -57,14 +57,10 @@ uint32_t radix_key_descending(float x)
 
 static void pass(const uint32_t *key, const uint32_t *from, uint32_t *to, uint32_t count, unsigned shift)
 {
-    uint32_t place[DIGITS] = {0}, next = 0;
+    uint32_t place[DIGITS] = {0};
     for (uint32_t i = 0; i < count; i++)
         place[key[i] >> shift & (DIGITS - 1)]++;
-    for (uint32_t d = 0; d < DIGITS; d++) {
-        uint32_t c = place[d];
-        place[d] = next;
-        next += c;
-    }
+    sort_starts(place, DIGITS);
     for (uint32_t i = 0; i < count; i++)
         to[place[key[from[i]] >> shift & (DIGITS - 1)]++] = from[i];
 }

@@ -1,7 +1,8 @@
 /* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort().
  *
- * For few or nearly sorted items: SORT_FEW(). For many items with 32-bit keys: radix_order(). For many short lists of
- * 64-bit numbers: sort_short_list(), or, for items with 64-bit keys, sort_keyed(). For all others: qsort(). */
+ * For few or nearly sorted items: SORT_FEW(). For many short lists: SORT_LIST(), sort_short_list() if they are of
+ * 64-bit numbers, or sort_keyed() if items have 64-bit keys. For many items with 32-bit keys: radix_order(). For all
+ * others: qsort(). */
 #ifndef ROBERTS_BASE_SORT_H
 #define ROBERTS_BASE_SORT_H
 
@@ -27,6 +28,16 @@
         (items)[sort_k] = sort_moved;                                                                                  \
     }
 
+enum { SORT_SHORT = 24 }; /* up to this many items, insertion sort beats qsort() */
+
+/* Sorts one of many lists of which nearly all are short: as SORT_FEW(), or by qsort() with `compare`. */
+#define SORT_LIST(type, items, count, behind, compare)                                                                 \
+    if ((count) > SORT_SHORT) {                                                                                        \
+        qsort(items, count, sizeof(type), compare);                                                                    \
+    } else {                                                                                                           \
+        SORT_FEW(type, items, count, behind)                                                                           \
+    }
+
 /* An item with its key. */
 typedef struct sort_item {
     uint64_t key;
@@ -43,6 +54,19 @@ uint32_t radix_key_descending(float x);
 /* Fills order[0 .. count-1] with 0 .. count-1 sorted by ascending keys, ties by number. Takes linear time. False: no
  * memory. */
 bool radix_order(const uint32_t *key, uint32_t count, uint32_t *order);
+
+/* Turns the numbers of items with each key into the place where they begin, key after key. Returns how many there are.
+ */
+static inline uint32_t sort_starts(uint32_t *number, size_t keys)
+{
+    uint32_t sum = 0;
+    for (size_t k = 0; k < keys; k++) {
+        uint32_t here = number[k];
+        number[k] = sum;
+        sum += here;
+    }
+    return sum;
+}
 
 /* Lists 0 .. count-1 by their keys, which are less than `keys`, ties by number: (*order)[(*start)[k]] and so on have
  * the key k. Takes linear time. False: no memory. Free *start, [keys + 2], and *order, [count], in any case. */
@@ -74,16 +98,10 @@ static inline int compare_u64(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-enum { SORT_SHORT = 24 }; /* up to this many numbers, insertion sort beats qsort() */
-
 /* Sorts one of many lists of which nearly all are short. */
 static inline void sort_short_list(uint64_t *item, size_t count)
 {
-    if (count > SORT_SHORT) {
-        qsort(item, count, sizeof *item, compare_u64);
-        return;
-    }
-    SORT_FEW(uint64_t, item, count, *a > *b)
+    SORT_LIST(uint64_t, item, count, *a > *b, compare_u64)
 }
 
 /* Compares two doubles that are not NaN, for qsort(). */

@@ -98,14 +98,8 @@ static bool unite_lines(map_search *s)
         const uint32_t *v = m->line[order[i]], from = key[order[i]];
         line[i] = (uint64_t)from << 32 | (v[0] + v[1] - from) << 1 | s->open[order[i]];
     }
-    for (size_t n = 0; enough && n < m->node_count; n++) {
-        const size_t few = start[n + 1] - start[n];
-        if (few <= 32) {
-            SORT_FEW(uint64_t, line + start[n], few, *a > *b);
-        } else {
-            qsort(line + start[n], few, sizeof *line, compare_u64);
-        }
-    }
+    for (size_t n = 0; enough && n < m->node_count; n++)
+        sort_short_list(line + start[n], start[n + 1] - start[n]);
     size_t to = 0;
     for (size_t i = 0; enough && i < count; i++) {
         uint32_t from = (uint32_t)(line[i] >> 32), end = (uint32_t)line[i] >> 1;
@@ -155,11 +149,7 @@ static bool sort_stops(map_search *s, uint32_t **start)
     }
     for (size_t i = 0; enough && i < m->line_count; i++) {
         const size_t few = (*start)[i + 1] - (*start)[i];
-        if (few <= 32) {
-            SORT_FEW(map_stop, stop + (*start)[i], few, comes_later(a, b));
-        } else {
-            qsort(stop + (*start)[i], few, sizeof *stop, compare_stops);
-        }
+        SORT_LIST(map_stop, stop + (*start)[i], few, comes_later(a, b), compare_stops)
     }
     if (enough) {
         free(s->stop);
@@ -371,11 +361,7 @@ static bool sort_stars(map_stars *s, const planar_map *m)
             roberts_vec2 from = m->node[n], to = m->node[map_from(m, s->half[first + k] ^ 1)];
             own[k] = (ray){from, to, s->half[first + k], vec2_compare(to, from) < 0};
         }
-        if (count <= 16) {
-            SORT_FEW(ray, own, count, comes_after(a, b));
-        } else {
-            qsort(own, count, sizeof *own, compare_rays);
-        }
+        SORT_LIST(ray, own, count, comes_after(a, b), compare_rays)
         for (uint32_t k = 0; k < count; k++)
             s->half[first + k] = own[k].half;
     }
@@ -483,11 +469,7 @@ static int compare_nodes(const void *pa, const void *pb)
 /* Puts nodes with one key, in single precision, in their true order. */
 static void sort_equal_keys(sweep_node *item, size_t count)
 {
-    if (count <= 32) {
-        SORT_FEW(sweep_node, item, count, compare_nodes(a, b) > 0);
-    } else {
-        qsort(item, count, sizeof *item, compare_nodes);
-    }
+    SORT_LIST(sweep_node, item, count, compare_nodes(a, b) > 0, compare_nodes)
 }
 
 static bool sort_nodes(cell_sweep *s)

@@ -134,11 +134,7 @@ static double widest_at(region_scratch *scratch, double y, double *x)
     for (const cell_side *s = scratch->side; s < scratch->side + scratch->count; s++)
         if ((s->P.y <= y) != (s->Q.y <= y))
             item[count++] = s->P.x + (y - s->P.y) / (s->Q.y - s->P.y) * (s->Q.x - s->P.x);
-    if (count <= 32) {
-        SORT_FEW(double, item, count, *a > *b);
-    } else {
-        qsort(item, count, sizeof *item, compare_doubles);
-    }
+    SORT_LIST(double, item, count, *a > *b, compare_doubles)
     for (size_t k = 0; k + 1 < count; k += 2)
         if (item[k + 1] - item[k] > width) {
             width = item[k + 1] - item[k];
@@ -254,15 +250,6 @@ static bool look_into_all(region_work *w)
 
 /* ---- rings ----------------------------------------------------------------------------------------------------- */
 
-static uint32_t root_of(region_work *w, uint32_t cell)
-{
-    while (w->root[cell] != cell) {
-        w->root[cell] = w->root[w->root[cell]];
-        cell = w->root[cell];
-    }
-    return cell;
-}
-
 /* Gives coplanar neighbours of one colour the number of the first of them. False: no memory. */
 static bool merge_faces(region_work *w)
 {
@@ -300,11 +287,8 @@ static bool join_cells(region_work *w)
     for (uint32_t i = 0; i < w->map.line_count; i++) {
         uint32_t c = map_cell_of(&w->cells, 2 * i), d = map_cell_of(&w->cells, 2 * i + 1);
         w->gone[i] = w->sight[c].face == w->sight[d].face;
-        if (w->gone[i]) {
-            c = root_of(w, c);
-            d = root_of(w, d);
-            w->root[c > d ? c : d] = c < d ? c : d;
-        }
+        if (w->gone[i])
+            sets_join(w->root, c, d);
     }
     return true;
 }
@@ -336,7 +320,7 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done, uint32_t **ro
     w->ring[w->ring_count++] = (region_ring){.first = w->side_count,
                                              .corners = count,
                                              .face = w->sight[cell].face,
-                                             .root = root_of(w, cell),
+                                             .root = sets_root(w->root, cell),
                                              .area = map_area(&w->map, side, count)};
     w->side_count += count;
     return true;

@@ -76,18 +76,14 @@ static uint32_t upper(const surface_side *side)
 static bool sort_sides(finder *f)
 {
     const surface *s = f->s;
-    uint32_t sum = 0, start = 0;
+    uint32_t start = 0;
     f->end = alloc_zeroed(s->vertex_count, sizeof *f->end);
     f->half = alloc_array(s->side_count, sizeof *f->half);
     if (!f->end || !f->half)
         return false;
     for (size_t i = 0; i < s->side_count; i++)
         f->end[lower(&s->side[i])]++;
-    for (uint32_t v = 0; v < s->vertex_count; v++) {
-        uint32_t here = f->end[v];
-        f->end[v] = sum;
-        sum += here;
-    }
+    sort_starts(f->end, s->vertex_count);
     for (size_t i = 0; i < s->side_count; i++)
         f->half[f->end[lower(&s->side[i])]++] = (uint64_t)upper(&s->side[i]) << 32 | i;
     for (uint32_t v = 0; v < s->vertex_count; start = f->end[v++])
@@ -633,7 +629,7 @@ static void sort_by_body(body_edges *list, const uint32_t *of, uint32_t bodies)
 {
     const surface *s = list->surface;
     for (int pass = 0; pass < 2; pass++) {
-        uint32_t odd = s->piece_count, sum = 0;
+        uint32_t odd = s->piece_count;
         for (uint32_t i = 0; i < s->edge_count; i++) {
             uint32_t body = of[s->edge[i].odd ? odd++ : surface_piece(s->edge[i].piece[0])];
             if (pass == 0)
@@ -641,11 +637,8 @@ static void sort_by_body(body_edges *list, const uint32_t *of, uint32_t bodies)
             else
                 list->order[list->first[body]++] = i;
         }
-        for (uint32_t b = 0; b <= bodies && pass == 0; b++) {
-            uint32_t count = list->first[b];
-            list->first[b] = sum;
-            sum += count;
-        }
+        if (pass == 0)
+            sort_starts(list->first, bodies + (size_t)1);
     }
 }
 

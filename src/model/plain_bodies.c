@@ -51,19 +51,14 @@ static int compare_edges(const void *pa, const void *pb)
 static uint32_t count_upward(const plain_edges *p, uint32_t s)
 {
     const roberts_scene *scene = p->scene;
-    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, sum = 0;
+    uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base;
     memset(p->start, 0, vertices * sizeof *p->start);
     for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
         const uint32_t *corner = scene->corner + scene->face_start[f], *end = scene->corner + scene->face_start[f + 1];
         for (uint32_t from = end[-1]; corner < end; from = *corner++)
             p->start[from - base] += from < *corner;
     }
-    for (uint32_t v = 0; v < vertices; v++) {
-        uint32_t here = p->start[v];
-        p->start[v] = sum;
-        sum += here;
-    }
-    return sum;
+    return sort_starts(p->start, vertices);
 }
 
 /* Makes an edge of each side that runs to a greater vertex. False: two of them have the same ends. */
@@ -80,10 +75,7 @@ static bool make_edges(const plain_edges *p, uint32_t s, scene_edge *edge)
     }
     for (uint32_t v = 0, begin = 0; v < vertices && different; begin = p->start[v++]) {
         uint32_t count = p->start[v] - begin;
-        if (count > SORT_SHORT)
-            qsort(edge + begin, count, sizeof *edge, compare_edges);
-        else
-            SORT_FEW(scene_edge, edge + begin, count, a->v[1] > b->v[1])
+        SORT_LIST(scene_edge, edge + begin, count, a->v[1] > b->v[1], compare_edges)
         for (uint32_t i = begin + 1; i < begin + count; i++)
             different = different && edge[i].v[1] != edge[i - 1].v[1];
     }
@@ -136,7 +128,7 @@ static plain_answer complete_edges(plain_edges *p, uint32_t s, scene_edge *edge,
                 continue;
             uint32_t a = sets_root(p->parent, f - first), b = sets_root(p->parent, e->f[0]);
             *sets -= a != b;
-            p->parent[a < b ? b : a] = a < b ? a : b;
+            sets_join(p->parent, a, b);
         }
     }
     return PLAIN_YES;
@@ -209,7 +201,6 @@ static bool sort_sides(plain_edges *p, uint32_t s)
 {
     const roberts_scene *scene = p->scene;
     uint32_t base = scene->solid[s].vertex, vertices = scene->solid[s + 1].vertex - base, first = scene->solid[s].face;
-    uint32_t sum = 0;
     if (!array_reserve(&p->half, &p->half_room, scene_corners(scene, s), sizeof *p->half))
         return false;
     memset(p->start, 0, vertices * sizeof *p->start);
@@ -226,11 +217,8 @@ static bool sort_sides(plain_edges *p, uint32_t s)
                     p->half[p->start[lower]++] = (uint64_t)upper << 32 | (uint64_t)(f - first) << 1 | turned;
             }
         }
-        for (uint32_t v = 0; v < vertices && pass == 0; v++) {
-            uint32_t here = p->start[v];
-            p->start[v] = sum;
-            sum += here;
-        }
+        if (pass == 0)
+            sort_starts(p->start, vertices);
     }
     for (uint32_t v = 0, begin = 0; v < vertices; begin = p->start[v++])
         sort_short_list(p->half + begin, p->start[v] - begin);
@@ -313,7 +301,7 @@ static plain_answer find_sorted(plain_edges *p, uint32_t s)
                 uint32_t f = sets_root(p->parent, (uint32_t)p->half[k - 1] >> 1);
                 uint32_t g = sets_root(p->parent, (uint32_t)p->half[k] >> 1);
                 sets -= f != g;
-                p->parent[f < g ? g : f] = f < g ? f : g;
+                sets_join(p->parent, f, g);
             }
         }
     return sets > 1 || (crowded && !odd) ? PLAIN_NO : PLAIN_YES;

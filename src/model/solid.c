@@ -73,7 +73,7 @@ static bool pair_by_table(const roberts_scene *scene, uint32_t s, edge_scratch *
 static void count_half_edges(const roberts_scene *scene, uint32_t s, uint32_t *end)
 {
     const scene_solid *first = scene->solid + s;
-    uint32_t count = first[1].vertex - first->vertex, sum = 0;
+    uint32_t count = first[1].vertex - first->vertex;
     memset(end, 0, count * sizeof *end);
     for (uint32_t f = first->face; f < first[1].face; f++) {
         const uint32_t *corner = scene->corner + scene->face_start[f];
@@ -81,11 +81,7 @@ static void count_half_edges(const roberts_scene *scene, uint32_t s, uint32_t *e
         for (uint32_t i = 0; i < n; from = corner[i++])
             end[(from < corner[i] ? from : corner[i]) - first->vertex]++;
     }
-    for (uint32_t v = 0; v < count; v++) {
-        uint32_t here = end[v];
-        end[v] = sum;
-        sum += here;
-    }
+    sort_starts(end, count);
 }
 
 bool edges_sort(const roberts_scene *scene, uint32_t s, edge_scratch *scratch)

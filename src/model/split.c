@@ -17,6 +17,7 @@
 
 #include "base/array.h"
 #include "base/sets.h"
+#include "base/sort.h"
 #include "model/face_plane.h"
 #include "model/solid.h"
 
@@ -416,18 +417,14 @@ static bool split_by_file(splitter *s, uint32_t *parent, uint32_t from, uint32_t
  * of piece p in s->order. Returns the number of pieces. */
 static uint32_t sort_pieces(splitter *s, uint32_t *end)
 {
-    uint32_t pieces = 0, sum = 0;
+    uint32_t pieces = 0;
     for (uint32_t f = 0; f < s->face_count; f++)
         s->parent[f] = sets_root(s->parent, f);
     for (uint32_t f = 0; f < s->face_count; f++) { /* a root comes before its faces */
         s->parent[f] = s->parent[f] == f ? pieces++ : s->parent[s->parent[f]];
         end[s->parent[f]]++;
     }
-    for (uint32_t p = 0; p < pieces; p++) {
-        uint32_t here = end[p];
-        end[p] = sum;
-        sum += here;
-    }
+    sort_starts(end, pieces);
     for (uint32_t f = 0; f < s->face_count; f++)
         s->order[end[s->parent[f]]++] = f;
     return pieces;

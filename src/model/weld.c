@@ -60,16 +60,11 @@ static void sort_spots(spot *first, uint32_t count)
 /* Puts the vertices into buckets; end[b] becomes the end of bucket b. */
 static void fill_buckets(spot *sorted, uint32_t *end, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
 {
-    uint32_t sum = 0;
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec3 p = point[listed[i]];
         end[bucket_of((roberts_vec3){p.x + 0.0, p.y + 0.0, p.z + 0.0}, count)]++;
     }
-    for (uint32_t b = 0; b < count; b++) {
-        uint32_t here = end[b];
-        end[b] = sum;
-        sum += here;
-    }
+    sort_starts(end, count);
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec3 p = point[listed[i]], at = {p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 + 0 is +0 */
         uint32_t b = bucket_of(at, count);
