@@ -42,16 +42,6 @@ typedef struct net {
 
 /* ---- polylines ---- */
 
-static page_point rounded(roberts_vec2 p)
-{
-    return (page_point){page_round(p.x), page_round(p.y)};
-}
-
-static bool same_page_point(page_point p, page_point q)
-{
-    return p.x == q.x && p.y == q.y;
-}
-
 bool polylines_start(polylines *out)
 {
     if (!array_reserve(&out->item, &out->room, out->count + 1, sizeof *out->item))
@@ -84,8 +74,7 @@ bool polylines_copy(const polylines *from, polylines *out)
     return true;
 }
 
-/* Appends a point. It replaces the last point if that lies on the straight line to it. */
-static bool add_point(polylines *out, page_point at)
+bool polylines_extend(polylines *out, page_point at)
 {
     if (out->item[out->count - 1].count < 2)
         return polylines_append(out, at); /* before the very first point, out->point is NULL */
@@ -101,7 +90,7 @@ static void finish_line(polylines *out)
 {
     polyline *line = &out->item[out->count - 1];
     page_point *p = out->point + line->first;
-    if (line->count < 4 || !same_page_point(p[0], p[line->count - 1]))
+    if (line->count < 4 || !page_is_same(p[0], p[line->count - 1]))
         return;
     line->closed = true;
     line->count--;
@@ -128,26 +117,26 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
     for (size_t i = 0; i < p->count; i++) {
         if (p->item[i].line != line)
             continue;
-        page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
-        if (same_page_point(a, b))
+        page_point a = page_rounded(p->item[i].a), b = page_rounded(p->item[i].b);
+        if (page_is_same(a, b))
             continue;
         polyline *last = open ? &out->item[out->count - 1] : NULL;
         page_point *end = out->point + out->point_count;
-        if (open && last->count == 2 && !same_page_point(end[-1], a) && !same_page_point(end[-1], b) &&
-            (same_page_point(end[-2], a) || same_page_point(end[-2], b))) {
+        if (open && last->count == 2 && !page_is_same(end[-1], a) && !page_is_same(end[-1], b) &&
+            (page_is_same(end[-2], a) || page_is_same(end[-2], b))) {
             page_point swap = end[-1]; /* draws the first piece the other way round */
             end[-1] = end[-2];
             end[-2] = swap;
         }
-        if (open && last->count < CHAIN_POINTS_MAX && (same_page_point(end[-1], a) || same_page_point(end[-1], b))) {
-            if (!add_point(out, same_page_point(end[-1], a) ? b : a))
+        if (open && last->count < CHAIN_POINTS_MAX && (page_is_same(end[-1], a) || page_is_same(end[-1], b))) {
+            if (!polylines_extend(out, page_is_same(end[-1], a) ? b : a))
                 return false;
             continue;
         }
         if (open)
             finish_line(out);
         open = true;
-        if (!polylines_start(out) || !add_point(out, a) || !add_point(out, b))
+        if (!polylines_start(out) || !polylines_extend(out, a) || !polylines_extend(out, b))
             return false;
     }
     if (open)
@@ -158,8 +147,8 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out)
 bool chain_apart(const pieces *p, roberts_line line, polylines *out)
 {
     for (size_t i = 0; i < p->count; i++) {
-        page_point a = rounded(p->item[i].a), b = rounded(p->item[i].b);
-        if (p->item[i].line != line || same_page_point(a, b))
+        page_point a = page_rounded(p->item[i].a), b = page_rounded(p->item[i].b);
+        if (p->item[i].line != line || page_is_same(a, b))
             continue;
         if (!polylines_start(out) || !polylines_append(out, a) || !polylines_append(out, b))
             return false;
@@ -185,7 +174,7 @@ typedef struct search {
 
 static search search_for(const net *n, roberts_vec2 p)
 {
-    search f = {.at = rounded(p)};
+    search f = {.at = page_rounded(p)};
     int32_t x[2], y[2];
     int columns = page_cells(f.at.x, PLACE_CELL, x), rows = page_cells(f.at.y, PLACE_CELL, y);
     for (int i = 0; i < columns; i++)
@@ -350,18 +339,18 @@ static uint32_t straightest(const net *n, page_point from, uint32_t at)
 static bool walk(net *n, uint32_t at, polylines *out)
 {
     page_point from = n->place[at].at;
-    if (!polylines_start(out) || !add_point(out, from))
+    if (!polylines_start(out) || !polylines_extend(out, from))
         return false;
     for (tidy(n, at); n->place[at].left; tidy(n, at)) {
         if (out->item[out->count - 1].count >= CHAIN_POINTS_MAX &&
-            (!polylines_start(out) || !add_point(out, n->place[at].at)))
+            (!polylines_start(out) || !polylines_extend(out, n->place[at].at)))
             return false;
         uint32_t index = straightest(n, from, at), chosen = n->leaving[n->place[at].start + index];
         leave_out(n, at, index);
         n->link[chosen].drawn = true;
         from = n->place[at].at;
         at = other_end(&n->link[chosen], at);
-        if (!add_point(out, n->place[at].at))
+        if (!polylines_extend(out, n->place[at].at))
             return false;
     }
     finish_line(out);

@@ -134,6 +134,9 @@ bool chain_apart(const pieces *p, roberts_line line, polylines *out);
 bool polylines_start(polylines *p);
 bool polylines_append(polylines *p, page_point at);
 
+/* Appends a point, which replaces the last one if that lies on the straight line to it. False: no memory. */
+bool polylines_extend(polylines *p, page_point at);
+
 /* Appends all polylines of `from`. False: no memory. */
 bool polylines_copy(const polylines *from, polylines *out);
 

@@ -290,20 +290,6 @@ static size_t next_side(const side_list *sides, const fill_side *from)
     return found;
 }
 
-/* Appends a point; drops the one before it if that lies straight between its neighbours. */
-static bool add_point(polylines *out, page_point p)
-{
-    const polyline *line = &out->item[out->count - 1];
-    if (line->count > 1) {
-        page_point *end = out->point + out->point_count;
-        if (page_is_between(end[-2], end[-1], p)) {
-            end[-1] = p;
-            return true;
-        }
-    }
-    return polylines_append(out, p);
-}
-
 /* Where the other direction of a seam is in the list. */
 static size_t reverse_of(const side_list *sides, const fill_side *side)
 {
@@ -334,12 +320,12 @@ static void close_ring(polylines *out)
 static bool draw_ring(side_list *sides, size_t first, polylines *out)
 {
     const page_point start = sides->item[first].a;
-    bool enough = polylines_start(out) && add_point(out, start);
+    bool enough = polylines_start(out) && polylines_extend(out, start);
     for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &sides->item[i];
         side->done = 1;
         bool back = page_is_same(side->b, start);
-        enough = back || add_point(out, side->b);
+        enough = back || polylines_extend(out, side->b);
         i = back ? SIZE_MAX : next_side(sides, side);
     }
     if (enough)
@@ -361,12 +347,12 @@ static bool draw_seam(fill_work *w, size_t first, fills *out)
 {
     polylines *lines = &out->lines;
     const double trim = out->seam_mm * w->s->units_per_mm;
-    bool enough = polylines_start(lines) && add_point(lines, w->seam.item[first].a), ends = false;
+    bool enough = polylines_start(lines) && polylines_extend(lines, w->seam.item[first].a), ends = false;
     for (size_t i = first; enough && i != SIZE_MAX;) {
         fill_side *side = &w->seam.item[i];
         w->seam.item[reverse_of(&w->seam, side)].done = 1;
         side->done = 1;
-        enough = add_point(lines, side->b);
+        enough = polylines_extend(lines, side->b);
         ends = is_rim(w, side->b);
         i = ends ? SIZE_MAX : next_side(&w->seam, side);
     }
@@ -520,7 +506,7 @@ static bool draw_plate(const plate *p, polylines *out)
 {
     bool enough = polylines_start(out);
     for (int i = 0; enough && i < 4; i++)
-        enough = add_point(out, page_rounded(p->corner[i]));
+        enough = polylines_extend(out, page_rounded(p->corner[i]));
     if (enough)
         close_ring(out);
     return enough;
