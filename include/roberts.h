@@ -443,8 +443,8 @@ typedef struct roberts_drawing {
     size_t edges, surviving_edges;
     size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept), or parts of them, that are left
                        out because bodies are flush there or because they lie inside a body */
-    size_t
-        drawn_edges; /**< surviving edges (all, if hidden segments are kept) that bend by more than the crease angle */
+    size_t drawn_edges; /**< surviving edges (all, if hidden segments are kept) that bend by more than the crease
+                             angle */
     roberts_tally tally;
     roberts_time view_time, grid_time, hide_time;
     roberts_time region_time; /**< of visible regions, with hiding the edges that only they need; 0: none are wanted */
@@ -849,8 +849,8 @@ typedef struct roberts_hatching {
     bool nested;
     double cross; /**< 0 to 1, a fraction of the darkest tone: the further strokes of tones darker than this run across
                        the others; default: 1, none do */
-    double
-        shortest_mm; /**< shorter strokes are left out: 0 to 1000; default: 0. The tone of small faces gets lighter */
+    /** Shorter strokes are left out, so the tone of small faces gets lighter: 0 to 1000; default: 0. */
+    double shortest_mm;
 } roberts_hatching;
 
 /** Paper. The drawing is fitted into the area within the margins, and centred. */
@@ -860,8 +860,8 @@ typedef struct roberts_page {
                                      half its widest pen from the edge (at most a tenth of the shorter side) */
 } roberts_page;
 
-/** Makes a field of view (the window of a `framed` drawing) wider or higher about its middle, until it has the shape of
- * the area within the page's margins. The page shows this part of the picture. */
+/** Makes a field of view (the window of a `framed` drawing, from `min` to `max`, model units) wider or higher about its
+ * middle, until it has the shape of the area within the page's margins. The page shows this part of the picture. */
 void roberts_page_shape(const roberts_page *page, roberts_vec2 *min, roberts_vec2 *max);
 
 /** How a drawing is laid on its page. A zeroed struct fits it into the margins. */

@@ -55,8 +55,8 @@ typedef struct depth_part {
 typedef struct region_depths {
     const hide_fronts *fronts;
     box_tree tree; /* the pictures of the pieces, one tree for each face */
-    uint32_t
-        *root; /* [face_count of scene] of the first piece of such a face; else ROBERTS_NONE. NULL: there is none */
+    /* [face_count of scene] of the first piece of such a face; else ROBERTS_NONE. NULL: there is none */
+    uint32_t *root;
     double touching; /* pieces nearer to a side than this hold it, view units */
 } region_depths;
 

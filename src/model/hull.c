@@ -367,7 +367,7 @@ static roberts_status send_warnings(const uint8_t *fate, const roberts_scene *sc
     return ROBERTS_OK;
 }
 
-/* ---- hulls ----------------------------------------------------------------------------------------------------- */
+/* ---- widths and tools ------------------------------------------------------------------------------------------ */
 
 /* Fraction of the tolerance: the width given to Qhull. Facets are planar to within a few widths, so this keeps them
  * within the tolerance. */
@@ -563,8 +563,8 @@ typedef struct hull_job {
     uint8_t *fate;  /* [solids] hull_fate */
     face_list *run; /* [runs] */
     uint32_t runs;
-    _Atomic uint32_t
-        refused; /* the first solid known to have no hull; those after it need no work; ROBERTS_NONE: none */
+    /* the first solid known to have no hull; those after it need no work; ROBERTS_NONE: none */
+    _Atomic uint32_t refused;
 } hull_job;
 
 /* State of one thread. */

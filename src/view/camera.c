@@ -18,10 +18,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera)
         double depth; /* how far a unit of depth moves a point to the right and up */
     } presets[] = {
         {"iso", {1, -1, 1}, {0, 0, 1}, 0},
-        {"dimetric",
-         {1, -2.6457513110645907, 1},
-         {0, 0, 1},
-         0}, /* 1, -sqrt 7, 1: one axis appears half as long as the others */
+        /* 1, -sqrt 7, 1: one axis appears half as long as the others */
+        {"dimetric", {1, -2.6457513110645907, 1}, {0, 0, 1}, 0},
         {"trimetric", {3, -6, 4}, {0, 0, 1}, 0},
         {"front", {0, -1, 0}, {0, 0, 1}, 0},
         {"back", {0, 1, 0}, {0, 0, 1}, 0},
