@@ -425,6 +425,9 @@ static roberts_vec3 over_length(roberts_vec3 v)
     return (roberts_vec3){v.x / length, v.y / length, v.z / length};
 }
 
+/* The sine of an angle at which `up` counts as parallel to the line of sight, as in the library. */
+static const double parallel = 1e-9;
+
 /* Warns of an --up along the line of sight, which something else replaces. An eye without --look-at looks at the
  * centre of the scene, which is not known yet. */
 static void warn_up(const cli_options *options)
@@ -438,7 +441,7 @@ static void warn_up(const cli_options *options)
         dir = (roberts_vec3){eye.x - at.x, eye.y - at.y, eye.z - at.z};
     }
     const roberts_vec3 u = over_length(camera->up), d = over_length(dir);
-    if (hypot(hypot(d.y * u.z - d.z * u.y, d.z * u.x - d.x * u.z), d.x * u.y - d.y * u.x) <= 1e-9)
+    if (hypot(hypot(d.y * u.z - d.z * u.y, d.z * u.x - d.x * u.z), d.x * u.y - d.y * u.x) <= parallel)
         warn("--up", "it is parallel to the view");
 }
 

@@ -425,9 +425,11 @@ bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
+/* The library's rule: a face has strokes if it is dark, as far as the levels tell, by more than rounding. */
 bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing, size_t views)
 {
     const roberts_hatching *h = &options->draw.hatching;
+    const double rounding = 1e-12;
     const roberts_vec3 l = options->draw.light;
     const double length = hypot(hypot(l.x, l.y), l.z), least = h->levels > 0 ? 0.5 / h->levels : 0.0;
     size_t regions = 0;
@@ -437,7 +439,7 @@ bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing,
         for (size_t i = 0; d->regions && i < d->regions->count; i++, regions++) {
             const roberts_vec3 n = d->regions->region[i].normal;
             const double dark = 1.0 - (n.x * l.x + n.y * l.y + n.z * l.z) / length;
-            if (dark > 1e-12 && dark >= least)
+            if (dark > rounding && dark >= least)
                 return false;
         }
     return regions > 0;

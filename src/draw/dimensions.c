@@ -65,7 +65,6 @@ static bool add_arrow(strokes *s, roberts_vec2 tip, roberts_vec2 d)
  * `off`. The end of a segment on that line that is nearest to `start` is measured; if there is none, `start` itself. */
 static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts_vec2 start, roberts_vec2 off)
 {
-    const double slack = 0.0005; /* mm, half of what coordinates are rounded to */
     double least = INFINITY;
     for (size_t i = 0; i < view->drawing->count; i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
@@ -75,7 +74,7 @@ static roberts_vec2 find_corner(const strokes *s, const page_view *view, roberts
         for (int end = 0; end < 2; end++) {
             const roberts_vec2 p = page_place(&view->map, end ? segment->p1 : segment->p0);
             const roberts_vec2 d = {start.x - p.x, start.y - p.y};
-            if (fabs(d.x * off.y - d.y * off.x) <= slack)
+            if (fabs(d.x * off.y - d.y * off.x) <= PAGE_SLACK_MM)
                 least = fmin(least, fmax(d.x * off.x + d.y * off.y, 0.0));
         }
     }

@@ -155,8 +155,7 @@ bool page_lay(const roberts_page *page, const roberts_placement *placement, robe
     }
     /* half of the drawing, mm */
     double x = half.x / map->half * map->half_mm, y = half.y / map->half * map->half_mm;
-    const double slack = 0.0005; /* mm, half of what coordinates are rounded to: a drawing may fill the page */
-    if (placement->scale > 0.0 && !(x <= room_x + slack && y <= room_y + slack)) {
+    if (placement->scale > 0.0 && !(x <= room_x + PAGE_SLACK_MM && y <= room_y + PAGE_SLACK_MM)) {
         page_refuse(page, placement, page_scale(&fitted), (roberts_vec2){2.0 * x, 2.0 * y}, error);
         return false;
     }

@@ -4,6 +4,9 @@
 
 #include "roberts.h"
 
+/* mm: half of what coordinates are rounded to. What is no larger does not show. */
+#define PAGE_SLACK_MM 0.0005
+
 struct page_view;
 struct strokes;
 

@@ -207,7 +207,6 @@ static bool find_room(layout *l, const roberts_draw_options *options, bool third
 /* Fills l->half_mm. */
 static bool find_scale(layout *l, const roberts_placement *placement, const roberts_page *room, roberts_error *error)
 {
-    const double slack = 0.0005; /* mm, half of what coordinates are rounded to: a sheet may fill the page */
     const roberts_vec2 gap = {l->columns.gap_mm, l->rows.gap_mm};
     const roberts_vec2 views = {l->columns.front + l->columns.iso, l->rows.front + l->rows.iso};
     double fitted = fmin((room->width_mm - gap.x) / views.x, (room->height_mm - gap.y) / views.y);
@@ -217,7 +216,7 @@ static bool find_scale(layout *l, const roberts_placement *placement, const robe
         return true;
     l->half_mm = wanted * l->half;
     roberts_vec2 drawn = {views.x * l->half_mm + gap.x, views.y * l->half_mm + gap.y};
-    if (drawn.x <= room->width_mm + slack && drawn.y <= room->height_mm + slack)
+    if (drawn.x <= room->width_mm + PAGE_SLACK_MM && drawn.y <= room->height_mm + PAGE_SLACK_MM)
         return true;
     page_refuse(room, placement, fitted / l->half, drawn, error);
     return false;

@@ -373,6 +373,7 @@ static bool sort_stars(map_stars *s, const planar_map *m)
 
 double map_area(const planar_map *m, const uint32_t *half, size_t count)
 {
+    const double certain = 1e-6; /* as a fraction of the terms: far above rounding */
     roberts_vec2 O = m->node[map_from(m, half[0])];
     double twice = 0.0, sum = 0.0;
     for (size_t k = 1; k < count; k++) {
@@ -381,7 +382,7 @@ double map_area(const planar_map *m, const uint32_t *half, size_t count)
         twice += left - right;
         sum += fabs(left) + fabs(right);
     }
-    if (fabs(twice) > 1e-6 * sum)
+    if (fabs(twice) > certain * sum)
         return 0.5 * twice;
     dd exact = {0.0, 0.0};
     for (size_t k = 1; k < count; k++) {

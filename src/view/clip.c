@@ -27,6 +27,8 @@
 /* In ulps of the largest coordinate, the eye's included. A point nearer to the near plane than this lies in it; an eye
  * nearer to a face than this lies on it. */
 #define TOUCHING_ULPS 16.0
+/* How far corners of a cap may lie beside the near plane, as a part of its size: they do by rounding alone. */
+#define CAP_TOLERANCE 1e-9
 
 /* A side of a face, or an edge, that the plane cuts. */
 typedef struct cut_side {
@@ -659,7 +661,7 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
 {
     roberts_scene *to = &c->clip->scene;
     face_pieces pieces = {0};
-    face_rules rules = {to->point, 1e-9, c->touching, to->unit, true};
+    face_rules rules = {to->point, CAP_TOLERANCE, c->touching, to->unit, true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
     plane F = near_plane(c);
