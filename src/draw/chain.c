@@ -59,9 +59,15 @@ bool polylines_append(polylines *out, page_point at)
     return true;
 }
 
-bool polylines_copy(const polylines *from, polylines *out)
+bool polylines_append_new(polylines *out, page_point at)
 {
-    for (size_t i = 0; i < from->count; i++) {
+    bool ends_there = out->item[out->count - 1].count && page_is_same(out->point[out->point_count - 1], at);
+    return ends_there || polylines_append(out, at);
+}
+
+bool polylines_copy(const polylines *from, size_t first, size_t end, polylines *out)
+{
+    for (size_t i = first; i < end; i++) {
         const polyline *line = &from->item[i];
         if (!polylines_start(out))
             return false;

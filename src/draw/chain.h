@@ -130,15 +130,16 @@ bool chain_in_order(const pieces *p, roberts_line line, polylines *out);
 /* Makes a polyline of each piece by itself, with its number. */
 bool chain_apart(const pieces *p, roberts_line line, polylines *out);
 
-/* Begins a polyline; appends a point to the last one. False: no memory. */
+/* Begins a polyline; appends a point to the last one; the same, unless that ends there. False: no memory. */
 bool polylines_start(polylines *p);
 bool polylines_append(polylines *p, page_point at);
+bool polylines_append_new(polylines *p, page_point at);
 
 /* Appends a point, which replaces the last one if that lies on the straight line to it. False: no memory. */
 bool polylines_extend(polylines *p, page_point at);
 
-/* Appends all polylines of `from`. False: no memory. */
-bool polylines_copy(const polylines *from, polylines *out);
+/* Appends the polylines first to end - 1 of `from`. False: no memory. */
+bool polylines_copy(const polylines *from, size_t first, size_t end, polylines *out);
 
 void polylines_free(polylines *p);
 

@@ -79,15 +79,7 @@ static page_point here(const walker *w)
 {
     page_point a = corner(w, w->side), b = corner(w, w->side + 1);
     double t = w->at / w->length;
-    return (page_point){(int32_t)floor(a.x + t * ((double)b.x - a.x) + 0.5),
-                        (int32_t)floor(a.y + t * ((double)b.y - a.y) + 0.5)};
-}
-
-static bool add(polylines *out, page_point at)
-{
-    const page_point *last = out->point + out->point_count;
-    bool same = out->item[out->count - 1].count && last[-1].x == at.x && last[-1].y == at.y;
-    return same || polylines_append(out, at);
+    return page_rounded((roberts_vec2){a.x + t * ((double)b.x - a.x), a.y + t * ((double)b.y - a.y)});
 }
 
 /* Advances by `way`, or to the end of the run. Adds the way to the last polyline of `out`, unless that is NULL. False:
@@ -95,7 +87,7 @@ static bool add(polylines *out, page_point at)
 static bool go(walker *w, double way, polylines *out)
 {
     while (way >= w->length - w->at) {
-        if (out && !add(out, corner(w, w->side + 1)))
+        if (out && !polylines_append_new(out, corner(w, w->side + 1)))
             return false;
         way -= w->length - w->at;
         w->at = 0.0;
@@ -104,7 +96,7 @@ static bool go(walker *w, double way, polylines *out)
         w->length = side_length(w, w->side);
     }
     w->at += way;
-    return !out || add(out, here(w));
+    return !out || polylines_append_new(out, here(w));
 }
 
 /* ---- the pattern on a run ---- */
@@ -134,7 +126,7 @@ static fit fit_pattern(const dash_pattern *p, double length, bool ring)
 /* Starts a dash. False: no memory. */
 static bool put_down(const walker *w, polylines *out)
 {
-    return polylines_start(out) && add(out, here(w));
+    return polylines_start(out) && polylines_append_new(out, here(w));
 }
 
 /* Cuts the rest of a run, after its first dash, into gaps and dashes. The last dash goes to the end of the run. */
@@ -142,18 +134,6 @@ static bool cut_run(walker *w, const fit *f, polylines *out)
 {
     for (size_t k = 1; k <= f->gaps; k++)
         if (!go(w, f->up, NULL) || !put_down(w, out) || !go(w, k < f->gaps ? f->down : INFINITY, out))
-            return false;
-    return true;
-}
-
-static bool copy_line(const polylines *from, const polyline *line, polylines *out)
-{
-    if (!polylines_start(out))
-        return false;
-    out->item[out->count - 1].closed = line->closed;
-    out->item[out->count - 1].number = line->number;
-    for (uint32_t i = 0; i < line->count; i++)
-        if (!add(out, from->point[line->first + i]))
             return false;
     return true;
 }
@@ -213,16 +193,17 @@ static roberts_status cut_closed(walker *w, const dash_pattern *pattern, polylin
     return ROBERTS_OK;
 }
 
-static roberts_status cut_line(const polylines *from, const polyline *line, const dash_pattern *pattern, size_t most,
+static roberts_status cut_line(const polylines *from, size_t i, const dash_pattern *pattern, size_t most,
                                polylines *out)
 {
+    const polyline *line = &from->item[i];
     walker w = {.p = from->point + line->first, .count = line->count, .closed = line->closed, .most = most};
     const size_t before = out->count;
     roberts_status status = w.closed ? cut_closed(&w, pattern, out) : cut_runs(&w, pattern, 0, w.count - 1, out);
-    if (status == ROBERTS_OK && out->count == before && !copy_line(from, line, out))
+    if (status == ROBERTS_OK && out->count == before && !polylines_copy(from, i, i + 1, out))
         return ROBERTS_NO_MEMORY; /* closed, and no run has a gap */
-    for (size_t i = before; i < out->count; i++)
-        out->item[i].number = line->number;
+    for (size_t k = before; k < out->count; k++)
+        out->item[k].number = line->number;
     return status;
 }
 
@@ -230,12 +211,10 @@ roberts_status dashes_cut(polylines *p, size_t first, const dash_pattern *patter
 {
     polylines cut = {0};
     dash_pattern least = *pattern;
-    roberts_status status = ROBERTS_OK;
     least.dash = fmax(pattern->dash, pattern->width + dot_units);
-    for (size_t i = 0; i < first && status == ROBERTS_OK; i++)
-        status = copy_line(p, &p->item[i], &cut) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    roberts_status status = polylines_copy(p, 0, first, &cut) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
     for (size_t i = first; i < p->count && status == ROBERTS_OK; i++)
-        status = cut_line(p, &p->item[i], &least, first + DASHES_MAX, &cut);
+        status = cut_line(p, i, &least, first + DASHES_MAX, &cut);
     if (status != ROBERTS_OK) {
         polylines_free(&cut);
         return status == ROBERTS_NO_MEMORY ? error_no_memory(error)

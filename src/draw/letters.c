@@ -310,10 +310,7 @@ static void add_letter_point(writer *w, double x, double y)
     const double along = x * w->scale - w->before, down = y * w->scale;
     const roberts_vec2 at = w->line->at, d = w->line->along, up = text_upward(d);
     const roberts_vec2 mm = {at.x + along * d.x - down * up.x, at.y + along * d.y - down * up.y};
-    const page_point p = page_from_mm(mm, w->units_per_mm);
-    const polylines *out = w->out;
-    if (out->item[out->count - 1].count == 0 || !page_is_same(out->point[out->point_count - 1], p))
-        w->failed = w->failed || !polylines_append(w->out, p);
+    w->failed = w->failed || !polylines_append_new(w->out, page_from_mm(mm, w->units_per_mm));
 }
 
 /* Removes a stroke if rounding has left only one point of it. */

@@ -89,7 +89,7 @@ text_line notes_line(const notes *n, size_t i)
 
 bool notes_draw(const notes *n, bool is_back, bool native, double units_per_mm, polylines *out)
 {
-    if (!is_back && !polylines_copy(&n->lines, out))
+    if (!is_back && !polylines_copy(&n->lines, 0, n->lines.count, out))
         return false;
     for (size_t i = 0; i < n->count && !native; i++) {
         const text_line line = notes_line(n, i);

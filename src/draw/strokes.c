@@ -453,7 +453,7 @@ static roberts_status make_group(strokes *s, const pieces *p, stroke_group group
     polylines own = {0}; /* cutting dashes copies all lines before them */
     roberts_status status = chain_class(s, p, group.line, &own, pen, error);
     group.first = s->lines.count;
-    if (status == ROBERTS_OK && !polylines_copy(&own, &s->lines))
+    if (status == ROBERTS_OK && !polylines_copy(&own, 0, own.count, &s->lines))
         status = error_no_memory(error);
     group.end = s->lines.count;
     if (status == ROBERTS_OK && group.end > group.first)
