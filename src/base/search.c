@@ -153,6 +153,11 @@ static void choose_cells(point_grid *grid, roberts_vec3 size, size_t count)
     }
 }
 
+static size_t cell_of(const point_grid *grid, roberts_vec3 P)
+{
+    return grid_row(grid, cell_along(grid, P.x, 0), cell_along(grid, P.y, 1)) + cell_along(grid, P.z, 2);
+}
+
 bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_t *listed, size_t count)
 {
     roberts_vec3 low = {INFINITY, INFINITY, INFINITY}, high = {-INFINITY, -INFINITY, -INFINITY};
@@ -164,25 +169,19 @@ bool point_grid_build(point_grid *grid, const roberts_vec3 *point, const uint32_
     size_t cells = (size_t)grid->count[0] * grid->count[1] * grid->count[2];
     grid->start = alloc_zeroed(cells + 1, sizeof *grid->start);
     grid->item = alloc_array(count, sizeof *grid->item);
-    uint32_t *cell = alloc_array(count, sizeof *cell);
-    bool enough = grid->start && grid->item && cell;
-    for (size_t i = 0; enough && i < count; i++) {
-        roberts_vec3 P = in_cells(grid, point[listed[i]]);
-        cell[i] =
-            (uint32_t)(grid_row(grid, cell_along(grid, P.x, 0), cell_along(grid, P.y, 1)) + cell_along(grid, P.z, 2));
-        grid->start[cell[i] + 1]++;
-    }
+    bool enough = grid->start && grid->item;
+    for (size_t i = 0; enough && i < count; i++)
+        grid->start[cell_of(grid, in_cells(grid, point[listed[i]])) + 1]++;
     for (size_t c = 0; enough && c < cells; c++)
         grid->start[c + 1] += grid->start[c];
     for (size_t i = count; enough && i-- > 0;) { /* backward, so that each cell's points ascend */
         roberts_vec3 P = in_cells(grid, point[listed[i]]);
-        grid->item[--grid->start[cell[i] + 1]] = (grid_point){{(float)P.x, (float)P.y, (float)P.z}, listed[i]};
+        grid->item[--grid->start[cell_of(grid, P) + 1]] = (grid_point){{(float)P.x, (float)P.y, (float)P.z}, listed[i]};
     }
     for (size_t c = 0; enough && c < cells; c++)
         grid->start[c] = grid->start[c + 1];
     if (enough)
         grid->start[cells] = (uint32_t)count;
-    free(cell);
     return enough;
 }
 

@@ -494,31 +494,13 @@ static plain_answer take_edges(plain_work *w, uint32_t s)
     return answer;
 }
 
-/* Lists both ends of all odd edges of open bodies, as compact numbers. False: no memory. */
-static bool list_odd(const plain_work *w, uint32_t **end, size_t *count)
-{
-    size_t room = 0;
-    *count = 0;
-    for (uint32_t s = 0; s < w->scene->solid_count; s++) {
-        const scene_solid *own = &w->scene->solid[s];
-        for (uint32_t e = 0; w->open[s] && e < w->count[s]; e++) {
-            const scene_edge *edge = &w->edges.edge[w->first[s] + e];
-            if (!is_odd(&w->edges, w->first[s] + e))
-                continue;
-            if (!array_reserve(end, &room, *count + 2, sizeof **end))
-                return false;
-            (*end)[(*count)++] = own->vertex + edge->v[0];
-            (*end)[(*count)++] = own->vertex + edge->v[1];
-        }
-    }
-    return true;
-}
-
-/* Does no vertex of the grid touch the edge from a to b, except its ends? */
+/* Does no vertex of the grid touch the edge from a to b, except its ends, and are these apart? */
 static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32_t a, uint32_t b, point_list *found)
 {
     const roberts_vec3 *point = w->scene->point;
     found->count = 0;
+    if (vec3_compare(point[a], point[b]) == 0)
+        return PLAIN_NO;
     if (!point_grid_near(grid, point[a], point[b], w->rules.touching, found))
         return PLAIN_NO_MEMORY;
     for (size_t i = 0; i < found->count; i++) {
@@ -530,105 +512,115 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     return PLAIN_YES;
 }
 
-/* Lists each of the ends once, ascending. NULL: no memory. */
-static uint32_t *list_vertices(const plain_work *w, const uint32_t *end, size_t count, size_t *vertices)
+/* The vertices of open bodies. */
+typedef struct open_vertices {
+    unsigned char *is_end; /* [vertex_count] of an odd edge? */
+    uint32_t *vertex;      /* [count] the ends of odd edges, ascending; or all of them */
+    uint32_t *first;       /* [vertex_count + 1] where in plain_edges.edge the edges begin of which this is the smaller
+                              vertex */
+    size_t count;
+} open_vertices;
+
+/* Lists all vertices of open bodies, or only the ends of their odd edges. */
+static void list_open(const plain_work *w, open_vertices *o, bool all)
 {
-    uint32_t *vertex = alloc_array(count, sizeof *vertex);
-    unsigned char *is_end = alloc_zeroed(w->scene->vertex_count, 1);
-    *vertices = 0;
-    for (size_t i = 0; is_end && i < count; i++)
-        is_end[end[i]] = 1;
-    for (uint32_t v = 0; vertex && is_end && v < w->scene->vertex_count; v++)
-        if (is_end[v])
-            vertex[(*vertices)++] = v;
-    if (!is_end) {
-        free(vertex);
-        vertex = NULL;
-    }
-    free(is_end);
-    return vertex;
+    const scene_solid *solid = w->scene->solid;
+    o->count = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; s++)
+        for (uint32_t v = solid[s].vertex; w->open[s] && v < solid[s + 1].vertex; v++)
+            if (all || o->is_end[v])
+                o->vertex[o->count++] = v;
 }
 
-/* Returns where the edges that begin at each vertex begin. end: the ends of the edges, which ascend. NULL: no
- * memory. */
-static uint32_t *list_starts(const plain_work *w, const uint32_t *end, size_t edges)
+/* Finds the ends of the odd edges, and where the edges of each vertex begin. Returns the number of vertices of open
+ * bodies that are no such ends. */
+static size_t find_ends(const plain_work *w, open_vertices *o)
 {
-    uint32_t count = w->scene->vertex_count, *first = alloc_array((size_t)count + 1, sizeof *first);
-    size_t i = 0;
-    for (uint32_t v = 0; first && v <= count; v++) {
-        while (i < edges && end[2 * i] < v)
-            i++;
-        first[v] = (uint32_t)i;
+    const scene_edge *edge = w->edges.edge;
+    size_t others = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; s++) {
+        const scene_solid *own = &w->scene->solid[s];
+        uint32_t e = w->first[s], end = e + w->count[s];
+        for (uint32_t v = own->vertex; w->open[s] && v < own[1].vertex; v++) {
+            for (o->first[v] = e; e < end && edge[e].v[0] == v - own->vertex; e++)
+                if (is_odd(&w->edges, e))
+                    o->is_end[v] = o->is_end[own->vertex + edge[e].v[1]] = 1;
+            others += !o->is_end[v];
+        }
+        o->first[own[1].vertex] = e;
     }
-    return first;
+    return others;
 }
 
 /* Data is prefetched this many edges ahead. */
 #define EDGES_AHEAD 8
 
-/* Does no vertex touch one of the edges? Edges are taken cell by cell, so that what one edge has read is still in the
- * cache for the next. */
-static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const uint32_t *end, size_t edges,
-                              size_t vertices)
+/* Does no end of an odd edge touch another odd edge? Edges are taken cell by cell, so that what one edge has read is
+ * still in the cache for the next. */
+static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const open_vertices *o)
 {
+    const scene_edge *edge = w->edges.edge;
     point_list found = {0};
-    uint32_t *first = edges < ROBERTS_NONE ? list_starts(w, end, edges) : NULL;
-    plain_answer answer = first ? PLAIN_YES : PLAIN_NO_MEMORY;
-    for (size_t k = 0; answer == PLAIN_YES && k < vertices; k++) {
+    plain_answer answer = PLAIN_YES;
+    for (size_t k = 0; answer == PLAIN_YES && k < o->count; k++) {
         uint32_t v = grid->item[k].number;
-        if (k + 2 * EDGES_AHEAD < vertices)
-            FETCH_AHEAD(&first[grid->item[k + 2 * EDGES_AHEAD].number]);
-        if (k + EDGES_AHEAD < vertices) {
-            FETCH_AHEAD(&end[2 * (size_t)first[grid->item[k + EDGES_AHEAD].number]]);
-            FETCH_AHEAD(&w->scene->point[grid->item[k + EDGES_AHEAD].number]);
+        if (k + 3 * EDGES_AHEAD < o->count)
+            FETCH_AHEAD(&o->first[grid->item[k + 3 * EDGES_AHEAD].number]);
+        if (k + 2 * EDGES_AHEAD < o->count) {
+            FETCH_AHEAD(&edge[o->first[grid->item[k + 2 * EDGES_AHEAD].number]]);
+            FETCH_AHEAD(&w->scene->point[grid->item[k + 2 * EDGES_AHEAD].number]);
         }
-        for (uint32_t e = first[v]; e < first[v + 1] && answer == PLAIN_YES; e++)
-            answer = is_clear(w, grid, v, end[2 * (size_t)e + 1], &found);
+        if (k + EDGES_AHEAD < o->count) {
+            uint32_t u = grid->item[k + EDGES_AHEAD].number;
+            for (uint32_t e = o->first[u]; e < o->first[u + 1]; e++)
+                FETCH_AHEAD(&w->scene->point[u - edge[e].v[0] + edge[e].v[1]]);
+        }
+        for (uint32_t e = o->first[v]; e < o->first[v + 1] && answer == PLAIN_YES; e++)
+            if (is_odd(&w->edges, e))
+                answer = is_clear(w, grid, v, v - edge[e].v[0] + edge[e].v[1], &found);
     }
     free(found.item);
-    free(first);
     return answer;
 }
 
-/* Does no end of an odd edge touch another odd edge? */
+/* Vertices that are compared before the edges are asked. In a file that gives each face its own vertices, some of these
+ * are equal. */
+#define FEW_VERTICES 4096
+
+/* Do no two of the first `count` vertices have the same position? Otherwise the bodies have to be welded. */
+static plain_answer are_apart(const plain_work *w, const open_vertices *o, size_t count)
+{
+    bool equal = false;
+    if (!weld_any_equal(o->vertex, count, w->scene->point, &equal))
+        return PLAIN_NO_MEMORY;
+    return equal ? PLAIN_NO : PLAIN_YES;
+}
+
+/* Are the vertices of open bodies apart, and does no end of an odd edge touch another odd edge? If all vertices are
+ * such ends, the second question answers the first. */
 static plain_answer are_clear(const plain_work *w)
 {
-    uint32_t *end = NULL, *vertex = NULL;
-    size_t count = 0, vertices;
+    const size_t vertices = w->scene->vertex_count;
+    open_vertices o = {.is_end = alloc_zeroed(vertices, 1),
+                       .vertex = alloc_array(vertices, sizeof *o.vertex),
+                       .first = alloc_array(vertices + 1, sizeof *o.first)};
     point_grid grid = {0};
-    plain_answer answer = list_odd(w, &end, &count) ? PLAIN_YES : PLAIN_NO_MEMORY;
-    if (answer == PLAIN_YES && count > 0) {
-        vertex = list_vertices(w, end, count, &vertices);
-        answer = vertex && point_grid_build(&grid, w->scene->point, vertex, vertices)
-                     ? ask_edges(w, &grid, end, count / 2, vertices)
-                     : PLAIN_NO_MEMORY;
+    plain_answer answer = o.is_end && o.vertex && o.first ? PLAIN_YES : PLAIN_NO_MEMORY;
+    if (answer == PLAIN_YES) {
+        bool all = find_ends(w, &o) > 0;
+        list_open(w, &o, true);
+        answer = are_apart(w, &o, all || o.count < FEW_VERTICES ? o.count : FEW_VERTICES);
+        if (all)
+            list_open(w, &o, false);
     }
+    if (answer == PLAIN_YES && o.count > 0)
+        answer =
+            point_grid_build(&grid, w->scene->point, o.vertex, o.count) ? ask_edges(w, &grid, &o) : PLAIN_NO_MEMORY;
     point_grid_free(&grid);
-    free(vertex);
-    free(end);
+    free(o.is_end);
+    free(o.vertex);
+    free(o.first);
     return answer;
-}
-
-/* Do no two vertices of open bodies have the same position? Otherwise these bodies have to be welded. */
-static plain_answer are_apart(const plain_work *w)
-{
-    const roberts_scene *scene = w->scene;
-    uint32_t *listed = NULL;
-    size_t count = 0;
-    for (int pass = 0; pass < 2; pass++) {
-        count = 0;
-        for (uint32_t s = 0; s < scene->solid_count; s++)
-            for (uint32_t v = scene->solid[s].vertex; w->open[s] && v < scene->solid[s + 1].vertex; v++, count++)
-                if (pass == 1)
-                    listed[count] = v;
-        if (count == 0)
-            return PLAIN_YES;
-        if (pass == 0 && !(listed = alloc_array(count, sizeof *listed)))
-            return PLAIN_NO_MEMORY;
-    }
-    bool equal = false, enough = weld_any_equal(listed, count, scene->point, &equal);
-    free(listed);
-    return !enough ? PLAIN_NO_MEMORY : equal ? PLAIN_NO : PLAIN_YES;
 }
 
 /* ---- the scene --------------------------------------------------------------------------------------------------- */
@@ -817,8 +809,6 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
             answer = take_edges(&w, s);
     }
     plain_edges_free_scratch(&w.edges);
-    if (answer == PLAIN_YES)
-        answer = are_apart(&w);
     if (answer == PLAIN_YES)
         answer = are_clear(&w);
     bool mesh = answer == PLAIN_YES && is_triangle_mesh(&w);
