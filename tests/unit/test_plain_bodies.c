@@ -252,6 +252,35 @@ static void a_concave_face_is_cut(void **state)
     roberts_scene_free(scene);
 }
 
+/* Loose triangles are plain unless two corners lie at one place. Here these are far apart in the file, or both ends of
+ * one side. */
+static void loose_faces_are_apart(void **state)
+{
+    enum { APART, SAME_CORNER, NO_SIDE, KINDS, FACES = 2000 };
+    (void)state;
+    for (int kind = 0; kind < KINDS; kind++) {
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        for (uint32_t f = 0; f < FACES; f++) {
+            bool last = f == FACES - 1;
+            double x = kind == SAME_CORNER && last ? 0.0 : 2.0 * f;
+            uint32_t v = 4 * f;
+            assert_true(mesh_add_vertex(&mesh, (roberts_vec3){x, 0, 0}));
+            assert_true(mesh_add_vertex(&mesh, (roberts_vec3){x + 1, x / 9, 1}));
+            assert_true(mesh_add_vertex(&mesh, (roberts_vec3){x, 1, 3 + f}));
+            assert_true(mesh_add_vertex(&mesh, (roberts_vec3){x, 1, 3 + f}));
+            add_face(&mesh, kind == NO_SIDE && last ? 4 : 3, (uint32_t[]){v, v + 1, v + 2, v + 3});
+        }
+        if (roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
+            fail_msg("kind %d: %s", kind, error.message);
+        if ((scene->face_number == NULL) != (kind == APART))
+            fail_msg("kind %d is plain, or APART is not", kind);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
 /* Only a shape far from convex is recognised at a glance. */
 static void a_glance_tells_only_what_is_certain(void **state)
 {
@@ -306,6 +335,7 @@ int main(void)
         cmocka_unit_test(bend_codes_ascend),
         cmocka_unit_test(plain_bodies_are_the_same),
         cmocka_unit_test(a_concave_face_is_cut),
+        cmocka_unit_test(loose_faces_are_apart),
         cmocka_unit_test(a_glance_tells_only_what_is_certain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
