@@ -116,6 +116,26 @@ static bool is_file_of(const char *name, const file_identity *file)
     return name && file_identify(name, &found) && file_identity_order(&found, file) == 0;
 }
 
+/* Do both names mean one file? A file that is not there yet is known by its folder and the last part of its name. */
+static bool is_one_file(const char *a, const char *b)
+{
+    const char *const name[] = {a, b};
+    char folder[NAME_SIZE];
+    struct stat in[2];
+    file_identity file;
+    size_t length[2];
+    if (file_identify(a, &file))
+        return is_file_of(b, &file);
+    for (int i = 0; i < 2; i++) {
+        const char *slash = strrchr(name[i], '/');
+        length[i] = slash ? (size_t)(slash - name[i]) + 1 : 0;
+        snprintf(folder, sizeof folder, "%.*s.", (int)length[i], name[i]);
+        if (stat(folder, &in[i]) != 0)
+            return false;
+    }
+    return in[0].st_dev == in[1].st_dev && in[0].st_ino == in[1].st_ino && strcmp(a + length[0], b + length[1]) == 0;
+}
+
 /* The run will write a file. It must not replace one that it reads, nor any other model or its colours: a name behind
  * the wrong option costs the user a model. */
 static int check_written(const cli_options *options, const char *by, const char *what, const char *name)
@@ -148,7 +168,7 @@ static int check_outputs(const cli_options *options)
             parse_named(options->output, roberts_sheet_view_name(options->sheet, i), name, sizeof name))
             status = check_written(options, "output", "the table", name);
     if (status == EXIT_DONE && options->regions && strcmp(options->output, "-") != 0 &&
-        strcmp(options->output, options->regions) == 0)
+        is_one_file(options->output, options->regions))
         return message_misuse("--regions: %s is the file of the drawing, too", options->regions);
     return status == EXIT_DONE ? check_written(options, "output", "the drawing", options->output) : status;
 }

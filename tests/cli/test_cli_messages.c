@@ -345,6 +345,8 @@ static const struct {
     {"--regions copy.off models/table.off -o a.svg",
      "--regions: copy.off is a model; the regions would take its place"},
     {"--regions a.json models/table.off -f json -o a.json", "--regions: a.json is the file of the drawing, too"},
+    {"--regions in/../a.json models/table.off -f json -o a.json", "--regions: in/../a.json is the file of the drawing"},
+    {"--regions link.csv models/table.off -f csv -o names.csv", "--regions: link.csv is the file of the drawing, too"},
     {"--sheet first --dimensions 0-9999 -o s.svg copy.off",
      "roberts: s.svg: --dimensions: no face has vertex 9999 (of vertices at one place the smallest number counts)\n"},
     {"--sheet first --title T --page 100x100 -o s.svg copy.off", "roberts: s.svg: --page: title block and views need "},
@@ -393,6 +395,7 @@ static void misuse_tells_what_was_meant(void **state)
     put("paint.mtl", "newmtl red\n");
     put("names.csv", "vertex,0,A\n");
     put("faces.csv", "vertex,0,A\nface,2,lid\n");
+    assert_int_equal(symlink("names.csv", "link.csv"), 0);
     int before = entries(".", false) + 2; /* and what the runs say */
     for (size_t i = 0; i < sizeof misuse_cases / sizeof misuse_cases[0]; i++) {
         print_message("roberts %s\n", misuse_cases[i].arguments);
