@@ -140,6 +140,12 @@ class Scenes(unittest.TestCase):
             scene.hide(roberts.view(direction=(0, 0, 0)))
         self.assertEqual(caught.exception.status, "BAD_VIEW")
         self.assertRaises(roberts.Error, roberts.Scene, triangle, [[0, 1, 2]], solids=True)
+        for odd in ({"direction": (1, 2)}, {"eye": (1, 2, 3, 4)}, {"eye": (1, 2, 3), "direction": (1, 2, 3)},
+                    {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)}):
+            self.assertRaises(ValueError, roberts.view, **odd)
+        for odd in ({"fill": (256, 0, 0)}, {"background": (0, 0)}, {"pens": {"outline": {"color": (0, -1, 0)}}},
+                    {"pens": {"outline": {"number": 256}}}, {"light": (1, 2)}):
+            self.assertRaises(ValueError, scene.hide().svg, **odd)
 
     def test_warnings(self):
         with self.assertWarnsRegex(roberts.RobertsWarning, "colour"):
@@ -213,6 +219,7 @@ class Pages(unittest.TestCase):
         path = "models/table.off"
         scene = roberts.read(path)
         self.same(scene.hide(roberts.view(azimuth=20, elevation=30)), path, "--azimuth", "20", "--elevation", "30")
+        self.same(scene.hide(roberts.view(elevation=30)), path, "--elevation", "30")
         self.same(scene.hide(roberts.view(eye=(9, -20, 8))), path, "--eye", "9,-20,8")
         self.assertIn("eye", repr(roberts.view(eye=(9, -20, 8))))
 

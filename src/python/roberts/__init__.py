@@ -104,6 +104,20 @@ def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
         if name not in names:
             raise TypeError(f"{what}: there is no {name!r}")
         setattr(struct, name, value)
+        if isinstance(value, int) and getattr(struct, name) != value:  # ctypes keeps the lowest bits
+            raise ValueError(f"{what}: {name} is out of range")
+
+
+def _vector(values: Sequence[float]) -> c.vec3:
+    """Three numbers; ctypes would take fewer."""
+    x, y, z = values
+    return c.vec3(x, y, z)
+
+
+def _color(values: Sequence[int]) -> tuple[int, int, int]:
+    """Red, green and blue, from 0 to 255; ctypes would keep the lowest bits of others."""
+    red, green, blue = bytes([*values])
+    return red, green, blue
 
 
 def _choice(table: Mapping[str, Any], value: str, what: str) -> Any:
@@ -127,14 +141,14 @@ class View:
         return f"<roberts.View {kind}=({at.x:g}, {at.y:g}, {at.z:g})>"
 
 
-def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: float = 0.0, roll: float = 0.0,
+def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Optional[float] = None, roll: float = 0.0,
          direction: Optional[Sequence[float]] = None, eye: Optional[Sequence[float]] = None,
          look_at: Optional[Sequence[float]] = None, up: Optional[Sequence[float]] = None, fov: float = 0.0,
          near: float = 0.0) -> View:
     """A view, by one of four ways to say it.
 
     preset              iso, dimetric, trimetric, front, back, right, left, top, bottom, cavalier, cabinet
-    azimuth, elevation  degrees: 0, 0 is the front; azimuth 90 the right; elevation -90 to 90
+    azimuth, elevation  degrees: 0, 0 is the front; azimuth 90 the right; elevation -90 to 90; one alone: the other is 0
     direction           three numbers: from the scene toward the viewer, at any length but 0
     eye                 three numbers, model units: a perspective from there
     look_at             perspective: the point in the middle of the picture; None: the middle of the scene's box
@@ -145,22 +159,26 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: flo
     Raises ValueError.
     """
     camera = c.camera()
-    if azimuth is not None:
-        if not c.lib.roberts_camera_angles(azimuth, elevation, roll, ctypes.byref(camera)):
+    angles = azimuth is not None or elevation is not None
+    if angles + (direction is not None) + (eye is not None) > 1:
+        raise ValueError("view: angles, direction and eye exclude each other")
+    if eye is None and (look_at is not None or fov or near):
+        raise ValueError("view: look_at, fov and near need eye")
+    if angles:
+        if not c.lib.roberts_camera_angles(azimuth or 0.0, elevation or 0.0, roll, ctypes.byref(camera)):
             raise ValueError(f"view: azimuth {azimuth}, elevation {elevation} is no view")
     elif direction is None and eye is None:
         if not c.lib.roberts_camera_preset(preset.encode(), ctypes.byref(camera)):
             raise ValueError(f"view: there is no {preset!r}")
     if direction is not None:
-        camera.dir = c.vec3(*direction)
+        camera.dir = _vector(direction)
     if eye is not None:
-        camera.projection, camera.eye = 1, c.vec3(*eye)
+        camera.projection, camera.eye = 1, _vector(eye)
     if look_at is not None:
-        camera.look_at, camera.has_look_at = c.vec3(*look_at), True
+        camera.look_at, camera.has_look_at = _vector(look_at), True
     if up is not None:
-        camera.up = c.vec3(*up)
-    camera.roll_degrees = roll if azimuth is None else camera.roll_degrees
-    camera.fov_degrees, camera.near_distance = fov, near
+        camera.up = _vector(up)
+    camera.roll_degrees, camera.fov_degrees, camera.near_distance = roll, fov, near
     return View(camera)
 
 
@@ -568,23 +586,23 @@ class _Page:
             pen = getattr(o, _choice(_PENS, name, "pens"))
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
             if "color" in values:
-                pen.red, pen.green, pen.blue = values.pop("color")
+                pen.red, pen.green, pen.blue = _color(values.pop("color"))
             if values:
                 pen.off = False
             _fill(pen, values, "pens")
         if "background" in given:
-            o.background = c.background(True, *given.pop("background"))
+            o.background = c.background(True, *_color(given.pop("background")))
 
     def _paint(self, given: dict) -> bool:
         """Fills, hatching and labels. Returns whether they need regions."""
         o, fill, hatch = self.options, given.pop("fill", None), given.pop("hatch", None)
         if fill is not None and not isinstance(fill, str):
-            o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*fill)
+            o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*_color(fill))
         elif fill is not None:
             o.fill = _choice({"white": 1, "model": 2, "body": 3}, fill, "fill")
         o.shaded = given.pop("shaded", False)
         if "light" in given:
-            o.light = c.vec3(*given.pop("light"))
+            o.light = _vector(given.pop("light"))
         if hatch:
             o.hatching.on = True
             _fill(o.hatching, hatch if isinstance(hatch, Mapping) else {}, "hatch")
