@@ -116,6 +116,20 @@ const regions = spawnSync(path.resolve(program), ["-f", "null", "--regions", "-"
 assert.ok(regions.length > 0 && Buffer.from(files["regions.json"]).equals(regions));
 assert.deepEqual((await save(cube, "csv", { files: { "unused.mtl": new Uint8Array(0) } })).files, {});
 
+// names with folders
+const text = new TextEncoder();
+for (const name of ["models/table.off", "./table.off", "/home/table.off"]) {
+  const named = await draw(cube, { name });
+  assert.deepEqual([bare(named), named.files], [bare({ svg }), {}], name);
+}
+const painted = await draw(text.encode("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n"), {
+  name: "some/a.obj",
+  files: { "some/a.mtl": text.encode("newmtl m\nKd 0 1 0\n") },
+  fill: "model",
+});
+assert.ok(painted.svg.includes('fill="#00ff00"'));
+await assert.rejects(draw(cube, { regions: "no/regions.json" }), { message: /No such file or directory/ });
+
 assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
   "--all-edges",
   "--style=hidden:off",

@@ -57,7 +57,7 @@ export async function save(bytes, format, options = {}) {
   const done = run(module, args, files);
   const lines = done.messages.split("\n").filter((line) => line !== "");
   if (done.status !== 0) throw new RobertsError(lines.join("\n"), done.status);
-  return { bytes: done.output, warnings: lines, files: done.system.added(files) };
+  return { bytes: done.output, warnings: lines, files: done.system.added() };
 }
 
 export async function draw(bytes, options = {}) {

@@ -1,7 +1,7 @@
 /* wasi.js - what the module asks of its system: files in memory, a clock, and the end of the run.
  *
- * It follows WASI's preview 1 as far as the program uses it. All files are in one folder, the root. Numbers of open
- * files: 0 to 2 are the standard streams, 3 is the root. */
+ * It follows WASI's preview 1 as far as the program uses it. All files are in one folder, the root; the names of those
+ * that are given may have slashes. Numbers of open files: 0 to 2 are the standard streams, 3 is the root. */
 
 const ERRNO = { badf: 8, exist: 20, inval: 28, isdir: 31, noent: 44, nosys: 52, notdir: 54, spipe: 70 };
 const TYPE = { character: 2, folder: 3, regular: 4 };
@@ -48,13 +48,19 @@ class Bytes {
   }
 }
 
+/* The name of a file without what leads to the root. */
+function inRoot(name) {
+  return name.replace(/^(\.?\/)+/, "");
+}
+
 /* A system for one instance of the module. `files` maps names to bytes (Uint8Array); the program reads them and adds
  * what it writes. `output` and `messages` are what it wrote to its standard streams. */
 export class System {
   constructor(files = {}) {
     this.inodes = 1;
     this.file = new Map();
-    for (const [name, bytes] of Object.entries(files)) this.add(name, bytes);
+    for (const [name, bytes] of Object.entries(files)) this.add(inRoot(name), bytes);
+    this.given = new Set(this.file.keys());
     this.stream = [new Bytes(new Uint8Array(0), 0), new Bytes(new Uint8Array(0), 0), new Bytes(new Uint8Array(0), 0)];
     this.open = new Map([0, 1, 2].map((number) => [number, { of: this.stream[number], at: 0, stream: true }]));
   }
@@ -69,9 +75,9 @@ export class System {
     return this.file.get(name)?.bytes;
   }
 
-  /* The files that are not among these: those that the program has written. */
-  added(files) {
-    const added = [...this.file].filter(([name]) => !Object.hasOwn(files, name));
+  /* The files that were not given: those that the program has written. */
+  added() {
+    const added = [...this.file].filter(([name]) => !this.given.has(name));
     return Object.fromEntries(added.map(([name, file]) => [name, file.bytes]));
   }
 
@@ -93,7 +99,7 @@ export class System {
   }
 
   text(at, length) {
-    return new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, at, length)).replace(/^(\.?\/)+/, "");
+    return inRoot(new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, at, length)));
   }
 
   vectors(at, count) {
@@ -122,9 +128,8 @@ export class System {
   openFile(name, flags, result) {
     let file = this.file.get(name);
     if (name === "" || name === ".") return flags & OPEN.create ? ERRNO.isdir : ERRNO.inval;
-    if (name.includes("/")) return ERRNO.noent;
     if (flags & OPEN.folder) return file ? ERRNO.notdir : ERRNO.noent;
-    if (!file && !(flags & OPEN.create)) return ERRNO.noent;
+    if (!file && (!(flags & OPEN.create) || name.includes("/"))) return ERRNO.noent;
     if (file && flags & OPEN.exclusive) return ERRNO.exist;
     if (!file || flags & OPEN.truncate) file = this.add(name, new Uint8Array(0));
     let number = ROOT + 1;
