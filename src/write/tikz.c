@@ -80,15 +80,23 @@ static const char *tex_greek(int number)
     return name[number];
 }
 
+/* The command for the accent that the text begins with. Each accent has two bytes. */
+static const char *find_accent(const char *text)
+{
+    size_t length;
+    return find_tex_word(accents, sizeof accents / sizeof accents[0], letters_decode(text, &length));
+}
+
 void tikz_text_write(output *out, const char *text)
 {
-    size_t length, count, accent_length;
+    size_t length, count;
     for (; *text; text += length) {
         const uint32_t code = letters_decode(text, &length);
-        const char *accent =
-            find_tex_word(accents, sizeof accents / sizeof accents[0], letters_decode(text + length, &accent_length));
-        if (accent) {
-            output_text(out, accent);
+        size_t marks = 0;
+        while (find_accent(text + length + 2 * marks))
+            marks++;
+        for (size_t i = marks; i > 0; i--) { /* the last one is the outermost */
+            output_text(out, find_accent(text + length + 2 * (i - 1)));
             output_text(out, "{");
         }
         const int greek = letters_greek_number(code), level = letters_level(code);
@@ -108,10 +116,8 @@ void tikz_text_write(output *out, const char *text)
         } else {
             output_bytes(out, text, length);
         }
-        if (accent) {
+        for (; marks > 0; marks--, length += 2)
             output_text(out, "}");
-            length += accent_length;
-        }
     }
 }
 

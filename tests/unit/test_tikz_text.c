@@ -35,6 +35,7 @@ static void characters(void **state)
                  {"90°", "90\\ensuremath{{}^\\circ}"},
                  {"√2½", "\\ensuremath{\\surd}2\\ensuremath{\\frac12}"},
                  {"(11\u03050)e\u0301", "(1\\={1}0)\\'{e}"},
+                 {"e\u0302\u0301a\u0328\u0300.", "\\'{\\^{e}}\\`{\\k{a}}."},
                  {"a\nb\x7f\xff.", "a?b??."},
                  {"", ""}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
