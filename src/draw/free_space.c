@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "base/orient.h"
 #include "base/vec.h"
 
 enum { CELLS_MOST = 1000 /* a side */ };
@@ -273,15 +274,9 @@ double space_to_next_box(const free_space *r, const space_box *box, uint32_t own
     return least;
 }
 
-/* Twice the area of abc. */
-static double turn(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 bool space_lines_cross(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c, roberts_vec2 d)
 {
-    return turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0;
+    return orient2d(a, b, c) * orient2d(a, b, d) < 0.0 && orient2d(c, d, a) * orient2d(c, d, b) < 0.0;
 }
 
 bool space_line_meets_box(roberts_vec2 a, roberts_vec2 b, const space_box *box)
@@ -312,7 +307,7 @@ size_t space_count_crossings(const free_space *r, roberts_vec2 a, roberts_vec2 b
         for (uint32_t x = in.low_x; x <= in.high_x; x++)
             for (uint32_t i = r->first_line[(size_t)y * r->columns + x]; i != NOTHING; i = r->entry[i].next) {
                 const page_line *line = &r->line[r->entry[i].what];
-                const double from = turn(line->a, line->b, a), to = turn(line->a, line->b, b);
+                const double from = orient2d(line->a, line->b, a), to = orient2d(line->a, line->b, b);
                 const double t = from / (from - to); /* used only if they cross */
                 count += space_lines_cross(a, b, line->a, line->b) &&
                          cell_along_page(a.x + t * (b.x - a.x), r->cell_mm, r->columns) == x &&
