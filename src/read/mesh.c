@@ -243,8 +243,9 @@ mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals)
         bool float32 = i > 0 && mesh->source[i - 1].float32;
         if (decimals && !float32 && first < end)
             steps.decimal = greater(steps.decimal, decimal_step(mesh->vertex + first, end - first));
-        for (; first < end; first++)
-            largest = float32 ? greater(largest, vec3_largest(mesh->vertex[first])) : largest;
+        for (size_t v = first; float32 && v < end; v++)
+            largest = greater(largest, vec3_largest(mesh->vertex[v]));
+        first = end;
     }
     steps.float32 = float_step(largest);
     return steps;
