@@ -170,6 +170,10 @@ void roberts_mesh_stand_up(roberts_mesh *mesh);
  */
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
+/** Returns two units of the last digit of decimal coordinates, model units: how near to one another things count as
+ * touching with roberts_scene_options.rounded. 0: there are no decimals of few digits. */
+double roberts_mesh_step(const roberts_mesh *mesh);
+
 /** Releases everything and leaves an empty mesh. */
 void roberts_mesh_free(roberts_mesh *mesh);
 

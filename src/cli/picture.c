@@ -133,6 +133,21 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
+/* Prints that rounding may have moved what touches, if something touches or crosses and no option says how near that
+ * is.
+ */
+static void tell_rounded(const cli_options *options, const roberts_drawing *drawing, const run_stats *run)
+{
+    if (run->step == 0.0 || options->scene.rounded || options->hide.epsilon > 0.0 ||
+        drawing->tally.pierced + drawing->crossing_count == 0)
+        return;
+    message_open(options->log);
+    begin_of_inputs(options);
+    fprintf(options->log, "note: faces cross, and coordinates are decimals of few digits; if these were rounded, "
+                          "--rounded draws what touched before\n");
+    message_close(options->log);
+}
+
 /* Prints that edges of 30 degrees and less are left out of curved bodies, or that those of convex bodies of many faces
  * are drawn, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
@@ -232,6 +247,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (status == ROBERTS_OK && options->verbose)
         run->lines = count_lines(&mesh);
     find_missing(&mesh, run);
+    run->step = roberts_mesh_step(&mesh);
     const size_t faces = mesh.face_count; /* building may take the mesh */
     if (status == ROBERTS_OK) {
         start = report_now();
@@ -408,12 +424,13 @@ static void warn_no_colors(const cli_options *options, const char *missing)
 }
 
 /* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
-static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const char *missing)
+static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const run_stats *run)
 {
     char text[256];
     const bool page = options->draw.format != ROBERTS_NULL && !values_is_table(options->draw.format);
     if (options->quiet || options->turntable > 0)
         return;
+    tell_rounded(options, &v->drawing[0], run);
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
     if (options->scene.rounded && v->drawing[0].epsilon_reason != ROBERTS_EPSILON_DECIMAL)
@@ -424,7 +441,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
             options,
             "edges between faces in one plane are left out, so that only borders are drawn; --all-edges draws them");
     if (page && needs_regions(options) && hint_no_colors(options, v->drawing, v->count))
-        warn_no_colors(options, missing);
+        warn_no_colors(options, run->missing);
     if (page && hint_idle_hatch(options, v->drawing, v->count))
         warn_of_inputs(options, "--hatch has no effect: the light falls straight on all faces that are seen");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
@@ -572,7 +589,7 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
     if (status == ROBERTS_OK)
         warn_near(options, *scene, &v);
     if (status == ROBERTS_OK)
-        warn_idle(options, *scene, &v, run.missing);
+        warn_idle(options, *scene, &v, &run);
     if (status == ROBERTS_OK)
         status = save_regions(options, &v, &run, &error);
     if (last && !needs_scene(options)) {
@@ -612,7 +629,7 @@ static int draw_joined(const cli_options *given, run_stats run, picture_result *
         description_word(&own.description, joined.input.name[i]);
     own.input = joined.input.name;
     own.input_count = joined.input.count;
-    warn_idle(&own, NULL, &v, run.missing);
+    warn_idle(&own, NULL, &v, &run);
     roberts_status status = save(&own, NULL, &v, &run, &error);
     run.total = report_since(run.begin);
     result->segments = count_segments(&v);

@@ -251,6 +251,11 @@ mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals)
     return steps;
 }
 
+double roberts_mesh_step(const roberts_mesh *mesh)
+{
+    return mesh_rounding(mesh, true).decimal;
+}
+
 bool mesh_group(roberts_mesh *mesh, const char *name)
 {
     if (!array_reserve(&mesh->group, &mesh->group_room, mesh->group_count + 1, sizeof *mesh->group))

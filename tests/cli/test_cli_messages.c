@@ -729,6 +729,11 @@ static const struct {
     {"--rounded models/platonic/cube.off",
      "models/platonic/cube.off: warning: --rounded has no effect: coordinates are "
      "whole, or have more than nine digits or too few\n"},
+    {"crossing.off",
+     "crossing.off: note: faces cross, and coordinates are decimals of few digits; if these were rounded, "
+     "--rounded draws what touched before\n"},
+    {"--rounded crossing.off", ""},
+    {"--epsilon 1e-9 crossing.off", ""},
     {"--fill-rule evenodd --batch in models/platonic/cube.off", ""},
     {"--fill-rule evenodd models/star/pentagrammic-prism.off", ""},
 };
@@ -739,6 +744,7 @@ static void what_a_drawing_lacks_is_warned_of(void **state)
     (void)state;
     put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("points.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    put("crossing.off", "OFF\n6 2 0\n0 0 0\n1.414214 0 0\n0 1 0\n.2 .2 -1\n.2 .2 1\n2 2 0\n3 0 1 2\n3 3 4 5\n");
     for (size_t i = 0; i < sizeof lacking_cases / sizeof lacking_cases[0]; i++) {
         print_message("roberts %s\n", lacking_cases[i].arguments);
         assert_int_equal(run(lacking_cases[i].arguments), 0);
