@@ -304,6 +304,22 @@ static void overlap_add(overlap *o, double t)
     o->t1 = greater(o->t1, t);
 }
 
+/* Extends the overlap to a side of the face, from (s, t) to (s1, t1), where it lies beside the line: 0 <= t <= 1. The
+ * faces of rounded solids may be farther from the line's continuation than from the line. */
+static void overlap_extend(overlap *o, double s, double t, double s1, double t1)
+{
+    const double from[2] = {s, t}, to[2] = {s1, t1};
+    if (greater(t, t1) < 0.0 || lesser(t, t1) > 1.0)
+        return;
+    for (int end = 0; end < 2; end++) {
+        const double *at = end ? to : from, *other = end ? from : to;
+        const double inside = lesser(greater(at[1], 0.0), 1.0);
+        const double x = inside == at[1] ? at[0] : at[0] + (other[0] - at[0]) * ((inside - at[1]) / (other[1] - at[1]));
+        o->plus = greater(o->plus, x);
+        o->minus = greater(o->minus, -x);
+    }
+}
+
 /* Finds where the line passes over a face. w: the direction in the plane of normal n, across the line. A corner nearer
  * than `touch` to the line's projection counts as on it. False: the face lies beside the line. */
 static bool find_overlap(const union_cutter *c, uint32_t face, roberts_vec3 n, roberts_vec3 w, double touch, overlap *o)
@@ -321,8 +337,8 @@ static bool find_overlap(const union_cutter *c, uint32_t face, roberts_vec3 n, r
             overlap_add(o, t);
         else if (i > 0 && fabs(s0) > touch && (s > 0.0) != (s0 > 0.0))
             overlap_add(o, t0 + (t - t0) * (s0 / (s0 - s)));
-        o->plus = greater(o->plus, s);
-        o->minus = greater(o->minus, -s);
+        if (i > 0)
+            overlap_extend(o, s0, t0, s, t);
         s0 = s;
         t0 = t;
     }
