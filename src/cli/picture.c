@@ -423,6 +423,14 @@ static void warn_no_colors(const cli_options *options, const char *missing)
     warn_of_inputs(options, text);
 }
 
+/* Has --rounded not enlarged the touching distance? With --batch it may be for other models. In spite of --epsilon it
+ * has an effect on bodies. */
+static bool is_idle_rounded(const cli_options *options, const roberts_drawing *drawing)
+{
+    return options->scene.rounded && !options->batch && drawing->epsilon_reason != ROBERTS_EPSILON_DECIMAL &&
+           drawing->epsilon_reason != ROBERTS_EPSILON_GIVEN;
+}
+
 /* Options without effect on these bodies or these lines. A picture of a turntable may have lines that others do not. */
 static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const run_stats *run)
 {
@@ -433,9 +441,9 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     tell_rounded(options, &v->drawing[0], run);
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
-    if (options->scene.rounded && v->drawing[0].epsilon_reason != ROBERTS_EPSILON_DECIMAL)
-        warn_of_inputs(options,
-                       "--rounded has no effect: coordinates are whole, or have more than nine digits or too few");
+    if (is_idle_rounded(options, &v->drawing[0]))
+        warn_of_inputs(options, "--rounded has no effect: coordinates are whole numbers, 32-bit floats, or decimals of "
+                                "more than nine digits or of too few");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
         warn_of_inputs(
             options,

@@ -727,8 +727,11 @@ static const struct {
      "models/platonic/cube.off: warning: --fill-rule has no effect: no face crosses itself\n"},
     {"--fill-rule nonzero models/platonic/cube.off", ""},
     {"--rounded models/platonic/cube.off",
-     "models/platonic/cube.off: warning: --rounded has no effect: coordinates are "
-     "whole, or have more than nine digits or too few\n"},
+     "models/platonic/cube.off: warning: --rounded has no effect: coordinates are whole numbers, 32-bit floats, or "
+     "decimals of more than nine digits or of too few\n"},
+    {"--rounded --epsilon 1e-9 models/platonic/cube.off", ""},
+    {"--rounded --batch in models/platonic/cube.off", ""},
+    {"--rounded rounded.off models/platonic/cube.off", ""},
     {"crossing.off",
      "crossing.off: note: faces cross, and coordinates are decimals of few digits; if these were rounded, "
      "--rounded draws what touched before\n"},
@@ -745,6 +748,7 @@ static void what_a_drawing_lacks_is_warned_of(void **state)
     put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("points.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     put("crossing.off", "OFF\n6 2 0\n0 0 0\n1.414214 0 0\n0 1 0\n.2 .2 -1\n.2 .2 1\n2 2 0\n3 0 1 2\n3 3 4 5\n");
+    put("rounded.off", "OFF\n3 1 0\n0 0 0\n0.707107 0 0\n0 0.707107 0\n3 0 1 2\n");
     for (size_t i = 0; i < sizeof lacking_cases / sizeof lacking_cases[0]; i++) {
         print_message("roberts %s\n", lacking_cases[i].arguments);
         assert_int_equal(run(lacking_cases[i].arguments), 0);
