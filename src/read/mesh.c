@@ -13,14 +13,14 @@
 /* ---- rounded coordinates: see mesh_rounding() ---- */
 
 enum {
-    DECIMAL_DIGITS = 9,   /* as many as give every 32-bit float. A double that was not rounded has up to 17 */
-    DECIMAL_SAMPLE = 1000 /* vertices that are examined, at equal distances in the list */
+    DECIMAL_DIGITS = 9,   /* enough to tell 32-bit floats apart. A double that was not rounded has up to 17 */
+    DECIMAL_SAMPLE = 1000 /* the most vertices that are examined, evenly spaced in the list */
 };
 
-/* Model units: a multiple of this is as a person writes it, or exact: 0.5, 0.375. */
+/* Model units: multiples of this, such as 0.5 and 0.375, are exact and do not count as rounded. */
 static const double EXACT = 0x1p-20;
 
-/* Units of the last digit: a number nearer than this to a whole one is one. Nine digits of a double are this exact. */
+/* Units of the last digit: a number this near to a whole one counts as whole. Doubles hold nine digits more exactly. */
 static const double DIGIT_ERROR = 1e-6;
 
 /* Part of the size (the diagonal of the box): the largest step. On a large sheet, this is less than a tenth of a pen.
@@ -201,17 +201,18 @@ static double float_step(double size)
     return size > 0.0 ? ldexp(2.0, exponent - FLT_MANT_DIG) : 0.0;
 }
 
-/* Returns the least number of decimal digits that x has; more than `most` if that many do not give it. x > 0. */
-static int digit_count(double x, int most)
+/* Returns how many decimal digits x > 0 has; DECIMAL_DIGITS + 1: more than count as rounded. */
+static int digit_count(double x)
 {
     int count = 1;
-    for (double y = x * pow(10.0, -floor(log10(x))); count <= most && !(fabs(y - rint(y)) <= DIGIT_ERROR); count++)
+    double y = x * pow(10.0, -floor(log10(x)));
+    for (; count <= DECIMAL_DIGITS && !(fabs(y - rint(y)) <= DIGIT_ERROR); count++)
         y *= 10.0;
     return count;
 }
 
 /* Returns two units of the last digit of coordinates that were rounded to decimals. 0: they were not, or so coarsely
- * that the picture shows it. A coordinate that is a whole number of EXACT is no sign of rounding. */
+ * that a picture would show such a touching distance. */
 static double decimal_step(const roberts_vec3 *vertex, size_t count)
 {
     int digits = 0;
@@ -221,13 +222,14 @@ static double decimal_step(const roberts_vec3 *vertex, size_t count)
         const double coordinate[] = {fabs(vertex[i].x), fabs(vertex[i].y), fabs(vertex[i].z)};
         box_add(&low, &high, vertex[i]);
         for (int k = 0; k < 3; k++) {
-            double whole = coordinate[k] / EXACT;
-            int more = whole == rint(whole) ? 0 : digit_count(coordinate[k], DECIMAL_DIGITS);
-            if (more > DECIMAL_DIGITS)
+            double multiple = coordinate[k] / EXACT;
+            if (multiple == rint(multiple))
+                continue;
+            int own = digit_count(coordinate[k]);
+            if (own > DECIMAL_DIGITS)
                 return 0.0;
-            if (more > 0)
-                largest = greater(largest, coordinate[k]);
-            digits = more > digits ? more : digits;
+            digits = own > digits ? own : digits;
+            largest = greater(largest, coordinate[k]);
         }
     }
     double step = digits ? 2.0 * pow(10.0, floor(log10(largest)) + 1 - digits) : 0.0;

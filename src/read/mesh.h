@@ -108,8 +108,8 @@ typedef struct mesh_steps {
     double decimal; /* of the largest decimal one, if all have few digits */
 } mesh_steps;
 
-/* Finds the steps. Of 32-bit floats an input says that it holds them. decimals: find those of decimals too (how: see
- * read/README.md), else theirs is 0. */
+/* Finds the steps. Each input says whether it holds 32-bit floats. decimals: look for rounded decimals, too, as
+ * read/README.md describes; otherwise their step is 0. */
 mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals);
 
 /* Room for the name of a group, including its end; longer names are truncated. */
