@@ -160,7 +160,8 @@ int fuzz_pipeline(const uint8_t *bytes, size_t size)
     /* 0 to 1e-1; 0 is the default */
     roberts_scene_options options = {.tolerance = bytes[TOLERANCE] % 4 ? pow(10, -1 - bytes[TOLERANCE] % 16) : 0,
                                      .hull = bytes[KIND] & 64,
-                                     .even_odd = bytes[KIND] & 32};
+                                     .even_odd = bytes[KIND] & 32,
+                                     .rounded = bytes[KIND] & 128};
     if (roberts_mesh_read_memory(&mesh, "bytes", bytes + FUZZ_SETTINGS, size - FUZZ_SETTINGS, NULL, NULL) ==
             ROBERTS_OK &&
         roberts_scene_build(&mesh, &options, &scene, NULL) == ROBERTS_OK)
