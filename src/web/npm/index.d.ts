@@ -26,6 +26,7 @@ export interface Options {
   allEdges?: boolean;
   union?: boolean;
   hull?: boolean;
+  rounded?: boolean;
   page?: string;
   landscape?: boolean;
   /** mm */
