@@ -141,7 +141,8 @@ class Scenes(unittest.TestCase):
         self.assertEqual(caught.exception.status, "BAD_VIEW")
         self.assertRaises(roberts.Error, roberts.Scene, triangle, [[0, 1, 2]], solids=True)
         for odd in ({"direction": (1, 2)}, {"eye": (1, 2, 3, 4)}, {"eye": (1, 2, 3), "direction": (1, 2, 3)},
-                    {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)}):
+                    {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)},
+                    {"preset": "top", "azimuth": 5}):
             self.assertRaises(ValueError, roberts.view, **odd)
         for odd in ({"fill": (256, 0, 0)}, {"background": (0, 0)}, {"pens": {"outline": {"color": (0, -1, 0)}}},
                     {"pens": {"outline": {"number": 256}}}, {"light": (1, 2)}):
@@ -222,6 +223,10 @@ class Pages(unittest.TestCase):
         self.same(scene.hide(roberts.view(elevation=30)), path, "--elevation", "30")
         self.same(scene.hide(roberts.view(eye=(9, -20, 8))), path, "--eye", "9,-20,8")
         self.assertIn("eye", repr(roberts.view(eye=(9, -20, 8))))
+
+    def test_rounded(self):
+        path = "models/star/great-icosahedron.off"
+        self.same(roberts.read(path, rounded=True).hide(), path, "--rounded")
 
     def test_sheets(self):
         scene = roberts.read("models/table.off")

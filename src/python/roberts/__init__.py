@@ -160,8 +160,8 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     """
     camera = c.camera()
     angles = azimuth is not None or elevation is not None
-    if angles + (direction is not None) + (eye is not None) > 1:
-        raise ValueError("view: angles, direction and eye exclude each other")
+    if (preset != "iso") + angles + (direction is not None) + (eye is not None) > 1:
+        raise ValueError("view: preset, angles, direction and eye exclude each other")
     if eye is None and (look_at is not None or fov or near):
         raise ValueError("view: look_at, fov and near need eye")
     if angles:
@@ -341,7 +341,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
         name = name or os.path.basename(path)
         c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
     scene._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
-                                          rounded=rounded), warned)
+                                       rounded=rounded), warned)
     scene.name = name or ""
     return scene
 
