@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "scenes.h"
+#include "segments.h"
 
 #include "roberts.h"
 
@@ -261,14 +262,6 @@ static void check_corners(const char *name, const roberts_region_list *l, const 
         if (off > 0)
             fail_msg("%s: corner %.17g, %.17g is %g from the next end", name, l->corner[c].x, l->corner[c].y, off);
     }
-}
-
-static double distance_to(const roberts_segment *s, double x, double y)
-{
-    double dx = s->p1.x - s->p0.x, dy = s->p1.y - s->p0.y, length2 = dx * dx + dy * dy;
-    double t = length2 > 0 ? ((x - s->p0.x) * dx + (y - s->p0.y) * dy) / length2 : 0;
-    t = fmin(fmax(t, 0), 1);
-    return hypot(s->p0.x + t * dx - x, s->p0.y + t * dy - y);
 }
 
 /* The middle of every side of a ring lies on a visible segment: an edge of any class or an intersection. */

@@ -3,9 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/box.h"
 #include "build_scene.h"
 #include "read/mesh.h"
 #include "rng.h"
+#include "segments.h"
 #include "testing.h"
 
 /* ---- how the rounding is found ---- */
@@ -126,21 +128,8 @@ static void add_random_solid(roberts_mesh *mesh, rng *r)
 static roberts_vec3 middle(const roberts_mesh *mesh)
 {
     roberts_vec3 low = mesh->vertex[0], high = low;
-    for (size_t i = 0; i < mesh->vertex_count; i++) {
-        low = (roberts_vec3){fmin(low.x, mesh->vertex[i].x), fmin(low.y, mesh->vertex[i].y),
-                             fmin(low.z, mesh->vertex[i].z)};
-        high = (roberts_vec3){fmax(high.x, mesh->vertex[i].x), fmax(high.y, mesh->vertex[i].y),
-                              fmax(high.z, mesh->vertex[i].z)};
-    }
+    box_add_all(&low, &high, mesh->vertex, mesh->vertex_count);
     return vec3_scale(0.5, vec3_add(low, high));
-}
-
-static double distance_to(roberts_vec2 p, const roberts_segment *s)
-{
-    const double dx = s->p1.x - s->p0.x, dy = s->p1.y - s->p0.y, square = dx * dx + dy * dy;
-    double t = square > 0.0 ? ((p.x - s->p0.x) * dx + (p.y - s->p0.y) * dy) / square : 0.0;
-    t = fmin(fmax(t, 0.0), 1.0);
-    return hypot(p.x - s->p0.x - t * dx, p.y - s->p0.y - t * dy);
 }
 
 /* Returns the longest part of a line of `a` that no line of `b` covers. shift: from the picture of `a` to that of `b`.
@@ -156,7 +145,7 @@ static double uncovered(const roberts_drawing *a, const roberts_drawing *b, robe
             roberts_vec2 p = {s->p0.x + t * (s->p1.x - s->p0.x) + shift.x, s->p0.y + t * (s->p1.y - s->p0.y) + shift.y};
             bool covered = false;
             for (size_t j = 0; j < b->count && !covered; j++)
-                covered = distance_to(p, &b->segment[j]) <= touch;
+                covered = distance_to(&b->segment[j], p.x, p.y) <= touch;
             missed += !covered;
         }
         most = fmax(most, hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y) * missed / SAMPLES);
