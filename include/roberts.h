@@ -892,6 +892,9 @@ typedef struct roberts_name {
     const char *text; /**< UTF-8; empty: no label */
 } roberts_name;
 
+/** Orders two roberts_name by what they belong to, for qsort() and bsearch(): by of, number, other. */
+int roberts_name_order(const void *a, const void *b);
+
 /** A text in the title block of a sheet. */
 typedef struct roberts_field {
     const char *name; /**< owner, author, approved, number, revision, date or sheet; others are not drawn */
@@ -917,7 +920,7 @@ typedef struct roberts_lettering {
     unsigned labels; /**< a set of roberts_label_kind: things without a name are labelled by their numbers in the input;
                         with several kinds as v4, f4 and b4, edges always as 4-17 */
     size_t name_count;
-    const roberts_name *name; /**< [name_count] sorted by of, number, other, each once; whatever they name is
+    const roberts_name *name; /**< [name_count] sorted by roberts_name_order(), each once; whatever they name is
                                    labelled */
     /** Sheets: text in the title block (ISO 7200), like the fields. Without title and fields there is no block. */
     const char *title;

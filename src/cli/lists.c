@@ -263,19 +263,9 @@ static const char *read_line(char *line, char comma, roberts_name *name, bool *t
     return NULL;
 }
 
-static int by_thing(const void *a, const void *b)
-{
-    const roberts_name *p = a, *q = b;
-    if (p->of != q->of)
-        return p->of < q->of ? -1 : 1;
-    if (p->number != q->number)
-        return p->number < q->number ? -1 : 1;
-    return (p->other > q->other) - (p->other < q->other);
-}
-
 const roberts_name *names_find(const roberts_name *name, size_t count, const roberts_name *thing)
 {
-    return count ? bsearch(thing, name, count, sizeof *name, by_thing) : NULL;
+    return count ? bsearch(thing, name, count, sizeof *name, roberts_name_order) : NULL;
 }
 
 void names_thing(const roberts_name *name, char *text, size_t size)
@@ -317,7 +307,7 @@ static bool add_name(listed_names *l, const roberts_name *name, size_t line)
 static int by_thing_and_line(const void *a, const void *b)
 {
     const listed_name *p = a, *q = b;
-    const int order = by_thing(&p->name, &q->name);
+    const int order = roberts_name_order(&p->name, &q->name);
     return order ? order : (p->line > q->line) - (p->line < q->line);
 }
 
@@ -369,7 +359,7 @@ static roberts_status take_names(name_list *n, listed_names *l, const char *path
         return lists_fail(error, ROBERTS_NO_MEMORY, path, 0, "not enough memory");
     for (size_t i = 0; i < l->count; i++) {
         n->item[i] = l->item[i].name;
-        if (i > 0 && by_thing(&n->item[i - 1], &n->item[i]) == 0) {
+        if (i > 0 && roberts_name_order(&n->item[i - 1], &n->item[i]) == 0) {
             char thing[40], why[120];
             names_thing(&n->item[i], thing, sizeof thing);
             snprintf(why, sizeof why, "%s has a name already, in line %zu", thing, l->item[i - 1].line);

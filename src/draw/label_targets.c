@@ -159,7 +159,7 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t)
 
 /* ---- what it says ---- */
 
-static int compare_names(const void *a, const void *b)
+int roberts_name_order(const void *a, const void *b)
 {
     const roberts_name *p = a, *q = b;
     if (p->of != q->of)
@@ -174,7 +174,7 @@ static const char *find_name(const roberts_lettering *lettering, const target *o
 {
     const roberts_name wanted = {.of = of->kind, .number = of->number, .other = of->other}, *name = NULL;
     if (lettering->name_count > 0)
-        name = bsearch(&wanted, lettering->name, lettering->name_count, sizeof wanted, compare_names);
+        name = bsearch(&wanted, lettering->name, lettering->name_count, sizeof wanted, roberts_name_order);
     return name ? name->text : NULL;
 }
 
