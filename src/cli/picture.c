@@ -133,42 +133,39 @@ static void tell_kinds(const cli_options *options, const roberts_scene *scene)
     fputc('\n', options->log);
 }
 
-/* Prints that rounding may have moved what touches, if something touches or crosses and no option says how near that
- * is.
- */
-static void tell_rounded(const cli_options *options, const roberts_drawing *drawing, const run_stats *run)
+static void note_of_inputs(const cli_options *options, const char *text)
 {
-    if (run->step == 0.0 || options->scene.rounded || options->hide.epsilon > 0.0 ||
-        drawing->tally.pierced + drawing->crossing_count == 0)
-        return;
     message_open(options->log);
     begin_of_inputs(options);
-    fprintf(options->log, "note: faces cross, and coordinates are decimals of few digits; if these were rounded, "
-                          "--rounded draws what touched before\n");
+    fprintf(options->log, "note: %s\n", text);
     message_close(options->log);
+}
+
+/* Prints that rounding may have moved what touches, if something touches or crosses. */
+static void tell_rounded(const cli_options *options, const roberts_drawing *drawing, const run_stats *run)
+{
+    if (run->step > 0.0 && drawing->tally.pierced + drawing->crossing_count > 0)
+        note_of_inputs(options, "faces cross, and coordinates are decimals of few digits; if these were rounded, "
+                                "--rounded draws what touched before");
 }
 
 /* Prints that edges of 30 degrees and less are left out of curved bodies, or that those of convex bodies of many faces
  * are drawn, unless --crease, --all-edges or --quiet is given. */
 static void tell_curved(const cli_options *options, const roberts_scene *scene)
 {
+    char text[120];
     if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
         return;
     const size_t curved = hint_curved(scene);
-    const bool is_round = curved == 0 && hint_round(scene);
-    if (curved == 0 && !is_round)
-        return;
-    message_open(options->log);
-    begin_of_inputs(options);
-    if (is_round)
-        fputs(
-            "note: edges of 30 degrees and less are drawn, since the bodies are convex; --crease 30 leaves them out\n",
-            options->log);
-    else
-        fprintf(options->log,
-                "note: edges of 30 degrees and less are left out of %zu curved bod%s; --crease 0.1 draws them\n",
-                curved, curved == 1 ? "y" : "ies");
-    message_close(options->log);
+    snprintf(text, sizeof text,
+             "edges of 30 degrees and less are left out of %zu curved bod%s; --crease 0.1 draws them", curved,
+             curved == 1 ? "y" : "ies");
+    if (curved > 0)
+        note_of_inputs(options, text);
+    else if (hint_round(scene))
+        note_of_inputs(
+            options,
+            "edges of 30 degrees and less are drawn, since the bodies are convex; --crease 30 leaves them out");
 }
 
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)
@@ -247,7 +244,8 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     if (status == ROBERTS_OK && options->verbose)
         run->lines = count_lines(&mesh);
     find_missing(&mesh, run);
-    run->step = roberts_mesh_step(&mesh);
+    if (!options->quiet && !options->scene.rounded && options->hide.epsilon == 0.0)
+        run->step = roberts_mesh_step(&mesh);
     const size_t faces = mesh.face_count; /* building may take the mesh */
     if (status == ROBERTS_OK) {
         start = report_now();

@@ -9,7 +9,7 @@ typedef struct run_stats {
     size_t files, vertices, faces, pieces, edges;   /* pieces: convex ones, of faces */
     size_t lines;                                   /* points and lines among the faces of the files, for -v */
     char missing[512];                              /* an .mtl file that an OBJ names and that is not there */
-    double step;                                    /* roberts_mesh_step() of the inputs */
+    double step;                                    /* roberts_mesh_step() of the inputs, for a note; else 0 */
     roberts_time begin;                             /* when the picture was begun */
     roberts_time read, solids, verify, draw, total; /* verify: picking too */
     roberts_ink ink;                                /* all zero if no page was written */

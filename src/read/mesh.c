@@ -193,14 +193,6 @@ bool mesh_missing(roberts_mesh *mesh, const char *path)
     return source->missing;
 }
 
-/* Returns two ulps of a 32-bit float of this size. */
-static double float_step(double size)
-{
-    int exponent;
-    frexp(size, &exponent); /* 2^(exponent - 1) <= size, and the last of 24 bits is 2^-23 of that */
-    return size > 0.0 ? ldexp(2.0, exponent - FLT_MANT_DIG) : 0.0;
-}
-
 /* Returns how many decimal digits x > 0 has; DECIMAL_DIGITS + 1: more than count as rounded. */
 static int digit_count(double x)
 {
@@ -236,26 +228,37 @@ static double decimal_step(const roberts_vec3 *vertex, size_t count)
     return step <= DECIMAL_MOST * vec3_length(vec3_sub(high, low)) ? step : 0.0;
 }
 
-mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals)
+/* Returns two ulps of a 32-bit float as large as the largest coordinate read as one; 0: none was. */
+static double float32_step(const roberts_mesh *mesh)
 {
-    mesh_steps steps = {0.0, 0.0};
-    double largest = 0.0;
-    for (size_t i = 0, first = 0; i <= mesh->source_count; i++) { /* the first vertices may come from no input */
-        size_t end = i < mesh->source_count ? mesh->source[i].first_vertex : mesh->vertex_count;
-        bool float32 = i > 0 && mesh->source[i - 1].float32;
-        if (decimals && !float32 && first < end)
-            steps.decimal = greater(steps.decimal, decimal_step(mesh->vertex + first, end - first));
-        for (size_t v = first; float32 && v < end; v++)
-            largest = greater(largest, vec3_largest(mesh->vertex[v]));
-        first = end;
+    double most = 0.0;
+    int exponent;
+    for (size_t i = 0; i < mesh->source_count; i++) {
+        size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
+        for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++)
+            most = greater(most, vec3_largest(mesh->vertex[v]));
     }
-    steps.float32 = float_step(largest);
-    return steps;
+    if (most == 0.0)
+        return 0.0;
+    frexp(most, &exponent); /* 2^(exponent - 1) <= most, and the last of 24 bits is 2^-23 of that */
+    return ldexp(2.0, exponent - FLT_MANT_DIG);
 }
 
 double roberts_mesh_step(const roberts_mesh *mesh)
 {
-    return mesh_rounding(mesh, true).decimal;
+    double step = 0.0;
+    for (size_t i = 0, first = 0; i <= mesh->source_count; i++) { /* the first vertices may come from no input */
+        size_t end = i < mesh->source_count ? mesh->source[i].first_vertex : mesh->vertex_count;
+        if (first < end && !(i > 0 && mesh->source[i - 1].float32))
+            step = greater(step, decimal_step(mesh->vertex + first, end - first));
+        first = end;
+    }
+    return step;
+}
+
+mesh_steps mesh_rounding(const roberts_mesh *mesh, bool decimals)
+{
+    return (mesh_steps){float32_step(mesh), decimals ? roberts_mesh_step(mesh) : 0.0};
 }
 
 bool mesh_group(roberts_mesh *mesh, const char *name)
