@@ -21,21 +21,10 @@ enum { MOST_ROUNDS = 60 };
 /* Numbers of nodes, and of half-edges, have 32 bits, and unite_lines() needs one bit more. */
 #define NODES_MOST ((size_t)(UINT32_MAX / 4))
 
-/* ---- input ----------------------------------------------------------------------------------------------------- */
+/* A power of two. */
+#define FEWEST_SLOTS 1024
 
-bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b)
-{
-    if (a.x == b.x && a.y == b.y)
-        return true;
-    if (m->node_count > NODES_MOST || !array_reserve(&m->node, &m->node_room, m->node_count + 2, sizeof *m->node) ||
-        !array_reserve(&m->line, &m->line_room, m->line_count + 1, sizeof *m->line))
-        return false;
-    m->line[m->line_count][0] = (uint32_t)m->node_count;
-    m->line[m->line_count++][1] = (uint32_t)m->node_count + 1;
-    m->node[m->node_count++] = a;
-    m->node[m->node_count++] = b;
-    return true;
-}
+/* ---- input ----------------------------------------------------------------------------------------------------- */
 
 static size_t slot_of(roberts_vec2 p, size_t mask)
 {
@@ -48,38 +37,52 @@ static size_t slot_of(roberts_vec2 p, size_t mask)
     return (size_t)(h ^ h >> 31) & mask;
 }
 
-/* Joins nodes at exactly the same place. Most nodes are ends of several lines. False: no memory. */
-static bool join_equal(planar_map *m)
+/* Returns the slot of the node at p, or the free slot where it belongs. */
+static uint32_t *find_slot(const planar_map *m, roberts_vec2 p)
 {
-    enum { AHEAD = 16 }; /* nodes whose slots are prefetched */
-    size_t size = 16, kept = 0;
-    while (size < 2 * m->node_count)
-        size *= 2;
-    uint32_t *slot = alloc_array(size, sizeof *slot), *now = alloc_array(m->node_count, sizeof *now);
-    bool enough = slot && now;
-    for (size_t i = 0; enough && i < size; i++)
-        slot[i] = ROBERTS_NONE;
-    for (size_t n = 0; enough && n < m->node_count; n++) {
-        roberts_vec2 p = m->node[n];
-        if (n + AHEAD < m->node_count)
-            FETCH_AHEAD(&slot[slot_of(m->node[n + AHEAD], size - 1)]);
-        size_t at = slot_of(p, size - 1);
-        while (slot[at] != ROBERTS_NONE && !(m->node[slot[at]].x == p.x && m->node[slot[at]].y == p.y))
-            at = (at + 1) & (size - 1);
-        if (slot[at] == ROBERTS_NONE) {
-            m->node[kept] = p;
-            slot[at] = (uint32_t)kept++;
-        }
-        now[n] = slot[at];
+    const size_t mask = m->slot_count - 1;
+    size_t at = slot_of(p, mask);
+    while (m->slot[at] != 0 && !(m->node[m->slot[at] - 1].x == p.x && m->node[m->slot[at] - 1].y == p.y))
+        at = (at + 1) & mask;
+    return &m->slot[at];
+}
+
+/* At least half of the slots stay free. False: no memory. */
+static bool grow_slots(planar_map *m)
+{
+    free(m->slot);
+    m->slot_count = m->slot_count ? 4 * m->slot_count : FEWEST_SLOTS;
+    m->slot = alloc_zeroed(m->slot_count, sizeof *m->slot);
+    for (uint32_t n = 0; m->slot && n < m->node_count; n++)
+        *find_slot(m, m->node[n]) = n + 1;
+    return m->slot != NULL;
+}
+
+/* Finds or adds the node at p. Most nodes are ends of several lines. False: no memory. */
+static bool take_node(planar_map *m, roberts_vec2 p, uint32_t *node)
+{
+    if (m->node_count > NODES_MOST || (2 * m->node_count >= m->slot_count && !grow_slots(m)))
+        return false;
+    uint32_t *slot = find_slot(m, p);
+    if (*slot == 0) {
+        if (!array_reserve(&m->node, &m->node_room, m->node_count + 1, sizeof *m->node))
+            return false;
+        m->node[m->node_count++] = p;
+        *slot = (uint32_t)m->node_count;
     }
-    for (size_t i = 0; enough && i < m->line_count; i++)
-        for (int k = 0; k < 2; k++)
-            m->line[i][k] = now[m->line[i][k]];
-    if (enough)
-        m->node_count = kept;
-    free(slot);
-    free(now);
-    return enough;
+    *node = *slot - 1;
+    return true;
+}
+
+bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b)
+{
+    if (a.x == b.x && a.y == b.y)
+        return true;
+    if (!array_reserve(&m->line, &m->line_room, m->line_count + 1, sizeof *m->line) ||
+        !take_node(m, a, &m->line[m->line_count][0]) || !take_node(m, b, &m->line[m->line_count][1]))
+        return false;
+    m->line_count++;
+    return true;
 }
 
 /* Puts the lines in order, each once, and leaves out those without length. Lines that become one are open if one of
@@ -242,7 +245,9 @@ static bool divide_all(map_search *s)
 bool planar_map_divide(planar_map *m, double touching)
 {
     map_search s = {.m = m, .touching = touching, .margin = REGION_MARGIN * touching};
-    return join_equal(m) && divide_all(&s);
+    free(m->slot);
+    m->slot = NULL;
+    return divide_all(&s);
 }
 
 bool planar_map_join_loose(planar_map *m, double touching, double reach)
@@ -270,6 +275,7 @@ void planar_map_free(planar_map *m)
 {
     free(m->node);
     free(m->line);
+    free(m->slot);
     *m = (planar_map){0};
 }
 
