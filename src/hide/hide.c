@@ -219,16 +219,20 @@ static void do_all_chunks(const hide_job *job, hide_worker *worker, int threads,
     threads_each(threads, (size_t)threads, 1, do_some_chunks, &(chunk_work){job, worker, all});
 }
 
-/* One thread fills all chunks, in order, and the drawing keeps the segments as they come. */
+/* One thread fills all chunks, in order. The drawing keeps the segments as they come, or the receiver gets them. */
 static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t count, roberts_drawing *drawing)
 {
-    hide_chunk all = {0};
+    hide_chunk all = {.to = job->to};
     bool done = true;
     for (uint32_t k = 0; done && k < count; k++)
-        done = do_chunk(job, w, &all, k);
+        done = do_chunk(job, w, &all, k) && (!all.to || chunk_give(&all, all.to));
     drawing->segment = all.segment;
-    drawing->count = all.count;
-    return done ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    drawing->count = all.count + all.given;
+    if (all.to) {
+        free(all.segment);
+        drawing->segment = NULL;
+    }
+    return done ? ROBERTS_OK : all.stopped ? ROBERTS_STOPPED : ROBERTS_NO_MEMORY;
 }
 
 static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
@@ -239,7 +243,7 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
     roberts_status status = ROBERTS_NO_MEMORY;
     hide_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     chunks all = {0};
-    if (!worker || !chunks_init(&all, count, threads, drawing, job->each, job->context))
+    if (!worker || !chunks_init(&all, count, threads, drawing, job->to))
         goto done;
     for (int i = 0; i < threads; i++)
         if (!hide_worker_init(&worker[i], &job->fronts, &job->grid, job->options->keep_hidden,
@@ -247,7 +251,7 @@ static roberts_status do_chunks(hide_job *job, roberts_drawing *drawing)
             goto done;
     if (!look_ahead_at_all(job, worker, threads))
         goto done;
-    if (threads == 1 && !job->each) {
+    if (threads == 1) {
         status = fill_drawing(job, &worker[0], count, drawing);
     } else {
         do_all_chunks(job, worker, threads, &all);
@@ -271,6 +275,8 @@ static roberts_status find_regions(hide_job *job, const roberts_drawing *drawing
 {
     roberts_status status = ROBERTS_OK;
     roberts_drawing rest = {0};
+    region_lines lines = {.drawing = drawing, .per_unit = job->seen.view.per_unit};
+    const roberts_receiver take = {region_lines_take, &lines};
     bool clipped = job->seen.clip.clipped;
     if (clipped && !cut_lines_find(&job->fronts, &job->seen.further))
         return ROBERTS_NO_MEMORY;
@@ -280,12 +286,13 @@ static roberts_status find_regions(hide_job *job, const roberts_drawing *drawing
         seen_set_rest(&job->seen);
         picture_order_free(&job->order);
         crossings_free(&job->crossings);
+        job->to = &take;
         status = do_chunks(job, &rest);
+        job->to = NULL;
     }
-    if (status == ROBERTS_OK && !regions_find(job, drawing, &rest))
-        status = ROBERTS_NO_MEMORY;
-    roberts_drawing_free(&rest);
-    return status;
+    const bool enough = status == ROBERTS_OK && regions_find(job, &lines);
+    region_lines_free(&lines);
+    return enough ? ROBERTS_OK : ROBERTS_NO_MEMORY;
 }
 
 /* ---- all of it ---- */
@@ -390,15 +397,13 @@ roberts_status roberts_hide_each(const roberts_scene *scene, const roberts_camer
                                  const roberts_hide_options *options, const roberts_receiver *each,
                                  roberts_drawing *summary, roberts_error *error)
 {
-    hide_job job = {.options = options};
+    hide_job job = {.options = options, .to = each};
     roberts_drawing counted;
     if (!each || !each->receive) {
         if (summary)
             *summary = (roberts_drawing){0};
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "no function to receive the segments");
     }
-    job.each = each->receive;
-    job.context = each->context;
     roberts_status status = hide_scene(&job, scene, camera, summary ? summary : &counted, error);
     if (!summary)
         roberts_drawing_free(&counted);

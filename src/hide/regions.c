@@ -41,7 +41,7 @@ typedef struct cell_sight {
 
 typedef struct region_work {
     const hide_job *job;
-    planar_map map;
+    planar_map *map;
     map_cells cells;
     region_depths depths;
     uint32_t *start, *cycle; /* the cycles of each cell: [cells + 1], [cycles] */
@@ -64,20 +64,33 @@ static bool precedes(const roberts_segment *rest, const roberts_segment *drawn)
     return rest->solid == drawn->solid && rest->edge < drawn->edge;
 }
 
-/* Takes the lines in the order that they would have if all were of one drawing. */
-static bool take_lines(region_work *w, const roberts_drawing *drawing, const roberts_drawing *rest)
+static bool take_line(region_lines *lines, const roberts_segment *s)
 {
-    const double per = w->job->seen.view.per_unit;
-    for (size_t i = 0, k = 0; i < drawing->count || k < rest->count;) {
-        const bool first =
-            k < rest->count && (i == drawing->count || precedes(&rest->segment[k], &drawing->segment[i]));
-        const roberts_segment *s = first ? &rest->segment[k++] : &drawing->segment[i++];
-        if (s->state == ROBERTS_VISIBLE && s->line != ROBERTS_WIRE &&
-            !planar_map_add(&w->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
-                            (roberts_vec2){per * s->p1.x, per * s->p1.y}))
+    const double per = lines->per_unit;
+    return s->state != ROBERTS_VISIBLE || s->line == ROBERTS_WIRE ||
+           planar_map_add(&lines->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
+                          (roberts_vec2){per * s->p1.x, per * s->p1.y});
+}
+
+/* Takes the drawing's segments before a segment of the rest; all of them if that is NULL. */
+static bool take_drawn(region_lines *lines, const roberts_segment *rest)
+{
+    const roberts_drawing *drawing = lines->drawing;
+    for (; lines->taken < drawing->count && (!rest || !precedes(rest, &drawing->segment[lines->taken])); lines->taken++)
+        if (!take_line(lines, &drawing->segment[lines->taken]))
             return false;
-    }
     return true;
+}
+
+/* So the lines are in the order that they would have if all were of one drawing. */
+bool region_lines_take(void *context, const roberts_segment *rest)
+{
+    return take_drawn(context, rest) && take_line(context, rest);
+}
+
+void region_lines_free(region_lines *lines)
+{
+    planar_map_free(&lines->map);
 }
 
 /* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
@@ -90,7 +103,7 @@ static bool list_cycles(region_work *w)
 
 static roberts_vec2 corner_of(const region_work *w, uint32_t half)
 {
-    return w->map.node[map_from(&w->map, half)];
+    return w->map->node[map_from(w->map, half)];
 }
 
 /* A side of a cell. */
@@ -261,7 +274,7 @@ static bool merge_faces(region_work *w)
         return false;
     for (uint32_t f = 0; f < faces; f++)
         set[f] = f;
-    for (uint32_t i = 0; i < w->map.line_count; i++) {
+    for (uint32_t i = 0; i < w->map->line_count; i++) {
         uint32_t f = w->sight[map_cell_of(&w->cells, 2 * i)].face, g = w->sight[map_cell_of(&w->cells, 2 * i + 1)].face;
         if (f == ROBERTS_NONE || g == ROBERTS_NONE || sets_root(set, f) == sets_root(set, g))
             continue;
@@ -278,13 +291,13 @@ static bool merge_faces(region_work *w)
 /* Removes lines with the same face on both sides. */
 static bool join_cells(region_work *w)
 {
-    w->gone = alloc_array(w->map.line_count, 1);
+    w->gone = alloc_array(w->map->line_count, 1);
     w->root = alloc_array(w->cells.cell_count, sizeof *w->root);
     if (!w->gone || !w->root)
         return false;
     for (uint32_t c = 0; c < w->cells.cell_count; c++)
         w->root[c] = c;
-    for (uint32_t i = 0; i < w->map.line_count; i++) {
+    for (uint32_t i = 0; i < w->map->line_count; i++) {
         uint32_t c = map_cell_of(&w->cells, 2 * i), d = map_cell_of(&w->cells, 2 * i + 1);
         w->gone[i] = w->sight[c].face == w->sight[d].face;
         if (w->gone[i])
@@ -321,14 +334,14 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done, uint32_t **ro
                                              .corners = count,
                                              .face = w->sight[cell].face,
                                              .root = sets_root(w->root, cell),
-                                             .area = map_area(&w->map, side, count)};
+                                             .area = map_area(w->map, side, count)};
     w->side_count += count;
     return true;
 }
 
 static bool trace_rings(region_work *w)
 {
-    uint32_t halves = 2 * (uint32_t)w->map.line_count, *room = NULL;
+    uint32_t halves = 2 * (uint32_t)w->map->line_count, *room = NULL;
     size_t room_count = 0;
     uint8_t *done = alloc_zeroed(halves, 1);
     uint32_t *outer = alloc_array(w->cells.cell_count, sizeof *outer); /* by root */
@@ -494,19 +507,18 @@ static double greatest_departure(const seen *s)
     return lesser((double)most * scene->unit * s->view.per_unit, SCENE_TOLERANCE * s->view.diameter);
 }
 
-bool regions_find(const hide_job *job, const roberts_drawing *drawing, const roberts_drawing *rest)
+bool regions_find(const hide_job *job, region_lines *lines)
 {
     const view *v = &job->seen.view;
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
     const double departure = greatest_departure(&job->seen), joined = touching + LOOSE_DEPARTURES * departure;
-    region_work w = {.job = job};
-    bool enough = take_lines(&w, drawing, rest) && planar_map_divide(&w.map, joined) &&
-                  planar_map_join_loose(&w.map, joined, joined + REGION_DEPARTURES * departure) &&
-                  map_cells_find(&w.cells, &w.map) && list_cycles(&w) &&
+    region_work w = {.job = job, .map = &lines->map};
+    bool enough = take_drawn(lines, NULL) && planar_map_divide(w.map, joined) &&
+                  planar_map_join_loose(w.map, joined, joined + REGION_DEPARTURES * departure) &&
+                  map_cells_find(&w.cells, w.map) && list_cycles(&w) &&
                   region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&
                   join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
     region_depths_free(&w.depths);
-    planar_map_free(&w.map);
     map_cells_free(&w.cells);
     free(w.start);
     free(w.cycle);

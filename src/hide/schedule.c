@@ -360,10 +360,19 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
 /* At the end, threads wait for the last run. So runs should be short: each thread has at least this many. */
 #define RUNS_PER_THREAD 16
 
-bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
-                 void *context)
+bool chunk_give(hide_chunk *chunk, const roberts_receiver *to)
 {
-    *c = (chunks){.total = total, .drawing = drawing, .each = each, .context = context, .threads = threads};
+    for (size_t i = 0; i < chunk->count && !chunk->stopped; i++) {
+        chunk->stopped = !to->receive(to->context, &chunk->segment[i]);
+        chunk->given += !chunk->stopped;
+    }
+    chunk->count = 0;
+    return !chunk->stopped;
+}
+
+bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, const roberts_receiver *to)
+{
+    *c = (chunks){.total = total, .drawing = drawing, .to = to, .threads = threads};
     uint32_t fair = total / ((uint32_t)threads * RUNS_PER_THREAD);
     c->run = fair < 1 ? 1 : fair < CHUNKS_RUN ? fair : CHUNKS_RUN;
     c->queue = alloc_zeroed((size_t)threads, sizeof *c->queue);
@@ -393,13 +402,12 @@ static bool goes_on(chunks *c)
     return atomic_load(&c->status) == ROBERTS_OK;
 }
 
-static void give_away(chunks *c, const hide_chunk *chunk)
+static void give_away(chunks *c, hide_chunk *chunk)
 {
-    for (size_t i = 0; i < chunk->count; i++, c->drawing->count++)
-        if (!c->each(c->context, &chunk->segment[i])) {
-            chunks_fail(c, ROBERTS_STOPPED);
-            return;
-        }
+    const bool goes_on = chunk_give(chunk, c->to);
+    c->drawing->count += chunk->given;
+    if (!goes_on)
+        chunks_fail(c, ROBERTS_STOPPED);
     atomic_store(&c->turn, chunk->number + 1);
 }
 
@@ -432,7 +440,7 @@ static void settle(chunks *c, chunk_queue *own)
         hide_chunk *chunk = own->waiting[own->first];
         if (chunk->number != atomic_load(&c->turn))
             break;
-        if (c->each)
+        if (c->to)
             give_away(c, chunk);
         else
             lay_down(c, chunk);
@@ -473,7 +481,7 @@ hide_chunk *chunks_take(chunks *c, int self)
         return NULL;
     hide_chunk *chunk = own->spare[CHUNKS_WAITING - 1 - own->count];
     chunk->number = own->next++;
-    chunk->count = 0;
+    chunk->count = chunk->given = 0;
     return chunk;
 }
 

@@ -113,7 +113,13 @@ typedef struct hide_chunk {
     roberts_segment *segment; /* [count] */
     size_t count, room;
     uint32_t number;
+    const roberts_receiver *to; /* takes the segments already while the chunk is filled; NULL: they stay */
+    size_t given;               /* to the receiver */
+    bool stopped;               /* it stops the work */
 } hide_chunk;
+
+/* Gives the segments of a chunk to a receiver, so that the chunk is empty. False: it stops the work. */
+bool chunk_give(hide_chunk *chunk, const roberts_receiver *to);
 
 /* CHUNKS_RUN: the most chunks in a run. CHUNKS_WAITING: the most chunks of a thread that may wait for their turn. It is
  * more than a run, so that a thread that the system delays does not stop the others. */
@@ -131,20 +137,18 @@ typedef struct chunk_queue {
 typedef struct chunks {
     chunk_queue *queue; /* [threads] */
     int threads;
-    uint32_t total, run;      /* chunks in all, and in a run */
-    roberts_segment_fn *each; /* receives the segments; NULL: the drawing keeps them */
-    void *context;
-    _Atomic uint32_t taken;   /* runs that threads have taken */
-    atomic_int status;        /* roberts_status; anything but ROBERTS_OK ends the work */
-    _Atomic uint32_t turn;    /* the chunk whose turn it is. Only its thread may change `drawing` and `room` */
-    roberts_drawing *drawing; /* (threads that had their turn may still write segments) */
-    size_t room;              /* of drawing->segment */
-    _Atomic uint32_t copying; /* threads that still write segments: the array must not move meanwhile */
+    uint32_t total, run;        /* chunks in all, and in a run */
+    const roberts_receiver *to; /* receives the segments; NULL: the drawing keeps them */
+    _Atomic uint32_t taken;     /* runs that threads have taken */
+    atomic_int status;          /* roberts_status; anything but ROBERTS_OK ends the work */
+    _Atomic uint32_t turn;      /* the chunk whose turn it is. Only its thread may change `drawing` and `room` */
+    roberts_drawing *drawing;   /* (threads that had their turn may still write segments) */
+    size_t room;                /* of drawing->segment */
+    _Atomic uint32_t copying;   /* threads that still write segments: the array must not move meanwhile */
 } chunks;
 
 /* Prepares for `total` chunks and `threads` threads. False: no memory; call chunks_free() in any case. */
-bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, roberts_segment_fn *each,
-                 void *context);
+bool chunks_init(chunks *c, uint32_t total, int threads, roberts_drawing *drawing, const roberts_receiver *to);
 void chunks_free(chunks *c);
 
 /* Returns the next chunk that thread `self`, counted from 0, has to fill. NULL: there is none, or `status` has ended

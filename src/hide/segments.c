@@ -532,7 +532,8 @@ bool segments_at_once(const hide_job *job, uint32_t body)
     return scene_is_convex(job->seen.scene, body) || s[1].edge - s->edge <= HIDE_GROUP;
 }
 
-/* Writes the segments of a body's edges. Large bodies are handled a group of lines at a time. False: no memory. */
+/* Writes the segments of a body's edges. Large bodies are handled a group of lines at a time. False: no memory, or the
+ * receiver stops the work. */
 static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     if (segments_at_once(job, body))
@@ -540,7 +541,8 @@ static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uin
                add_body_segments(job, w, out, body);
     seen_walk walk = seen_walk_begin(&job->seen, body);
     while (walk.edge < walk.end)
-        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_body_segments(job, w, out, body))
+        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_body_segments(job, w, out, body) ||
+            (out->to && !chunk_give(out, out->to)))
             return false;
     return true;
 }
