@@ -637,13 +637,20 @@ static uint32_t face_of_front(const hide_fronts *fronts, const hide_front *front
     return low;
 }
 
-static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, look *l)
+static bool is_in(const hide_fronts *fronts, const hide_face *F, const look *l)
+{
+    return hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
+                              fronts->space.epsilon);
+}
+
+/* Looks at a face. held: the point is known to be in its picture. */
+static void look_at_face(const hide_fronts *fronts, const hide_front *front, const hide_face *F, double z1, bool held,
+                         look *l)
 {
     double behind = plane_at(F->F, (roberts_vec3){l->x, l->y, l->best}); /* that of the nearest depth, so far */
     if (l->touching ? !(fabs(behind) <= 2.0 * F->touch) : behind < -2.0 * F->touch)
         return;
-    if (!hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count, (roberts_vec2){l->x, l->y},
-                            fronts->space.epsilon))
+    if (!held && !is_in(fronts, F, l))
         return;
     if (!l->touching) {
         double z = lesser(z1, (F->F.a * l->x + F->F.b * l->y + F->F.d) / -F->F.c);
@@ -672,19 +679,19 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
     const hide_front *front = &fronts->front[index];
     uint32_t count;
     hide_single single = {.front = ROBERTS_NONE};
-    if (hide_is_face(front)) { /* its plane is computed only if the point is in it */
+    const bool held = hide_is_face(front); /* then its plane is computed only if the point is in it */
+    if (held) {
         const hide_face outline = hide_outline(fronts, index, single.turned);
-        if (!hide_polygon_holds(fronts, &fronts->face_runs, outline.corner, outline.count, (roberts_vec2){l->x, l->y},
-                                fronts->space.epsilon))
+        if (!is_in(fronts, &outline, l))
             return;
     }
     const hide_face *face = hide_faces(fronts, index, &count, &single);
     const bundle *b = hide_bundle(fronts, index);
     for (uint32_t i = 0; !b && i < count; i++)
-        look_at_face(fronts, front, &face[i], z1, l);
+        look_at_face(fronts, front, &face[i], z1, held, l);
     for (uint32_t i = 0, end; b && bundle_next(b, l->x, l->y, &i, &end);)
         for (; i < end; i++)
-            look_at_face(fronts, front, &face[b->order[i]], z1, l);
+            look_at_face(fronts, front, &face[b->order[i]], z1, held, l);
 }
 
 /* Examines the fronts of one cell whose boxes can hold the point, four at a time. */
