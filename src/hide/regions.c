@@ -50,7 +50,7 @@ typedef struct region_work {
     uint32_t *root;          /* [cells] joined cells, represented by one of them */
     region_ring *ring;       /* [ring_count] */
     uint32_t *side;          /* [side_count] half-edges of the rings */
-    size_t ring_count, ring_room, side_count, side_room;
+    size_t ring_count, ring_room, side_count;
 } region_work;
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
@@ -306,30 +306,43 @@ static bool join_cells(region_work *w)
     return true;
 }
 
+static void reverse(uint32_t *item, size_t count)
+{
+    for (size_t i = 0; 2 * i + 1 < count; i++) {
+        const uint32_t other = item[count - 1 - i];
+        item[count - 1 - i] = item[i];
+        item[i] = other;
+    }
+}
+
+/* Moves the first items behind the others. */
+static void rotate(uint32_t *item, size_t count, size_t first)
+{
+    reverse(item, first);
+    reverse(item + first, count - first);
+    reverse(item, count);
+}
+
 /* Adds the half-edges of the ring that begins with `half` to the sides, from its leftmost corner on, and marks them as
- * done. room: [*room_count] for the sides of a ring. False: no memory. */
-static bool add_ring(region_work *w, uint32_t half, uint8_t *done, uint32_t **room, size_t *room_count)
+ * done. There is room for them. False: no memory. */
+static bool add_ring(region_work *w, uint32_t half, uint8_t *done)
 {
     const uint32_t cell = map_cell_of(&w->cells, half);
+    uint32_t *side = w->side + w->side_count;
     size_t count = 0, least = 0;
     roberts_vec2 at = corner_of(w, half);
     for (uint32_t h = half; !done[h]; h = map_next(&w->cells, h, w->gone)) {
         const roberts_vec2 P = corner_of(w, h);
-        if (!array_reserve(room, room_count, count + 1, sizeof **room))
-            return false;
         done[h] = 1;
         if (vec2_compare(P, at) < 0) {
             at = P;
             least = count;
         }
-        (*room)[count++] = h;
+        side[count++] = h;
     }
-    if (!array_reserve(&w->side, &w->side_room, w->side_count + count, sizeof *w->side) ||
-        !array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring))
+    if (!array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring))
         return false;
-    uint32_t *side = w->side + w->side_count;
-    memcpy(side, *room + least, (count - least) * sizeof *side);
-    memcpy(side + count - least, *room, least * sizeof *side);
+    rotate(side, count, least);
     w->ring[w->ring_count++] = (region_ring){.first = w->side_count,
                                              .corners = count,
                                              .face = w->sight[cell].face,
@@ -339,16 +352,25 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done, uint32_t **ro
     return true;
 }
 
+static bool bounds_region(const region_work *w, uint32_t half)
+{
+    return !w->gone[half >> 1] && w->sight[map_cell_of(&w->cells, half)].face != ROBERTS_NONE;
+}
+
 static bool trace_rings(region_work *w)
 {
-    uint32_t halves = 2 * (uint32_t)w->map->line_count, *room = NULL;
-    size_t room_count = 0;
+    const uint32_t halves = 2 * (uint32_t)w->map->line_count;
+    uint32_t sides = 0;
+    for (uint32_t h = 0; h < halves; h++)
+        sides += bounds_region(w, h);
+    w->side = alloc_array(sides, sizeof *w->side);
     uint8_t *done = alloc_zeroed(halves, 1);
     uint32_t *outer = alloc_array(w->cells.cell_count, sizeof *outer); /* by root */
-    bool enough = done && outer;
+    bool enough = w->side && done && outer &&
+                  array_reserve(&w->ring, &w->ring_room, w->cells.cycle_count, sizeof *w->ring); /* mostly enough */
     for (uint32_t h = 0; enough && h < halves; h++)
-        if (!done[h] && !w->gone[h >> 1] && w->sight[map_cell_of(&w->cells, h)].face != ROBERTS_NONE)
-            enough = add_ring(w, h, done, &room, &room_count);
+        if (!done[h] && bounds_region(w, h))
+            enough = add_ring(w, h, done);
     for (size_t c = 0; enough && c < w->cells.cell_count; c++)
         outer[c] = ROBERTS_NONE;
     for (uint32_t r = 0; enough && r < w->ring_count; r++)
@@ -358,7 +380,6 @@ static bool trace_rings(region_work *w)
         uint32_t about = outer[w->ring[r].root];
         w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* NONE: the map is not planar */
     }
-    free(room);
     free(done);
     free(outer);
     return enough;
