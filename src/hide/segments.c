@@ -392,12 +392,30 @@ static bool has_segments(const hide_job *job, uint32_t body)
     return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
 }
 
-/* Does AB, a line of the body, lie completely behind covers or sheets? Neither is tested if hidden lines are wanted. */
-BITS_INLINE bool is_covered(const hide_job *job, uint32_t body, roberts_vec3 A, roberts_vec3 B)
+/* Covers that may hide lines of a body. */
+typedef struct line_covers {
+    const cover *set[3];
+    uint32_t count;
+} line_covers;
+
+/* Those of all bodies, the sheets, and the body's own. None is asked if hidden lines are wanted. */
+BITS_INLINE line_covers covers_of(const hide_job *job, uint32_t body)
 {
-    const cover *own = hide_own_cover(&job->fronts, body);
-    return !job->options->keep_hidden &&
-           (covers_hide_edge(&job->fronts.cover, &job->grid.sheet, A, B) || (own && cover_hides_edge(own, A, B)));
+    const cover *all[] = {&job->fronts.cover, &job->grid.sheet, hide_own_cover(&job->fronts, body)};
+    line_covers covers = {.count = 0};
+    for (int i = 0; i < 3 && !job->options->keep_hidden; i++)
+        if (all[i] && all[i]->depth)
+            covers.set[covers.count++] = all[i];
+    return covers;
+}
+
+/* Does AB lie completely behind one set of covers? */
+BITS_INLINE bool is_covered(const line_covers *covers, roberts_vec3 A, roberts_vec3 B)
+{
+    for (uint32_t i = 0; i < covers->count; i++)
+        if (cover_hides_edge(covers->set[i], A, B))
+            return true;
+    return false;
 }
 
 /* Takes the next lines of a walk, at most `most`. Lines behind covers are dropped at once; there are covers only if
@@ -405,7 +423,7 @@ BITS_INLINE bool is_covered(const hide_job *job, uint32_t body, roberts_vec3 A, 
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
 {
     const roberts_vec3 *P = job->fronts.P;
-    const bool covers = job->fronts.cover.depth || job->grid.sheet.depth || hide_own_cover(&job->fronts, walk->body);
+    const line_covers covers = covers_of(job, walk->body);
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
@@ -417,7 +435,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (covers && is_covered(job, walk->body, P[is->v[0]], P[is->v[1]])) {
+        if (covers.count > 0 && is_covered(&covers, P[is->v[0]], P[is->v[1]])) {
             w->sides.tally.covered++;
             continue;
         }
@@ -501,6 +519,7 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uint32_t *next)
 {
     const uint32_t end = job->seen.further.first[body + 1];
+    const line_covers covers = covers_of(job, body);
     hide_worker_begin(w, ROBERTS_NONE);
     if (!hide_worker_reserve(w, HIDE_GROUP))
         return false;
@@ -509,7 +528,7 @@ static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uin
         line->is = job->seen.further.line[*next];
         w->drawn++;
         hide_worker_add(w, line);
-        if (is_covered(job, body, line->e.A, line->e.B)) {
+        if (is_covered(&covers, line->e.A, line->e.B)) {
             w->sides.tally.covered++;
             w->line_count--;
         }
@@ -577,7 +596,8 @@ bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t
             if (!crossings_unite(c, &job->seen, k, &line->is))
                 continue;
             hide_worker_add(w, line);
-            if (is_covered(job, c->item[k].body[0], line->e.A, line->e.B)) {
+            const line_covers covers = covers_of(job, c->item[k].body[0]);
+            if (is_covered(&covers, line->e.A, line->e.B)) {
                 w->sides.tally.covered++;
                 w->line_count--;
             } else if (crossings_is_back(c, &job->seen, k) &&
