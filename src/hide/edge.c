@@ -150,11 +150,18 @@ BITS_INLINE bool is_beside_corner(const hide_fronts *fronts, const hide_edge *e,
     return two_at_most(two_all(fronts->space.plain), two_sub(two_mul(dx, y), two_mul(dy, x))) != 0;
 }
 
+/* Are all faces about a vertex one sheet in the picture? Then they lie beside its edges. */
+BITS_INLINE bool is_sheet_about(const objet *grid, uint32_t vertex)
+{
+    return grid->star && atomic_load_explicit(&grid->star[vertex], memory_order_relaxed) == STAR_ONCE;
+}
+
 /* Do line and face plainly lie beside one another in the picture? They do if both ends of the line lie outside one side
  * of the face, or all corners on one side of the line. They may share a corner: they touch only there. Most faces of a
  * surface that a line meets are of this kind, and their planes need not be computed. */
-BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32_t face)
+BITS_INLINE bool is_beside(const hide_worker *w, const hide_edge *e, uint32_t face)
 {
+    const hide_fronts *fronts = w->fronts;
     const roberts_scene *scene = fronts->scene;
     const roberts_vec3 *P = fronts->P;
     const uint32_t *corner = scene->corner + scene->face_start[face],
@@ -166,6 +173,8 @@ BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32
                 return false; /* the line joins two corners */
             shared = c;
         }
+    if (shared && is_sheet_about(w->grid, *shared))
+        return true;
     if (shared) {
         uint32_t before = shared > corner ? shared[-1] : end[-1], after = shared + 1 < end ? shared[1] : corner[0];
         return (*shared == e->a) == back ? is_beside_corner(fronts, e, before, after)
@@ -195,10 +204,10 @@ BITS_INLINE bool is_beside(const hide_fronts *fronts, const hide_edge *e, uint32
 }
 
 /* Does the line not meet a front because it lies in it, or plainly beside a face of a surface? */
-BITS_INLINE bool is_left_out(const hide_fronts *fronts, const hide_line *line, const hide_front *front)
+BITS_INLINE bool is_left_out(const hide_worker *w, const hide_line *line, const hide_front *front)
 {
-    return seen_owns(fronts->scene, &line->is.own, hide_key(fronts, front)) ||
-           (front->kind == HIDE_SURFACE_FACE && is_beside(fronts, &line->e, front->piece));
+    return seen_owns(w->fronts->scene, &line->is.own, hide_key(w->fronts, front)) ||
+           (front->kind == HIDE_SURFACE_FACE && is_beside(w, &line->e, front->piece));
 }
 
 /* Removes from `bits` the lines that are left out. Bit i stands for line first[i]. */
@@ -207,9 +216,9 @@ static BITS_PER_PROCESSOR BITS_RARE uint64_t not_left_out(const hide_worker *w, 
 {
     const hide_front *front = &w->fronts->front[index];
     if (bits == 1)
-        return !is_left_out(w->fronts, first, front);
+        return !is_left_out(w, first, front);
     for (uint64_t rest = bits; rest; rest &= rest - 1)
-        if (is_left_out(w->fronts, first + bits_trailing_zeros(rest), front))
+        if (is_left_out(w, first + bits_trailing_zeros(rest), front))
             bits &= ~(rest & -rest);
     return bits;
 }

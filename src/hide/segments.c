@@ -551,6 +551,10 @@ bool segments_at_once(const hide_job *job, uint32_t body)
     return scene_is_convex(job->seen.scene, body) || s[1].edge - s->edge <= HIDE_GROUP;
 }
 
+/* How many lines of a large surface are hidden together. Lines that follow one another are mostly neighbours: so few
+ * lie within a cell or two. */
+#define SURFACE_GROUP 8
+
 /* Writes the segments of a body's edges. Large bodies are handled a group of lines at a time. False: no memory, or the
  * receiver stops the work. */
 static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
@@ -560,7 +564,7 @@ static bool find_edges(const hide_job *job, hide_worker *w, hide_chunk *out, uin
                add_body_segments(job, w, out, body);
     seen_walk walk = seen_walk_begin(&job->seen, body);
     while (walk.edge < walk.end)
-        if (!take_lines(job, w, &walk, HIDE_GROUP) || !hide_lines(job, w) || !add_body_segments(job, w, out, body) ||
+        if (!take_lines(job, w, &walk, SURFACE_GROUP) || !hide_lines(job, w) || !add_body_segments(job, w, out, body) ||
             (out->to && !chunk_give(out, out->to)))
             return false;
     return true;
