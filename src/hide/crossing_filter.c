@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "base/search.h"
 #include "base/threads.h"
+#include "hide/star_bodies.h"
 
 /* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
 
@@ -273,10 +274,15 @@ static void mark_face(const crossing_filter *p, uint32_t face)
             mark(p, scene->corner[c], STAR_FOLD);
 }
 
-/* Of late faces, mark_late() marks all. */
+static bool is_simple(const crossing_filter *p, uint32_t body)
+{
+    return p->simple && p->simple[body];
+}
+
+/* Of late faces, mark_late() marks all. Of bodies that do not cross themselves, no star is needed. */
 static void mark_front(const crossing_filter *p, const hide_front *front)
 {
-    if (front->kind == HIDE_SURFACE_FACE &&
+    if (front->kind == HIDE_SURFACE_FACE && !is_simple(p, front->solid) &&
         p->fronts->seen->facing[front->piece] != hide_late_facing(p->fronts, front->solid))
         mark_face(p, front->piece);
 }
@@ -285,7 +291,7 @@ static void mark_front(const crossing_filter *p, const hide_front *front)
 static void mark_late(const crossing_filter *p, uint32_t body)
 {
     const scene_solid *own = &p->fronts->scene->solid[body];
-    const unsigned char late = hide_late_facing(p->fronts, body);
+    const unsigned char late = is_simple(p, body) ? VIEW_UNKNOWN : hide_late_facing(p->fronts, body);
     for (uint32_t face = own->face; late != VIEW_UNKNOWN && face < own[1].face; face++)
         if (p->fronts->seen->facing[face] == late)
             mark_face(p, face);
@@ -333,6 +339,17 @@ static bool box_bodies(void *context, size_t first, size_t end)
     return true;
 }
 
+/* Faces wait only if their body is closed and they are wound alike. */
+static bool find_simple(void *context, size_t first, size_t end)
+{
+    const crossing_filter *p = context;
+    const hide_fronts *fronts = p->fronts;
+    for (size_t body = first; body < end; body++)
+        p->simple[body] = hide_late_facing(fronts, (uint32_t)body) != VIEW_UNKNOWN &&
+                          star_body_is_simple(fronts->scene, (uint32_t)body, &p->body[body], p->touching);
+    return true;
+}
+
 /* Those of single faces: they follow the whole ones. */
 static bool mark_fronts(void *context, size_t first, size_t end)
 {
@@ -363,7 +380,8 @@ static double touching_distance(const hide_fronts *fronts)
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     const uint32_t bodies = fronts->scene->solid_count;
-    const bool singles = fronts->front_count > fronts->whole_count, boxed = singles && bodies > 1;
+    const bool singles = fronts->front_count > fronts->whole_count,
+               simple = singles && fronts->late && !fronts->scene->low, boxed = simple || (singles && bodies > 1);
     *p = (crossing_filter){.fronts = fronts,
                            .star = grid->star,
                            .alone = threads == 1,
@@ -371,11 +389,14 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     p->touching = p->whole > 0 || singles ? touching_distance(fronts) : 0.0;
     p->model = alloc_array(p->whole, sizeof *p->model);
     p->body = boxed ? alloc_array(bodies, sizeof *p->body) : NULL;
-    if (!p->model || (boxed && !p->body))
+    p->simple = simple ? alloc_array(bodies, sizeof *p->simple) : NULL;
+    if (!p->model || (boxed && !p->body) || (simple && !p->simple))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
     if (boxed)
         threads_each(threads, bodies, 0, box_bodies, p);
+    if (simple)
+        threads_each(threads, bodies, 0, find_simple, p);
     if (!p->star)
         return true;
     threads_each(threads, fronts->front_count - fronts->whole_count, 0, mark_fronts, p);
@@ -387,7 +408,31 @@ void filter_end(crossing_filter *p)
 {
     free(p->model);
     free(p->body);
+    free(p->simple);
     *p = (crossing_filter){0};
+}
+
+/* A cell with fronts of more bodies is searched. */
+#define FEW_BODIES 8
+
+bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count)
+{
+    uint32_t found[FEW_BODIES], bodies = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t body = p->fronts->front[list[k].front].solid;
+        uint32_t i = bodies;
+        while (i > 0 && found[i - 1] != body)
+            i--;
+        if (i > 0)
+            continue;
+        if (bodies == FEW_BODIES || !p->simple[body])
+            return false;
+        for (i = 0; i < bodies; i++)
+            if (!(filter_gap(&p->body[found[i]], &p->body[body]) > p->touching))
+                return false;
+        found[bodies++] = body;
+    }
+    return true;
 }
 
 static hide_bounds box_of_piece(const roberts_scene *scene, uint32_t piece)

@@ -3,7 +3,8 @@
  * If only visible crossings are sought, crossings.c finds pairs of fronts by the cells of the picture. Nearly all of
  * them are neighbours on one surface, or solids side by side. A crossing_filter decides quickly that two fronts do not
  * cross: their boxes along the axes of the model are apart, or they share a vertex about which all faces are one sheet
- * in the picture, or a side or the plane of one of them separates them.
+ * in the picture, or a side or the plane of one of them separates them, or both belong to a body that does not cross
+ * itself.
  *
  * If hidden lines are kept, most faces are no fronts. Then face_pairs_find() finds pairs in space, whichever way the
  * faces look, through a tree of boxes (base/search.h). Faces that are edge-on are left out. A convex solid is first
@@ -92,6 +93,7 @@ typedef struct crossing_filter {
     const hide_fronts *fronts;
     model_box *model;   /* [whole] */
     hide_bounds *body;  /* [solid_count] boxes of bodies along the axes of the model; NULL: not known */
+    uint8_t *simple;    /* [solid_count] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
     uint32_t whole;     /* number of whole solids, which come before single faces */
     double touching;    /* model units; bodies farther apart do not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
@@ -104,6 +106,10 @@ void filter_end(crossing_filter *p);
 
 /* Finds model[front].flat. */
 bool filter_find_flat(const crossing_filter *p, uint32_t front);
+
+/* Is it certain that no two fronts of a cell's list cross? Then they belong to few bodies, which do not cross
+ * themselves, and whose boxes in the model are apart. */
+bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);
 
 /* Are two faces plainly apart, in the picture or in space? */
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);

@@ -260,7 +260,8 @@ static void pack_entry(const finder *t, const hide_box *cell, uint32_t front, ui
     to->y1[lane] = box->y1 < cell->y1 ? box->y1 : cell->y1;
     to->z0[lane] = box->z0;
     to->z1[lane] = box->z1;
-    to->kin[lane] = f->kind == HIDE_SURFACE_FACE ? k : seen_body_key(f->solid);
+    const bool apart = f->kind == HIDE_SURFACE_FACE && !(t->filter->simple && t->filter->simple[f->solid]);
+    to->kin[lane] = apart ? k : seen_body_key(f->solid);
     const uint32_t *start = fronts->scene->face_start + f->piece, *corner = fronts->scene->corner;
     atomic_uchar *star = t->filter->star;
     const bool triangle = f->kind == HIDE_SURFACE_FACE && start[1] - start[0] == 3;
@@ -445,6 +446,8 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     if (t->nearest)
         c.count = count_seen(t, c.list, c.count, t->nearest[cell]);
     const bool solids = t->fronts->front_count == t->fronts->whole_count;
+    if (t->filter->simple && filter_cell(t->filter, c.list, c.count))
+        return true;
     if (!solids) {
         memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
         if (!pack_cell(t, &c))
