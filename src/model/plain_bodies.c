@@ -360,6 +360,8 @@ typedef struct plain_work {
     /* meshes only: */
     uint8_t *bend;      /* see scene_surface.bend */
     bend_count *smooth; /* [solids] */
+    plane *plane;       /* [plane_room] of the faces of one body */
+    size_t plane_room;
 } plain_work;
 
 /* Stores the plane of a face as bodies.c does: its normal points to the side from which the corners run clockwise. */
@@ -707,32 +709,43 @@ static uint32_t edges_of(const plain_work *w, uint32_t s)
     return w->count[s] > 0 ? w->count[s] : scene_corners(w->scene, s) / 2;
 }
 
-/* Finds the bends at the edges of solid s, which begin at bend[0]. False: a face is too narrow. */
-static BITS_PER_PROCESSOR bool take_bends(plain_work *w, uint32_t s, uint8_t *bend)
+/* Finds the planes of the faces of solid s. PLAIN_NO: one is too narrow. */
+static BITS_PER_PROCESSOR plain_answer take_planes(plain_work *w, uint32_t s)
+{
+    const roberts_scene *scene = w->scene;
+    const uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
+    if (!array_reserve(&w->plane, &w->plane_room, count, sizeof *w->plane))
+        return PLAIN_NO_MEMORY;
+    for (uint32_t f = 0; f < count; f += 2) {
+        const uint32_t g = f + 1 < count ? f + 1 : f;
+        two_shapes found;
+        if (!measure_triangles(scene, first + f, first + g, w->rules.touching, &found))
+            return PLAIN_NO;
+        w->plane[f] = found.F;
+        w->plane[g] = found.G;
+    }
+    return PLAIN_YES;
+}
+
+/* Finds the bends at the edges of solid s, which begin at bend[0]. PLAIN_NO: a face is too narrow. */
+static BITS_PER_PROCESSOR plain_answer take_bends(plain_work *w, uint32_t s, uint8_t *bend)
 {
     const roberts_scene *scene = w->scene;
     bool own = w->count[s] > 0;
     const scene_edge *edge = own ? w->edges.edge + w->first[s] : scene->edge + scene->solid[s].stored;
-    uint32_t first = scene->solid[s].face;
+    plain_answer answer = take_planes(w, s);
+    if (answer != PLAIN_YES)
+        return answer;
     for (uint32_t e = 0, count = edges_of(w, s); e < count; e++) {
-        bool paired = edge[e].f[1] != ROBERTS_NONE;
         uint8_t is = own ? w->edges.is[w->first[s] + e] : EDGE_TURNED_1;
-        two_shapes found;
-        if (!measure_triangles(scene, first + edge[e].f[0], first + edge[e].f[paired], w->rules.touching, &found))
-            return false;
         bend[e] = 0;
-        if (!paired || is & EDGE_MANY)
+        if (edge[e].f[1] == ROBERTS_NONE || is & EDGE_MANY)
             continue;
-        double own_bend = scene_bend(found.F, found.G, is);
+        double own_bend = scene_bend(w->plane[edge[e].f[0]], w->plane[edge[e].f[1]], is);
         bend[e] = scene_bend_code(own_bend);
         body_count_bend(&w->smooth[s], own_bend);
     }
-    for (uint32_t f = first; w->edges.many_count > 0 && f < scene->solid[s + 1].face; f++) {
-        two_shapes found;
-        if (!measure_triangles(scene, f, f, w->rules.touching, &found))
-            return false;
-    }
-    return true;
+    return PLAIN_YES;
 }
 
 /* Finds the bends at all edges, in place of the planes. */
@@ -747,9 +760,11 @@ static plain_answer take_mesh(plain_work *w)
         return PLAIN_NO_MEMORY;
     drop_planes(w->scene);
     count = 0;
-    for (uint32_t s = 0; s < w->scene->solid_count; count += edges_of(w, s++))
-        if (!take_bends(w, s, w->bend + count))
-            return PLAIN_NO;
+    for (uint32_t s = 0; s < w->scene->solid_count; count += edges_of(w, s++)) {
+        plain_answer answer = take_bends(w, s, w->bend + count);
+        if (answer != PLAIN_YES)
+            return answer;
+    }
     return PLAIN_YES;
 }
 
@@ -826,5 +841,6 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
     free(w.open);
     free(w.bend);
     free(w.smooth);
+    free(w.plane);
     return answer;
 }
