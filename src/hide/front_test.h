@@ -22,7 +22,7 @@
 /* How edges are tested against a front. */
 typedef enum hide_approach {
     HIDE_FACE_BY_FACE, /* a single face, or the faces that a bundle's tree leaves */
-    HIDE_WITHIN_REACH, /* all faces at once: the edges are within reach of all planes */
+    HIDE_WITHIN_REACH, /* all faces at once: the edges are within reach of all planes, or planes are not asked */
     HIDE_ASK_REACH,    /* all faces at once if the edge turns out to be within reach, otherwise face by face */
 } hide_approach;
 
@@ -41,8 +41,42 @@ typedef struct hide_meeting {
     uint32_t face_count;
     hide_polygon outline;
     hide_approach approach;
-    double depth; /* copied from the front */
+    double depth; /* what is deeper is behind all planes: that of the front, or INFINITY */
 } hide_meeting;
+
+/* Are all edges in a box so much deeper than the farthest corner of a triangle that they lie behind its plane wherever
+ * they touch its picture? Then the plane need not be computed. Asked in scenes that store no planes: the triangles are
+ * as exact as their corners. own: the triangle's box. Its normal is no longer than the square of the size. */
+BITS_INLINE bool hide_are_deep(const hide_fronts *fronts, const uint32_t corner[3], const hide_box *own,
+                               const hide_box *edges)
+{
+    const hide_space *space = &fronts->space;
+    if (!((double)edges->z1 < (double)own->z0 - SHEET_SLACK * space->epsilon) || space->view->perspective)
+        return false;
+    const roberts_vec3 A = space->P[corner[0]], B = space->P[corner[1]], C = space->P[corner[2]];
+    const double area = (B.x - A.x) * (C.y - A.y) - (B.y - A.y) * (C.x - A.x);
+    const double size = (double)((own->x1 - own->x0) + (own->y1 - own->y0) + (own->z1 - own->z0));
+    return area > size * (NORMAL_DEPTH * size + 8.0 * space->rounding);
+}
+
+/* The same for a front. If so, its outline is set in place of its plane. */
+BITS_INLINE bool hide_meet_deep(const hide_fronts *fronts, uint32_t front, const hide_box *edges, hide_single *single,
+                                hide_meeting *m)
+{
+    const hide_box *own = &fronts->front_box[front];
+    if (fronts->scene->face_plane || !(edges->z1 < own->z0))
+        return false;
+    const hide_face face = hide_outline(fronts, front, single->turned);
+    if (face.corner == single->turned)
+        single->front = ROBERTS_NONE;
+    if (!hide_are_deep(fronts, face.corner, own, edges))
+        return false;
+    m->outline.corner = face.corner;
+    m->outline.count = face.count;
+    m->approach = HIDE_WITHIN_REACH;
+    m->depth = INFINITY;
+    return true;
+}
 
 /* Prepares the tests of the edges in a box against a front. The boxes are rounded outward. The factor 1.001 far exceeds
  * the rounding of their common size to float. single: room for the face if the front is a single face. */
@@ -54,8 +88,11 @@ BITS_INLINE hide_meeting hide_meet(const hide_fronts *fronts, uint32_t front, co
     float y = (own->y1 > edges->y1 ? own->y1 : edges->y1) - (own->y0 < edges->y0 ? own->y0 : edges->y0);
     float z = (own->z1 > edges->z1 ? own->z1 : edges->z1) - (own->z0 < edges->z0 ? own->z0 : edges->z0);
     hide_meeting m = {.outline.span = 1.001 * (double)(x + y), .approach = HIDE_FACE_BY_FACE};
+    const bool is_face = hide_is_face(&fronts->front[front]);
+    if (is_face && hide_meet_deep(fronts, front, edges, single, &m))
+        return m;
     m.face = hide_faces(fronts, front, &m.face_count, single);
-    if (hide_is_face(&fronts->front[front]))
+    if (is_face)
         return m;
     m.whole = &fronts->whole[front];
     m.tree = bundle_of(&fronts->bundles, m.whole->face, m.face_count);

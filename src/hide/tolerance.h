@@ -103,6 +103,10 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
  * faces whose normal has a depth of more than 2^-20; steeper faces are nearly edge-on. */
 #define SHEET_SLACK 0x1p20
 
+/* No unit: what is deeper than a triangle by SHEET_SLACK is known to be behind its plane if the triangle's unit normal
+ * has at least this depth: then it is 64 epsilons behind. */
+#define NORMAL_DEPTH 0x1p-14
+
 /* Roundings of a view coordinate: the error of F(M) and of the terms added to it for a point of the scene. It comes
  * from three products of coordinates, none larger than the extent, and from four sums. */
 #define BUNDLE_ROUNDINGS 16.0

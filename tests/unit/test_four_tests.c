@@ -3,6 +3,8 @@
 #include <stdlib.h>
 
 #include "bare_points.h"
+#include "base/box.h"
+#include "hide/front_test.h"
 #include "testing.h"
 
 #define EPSILON 1e-9
@@ -261,12 +263,48 @@ static void all_by_table(void **state)
     }
 }
 
+/* Edges so far behind a triangle that its plane is not asked. */
+static void deep_by_table(void **state)
+{
+    static const double slack = SHEET_SLACK * EPSILON;
+    static const struct {
+        const char *name;
+        roberts_vec3 corner[3];
+        double z; /* of the edges' nearest point */
+        bool perspective, deep;
+    } cases[] = {
+        {"level, far behind", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, -1, false, true},
+        {"in front", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, 1, false, false},
+        {"a little behind", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, -0.9 * slack, false, false},
+        {"behind by more than the slack", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, -1.1 * slack, false, true},
+        {"behind the nearest corner only", {{0, 0, 0}, {1, 0, 0}, {0, 1, -2}}, -1, false, false},
+        {"steep", {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 1}}, -1, false, true},
+        {"nearly edge-on", {{0, 0, 0}, {1, 0, 0}, {0, 1e-5, 1}}, -1, false, false},
+        {"edge-on", {{0, 0, 0}, {1, 0, 0}, {0.5, 0, 1}}, -1, false, false},
+        {"as small as rounding", {{0, 0, 0}, {1e-15, 0, 0}, {0, 1e-15, 0}}, -1, false, false},
+        {"seen from an eye", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, -1, true, false},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const view seen_by = {.perspective = cases[i].perspective};
+        hide_fronts fronts = {.space = bare_space(cases[i].corner, EPSILON, 1e-15, 10.0)};
+        hide_bounds own = hide_no_bounds, edges = {{-1, -1, -3}, {1, 1, cases[i].z}};
+        fronts.space.view = &seen_by;
+        for (int k = 0; k < 3; k++)
+            box_add(&own.low, &own.high, cases[i].corner[k]);
+        const hide_box face = hide_box_around(&own), box = hide_box_around(&edges);
+        if (hide_are_deep(&fronts, (uint32_t[]){0, 1, 2}, &face, &box) != cases[i].deep)
+            fail_msg("%s", cases[i].name);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test1_by_table), cmocka_unit_test(test1_of_an_uncertain_plane),
         cmocka_unit_test(test2_by_table), cmocka_unit_test(test3_by_table),
         cmocka_unit_test(test4_by_table), cmocka_unit_test(all_by_table),
+        cmocka_unit_test(deep_by_table),
     };
     return cmocka_run_group_tests_name("four tests", tests, NULL, NULL);
 }
