@@ -18,7 +18,7 @@
 /* Where o is in the body's box. From there, regular bodies have no edge in the direction +x. */
 static const roberts_vec3 star_centre = {0.4771, 0.5137, 0.4936};
 
-/* A wall that is steeper, seen from o, leaves it open whether the body crosses itself. */
+/* If the plane of a face is nearer to o than the body's size divided by this, nothing is certain. */
 #define FLATTEST 64.0
 /* Touching distances: faces without a common corner are farther apart than half of this. */
 #define STAR_APART 16.0
