@@ -27,10 +27,9 @@ enum { CELLS_PER_THREAD = 2000 };
 
 /* A ring in the making. */
 typedef struct region_ring {
-    size_t first, corners; /* its half-edges: side[first] .. side[first + corners - 1], the leftmost corner first */
-    uint32_t face;         /* of the scene */
-    uint32_t outer;        /* the ring round the whole piece: itself, unless it bounds a hole */
-    uint32_t root;         /* of its cells */
+    uint32_t first, corners; /* its half-edges: side[first] .. side[first + corners - 1], the leftmost corner first */
+    uint32_t face;           /* of the scene */
+    uint32_t outer;          /* the ring round the whole piece: itself, unless it bounds a hole */
     double area;
 } region_ring;
 
@@ -50,7 +49,8 @@ typedef struct region_work {
     uint32_t *root;          /* [cells] joined cells, represented by one of them */
     region_ring *ring;       /* [ring_count] */
     uint32_t *side;          /* [side_count] half-edges of the rings */
-    size_t ring_count, ring_room, side_count;
+    size_t ring_count, ring_room;
+    uint32_t side_count; /* fewer than half-edges, whose numbers have 32 bits */
 } region_work;
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
@@ -329,7 +329,7 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done)
 {
     const uint32_t cell = map_cell_of(&w->cells, half);
     uint32_t *side = w->side + w->side_count;
-    size_t count = 0, least = 0;
+    uint32_t count = 0, least = 0;
     roberts_vec2 at = corner_of(w, half);
     for (uint32_t h = half; !done[h]; h = map_next(&w->cells, h, w->gone)) {
         const roberts_vec2 P = corner_of(w, h);
@@ -343,11 +343,8 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done)
     if (!array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring))
         return false;
     rotate(side, count, least);
-    w->ring[w->ring_count++] = (region_ring){.first = w->side_count,
-                                             .corners = count,
-                                             .face = w->sight[cell].face,
-                                             .root = sets_root(w->root, cell),
-                                             .area = map_area(w->map, side, count)};
+    w->ring[w->ring_count++] = (region_ring){
+        .first = w->side_count, .corners = count, .face = w->sight[cell].face, .area = map_area(w->map, side, count)};
     w->side_count += count;
     return true;
 }
@@ -355,6 +352,12 @@ static bool add_ring(region_work *w, uint32_t half, uint8_t *done)
 static bool bounds_region(const region_work *w, uint32_t half)
 {
     return !w->gone[half >> 1] && w->sight[map_cell_of(&w->cells, half)].face != ROBERTS_NONE;
+}
+
+/* The cell that stands for those on the inner side of a ring. */
+static uint32_t root_of(const region_work *w, const region_ring *ring)
+{
+    return sets_root(w->root, map_cell_of(&w->cells, w->side[ring->first]));
 }
 
 static bool trace_rings(region_work *w)
@@ -375,9 +378,9 @@ static bool trace_rings(region_work *w)
         outer[c] = ROBERTS_NONE;
     for (uint32_t r = 0; enough && r < w->ring_count; r++)
         if (w->ring[r].area > 0.0)
-            outer[w->ring[r].root] = r;
+            outer[root_of(w, &w->ring[r])] = r;
     for (uint32_t r = 0; enough && r < w->ring_count; r++) {
-        uint32_t about = outer[w->ring[r].root];
+        uint32_t about = outer[root_of(w, &w->ring[r])];
         w->ring[r].outer = about != ROBERTS_NONE ? about : r; /* NONE: the map is not planar */
     }
     free(done);
