@@ -473,6 +473,7 @@ typedef struct roberts_hide_options {
     bool unite;
     bool merge_regions; /**< for roberts_regions(): coplanar neighbours of one colour become one region, with the number
                              of the first face; those of different bodies only with `unite` */
+    bool slopes;        /**< for roberts_regions(): fill in `slope`. roberts_hide_options_default() sets it */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, 2 float ulp of the largest one that came as a 32-bit float, and 2
                            units of the last digit with roberts_scene_options.rounded */
@@ -544,14 +545,18 @@ typedef struct roberts_region {
     double z_min, z_max; /**< how near the viewer its farthest and its nearest point are, as z0 in roberts_segment */
     roberts_vec3 normal; /**< unit normal of the face, on the side that is seen, in the viewer's axes: x to the right, y
                               upward, z toward the viewer */
+    roberts_color color; /**< the face's colour in the input; if it has none, the mean of its corners' colours */
+} roberts_region;
+
+/** Directions in the plane of a face, for hatching that follows the faces. Faces in one plane have the same values. */
+typedef struct roberts_slope {
     /** How a point's picture moves when the point moves by one unit in the face's plane: up along the steepest line, or
      * to the right along a level line (as seen from the side that is shown). Up is +z, or the axis along which the
      * camera's `up` lies, unless the camera looks along z. On a level face the two are +y and +x. In perspective they
-     * hold at the foot. Faces in one plane have the same values. */
+     * hold at the foot. */
     roberts_vec2 steep, level;
-    roberts_vec2 foot;   /**< picture of that point of the face's plane which is nearest to the middle of the scene */
-    roberts_color color; /**< the face's colour in the input; if it has none, the mean of its corners' colours */
-} roberts_region;
+    roberts_vec2 foot; /**< picture of that point of the face's plane which is nearest to the middle of the scene */
+} roberts_slope;
 
 /** The visible regions of all faces: they tile the picture's shadow, without gaps and without overlaps. */
 typedef struct roberts_region_list {
@@ -559,12 +564,13 @@ typedef struct roberts_region_list {
     roberts_region *region; /**< [count] by solid, then by face */
     size_t *ring_start;     /**< [ring_count + 1] ring r has corners corner[ring_start[r]] .. [ring_start[r + 1] - 1] */
     roberts_vec2 *corner;   /**< [corner_count] of the picture, model units */
+    roberts_slope *slope;   /**< [count] with roberts_hide_options.slopes; otherwise NULL */
 } roberts_region_list;
 
 /**
  * Finds what is seen of each face of `scene`. A point of the picture belongs to the face that the viewer sees there. If
  * several touch there, the smallest solid wins, and then the smallest face.
- * options  NULL for the defaults; only epsilon, grid, threads, merge_regions and unite are used
+ * options  NULL for the defaults; only epsilon, grid, threads, merge_regions, slopes and unite are used
  * out      owned by the caller, released by roberts_regions_free(); empty on failure
  * Corners are the points at which visible lines end or meet, including lines that the crease angle leaves out.
  * Neighbouring regions have exactly the same corners along their common border. A ring may touch itself in a corner,
@@ -839,7 +845,8 @@ typedef enum roberts_hatch_along {
 
 /** Strokes on faces, closer together where less light falls (`light`). A face that the light meets at a right angle has
  * none. On a face without light they are `spacing_mm` apart. In between, their length per area follows the cosine of
- * the light's angle (Lambert). Strokes continue across coplanar faces. It needs `regions` in each drawing. */
+ * the light's angle (Lambert). Strokes continue across coplanar faces. It needs `regions` in each drawing, with their
+ * slopes if the strokes follow the faces. */
 typedef struct roberts_hatching {
     bool on;                   /**< default: false */
     double spacing_mm;         /**< from stroke to stroke on paper, where no light falls: 0.01 to 1000; default: 0.8 */

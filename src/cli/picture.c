@@ -312,6 +312,7 @@ static roberts_status hide_and_count(const cli_options *options, const roberts_s
     roberts_hide_options hide = options->hide;
     roberts_status status;
     hide.nameless = !names_hiders(options);
+    hide.slopes = values_hatches(&options->draw) && options->draw.hatching.along != ROBERTS_HATCH_PICTURE;
     if (is_counted_only(options) && !wanted)
         return roberts_hide_each(scene, &options->camera, &hide, &counter, drawing, error);
     if (wanted) {

@@ -45,7 +45,7 @@ typedef struct hatch_work {
     size_t crossing_count, crossing_room;
     const page_view *view; /* of the region before */
     uint32_t number;       /* of the region */
-    bool too_many;
+    bool too_many, no_slopes;
 } hatch_work;
 
 /* ---- tone ---- */
@@ -61,16 +61,16 @@ double hatch_darkness(const roberts_draw_options *options, const roberts_region 
 /* ---- directions ---- */
 
 /* The direction of strokes on paper, turned by `degrees` more than the options say; of any length. */
-static roberts_vec2 direction(const roberts_hatching *h, const roberts_region *region, double degrees)
+static roberts_vec2 direction(const roberts_hatching *h, const roberts_slope *slope, double degrees)
 {
     const roberts_vec2 turn = angle_unit(h->degrees + degrees);
     roberts_vec2 right = {1.0, 0.0}, up = {0.0, 1.0};
     if (h->along == ROBERTS_HATCH_ACROSS) {
-        right = region->level;
-        up = region->steep;
+        right = slope->level;
+        up = slope->steep;
     } else if (h->along == ROBERTS_HATCH_STEEP) {
-        right = region->steep;
-        up = (roberts_vec2){-region->level.x, -region->level.y};
+        right = slope->steep;
+        up = (roberts_vec2){-slope->level.x, -slope->level.y};
     }
     return (roberts_vec2){turn.x * right.x + turn.y * up.x, -(turn.x * right.y + turn.y * up.y)}; /* y down */
 }
@@ -79,7 +79,7 @@ static roberts_vec2 direction(const roberts_hatching *h, const roberts_region *r
 static hatch_lines lines_for(const strokes *s, const page_region *on, double degrees, double tone)
 {
     const roberts_hatching *h = &s->options->hatching;
-    const roberts_vec2 d = direction(h, on->region, degrees);
+    const roberts_vec2 d = direction(h, on->slope, degrees);
     const double length = hypot(d.x, d.y);
     const double step = h->spacing_mm * s->units_per_mm;
     hatch_lines lines = {.along = {1.0, 0.0}, .step = h->nested ? step : step / tone, .part = h->nested ? tone : 1.0};
@@ -87,7 +87,7 @@ static hatch_lines lines_for(const strokes *s, const page_region *on, double deg
         lines.along = (roberts_vec2){d.x / length, d.y / length};
     lines.across = (roberts_vec2){-lines.along.y, lines.along.x};
     if (h->along != ROBERTS_HATCH_PICTURE) {
-        const roberts_vec2 mm = page_place(&on->view->map, on->region->foot);
+        const roberts_vec2 mm = page_place(&on->view->map, on->slope->foot);
         if (fabs(mm.x) < farthest_foot && fabs(mm.y) < farthest_foot)
             lines.origin = (roberts_vec2){mm.x * s->units_per_mm, mm.y * s->units_per_mm};
     }
@@ -203,7 +203,8 @@ static bool hatch_region(void *context, const page_region *on)
     hatch_work *w = context;
     const roberts_hatching *h = &w->s->options->hatching;
     const double dark = hatch_darkness(w->s->options, on->region), plain = fmin(dark, h->cross);
-    bool done = true;
+    w->no_slopes = h->along != ROBERTS_HATCH_PICTURE && !on->slope;
+    bool done = !w->no_slopes;
     w->number = on->view == w->view ? w->number + 1 : on->view->first_region;
     w->view = on->view;
     for (int k = 0; k < 2 && done; k++) {
@@ -224,6 +225,8 @@ roberts_status hatch_add(const strokes *s, pieces *p, size_t *room, roberts_erro
     if (w.too_many)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "the drawing takes more than %d strokes of hatching; make their spacing wider", HATCH_MOST);
+    if (w.no_slopes)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "hatching that follows the faces needs the regions' slopes");
     return done ? ROBERTS_OK : error_no_memory(error);
 }
 

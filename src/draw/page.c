@@ -277,7 +277,8 @@ static bool walk_view(region_walk *w, page_region_fn *each, void *context)
         w->point.count = 0;
         for (size_t r = region->first_ring; enough && r < region->first_ring + region->ring_count; r++)
             enough = take_ring(w, list, r) && place_ring(w, &rings);
-        enough = enough && each(context, &(page_region){region, w->view, rings, w->start, w->point.item});
+        const roberts_slope *slope = list->slope ? &list->slope[i] : NULL;
+        enough = enough && each(context, &(page_region){region, slope, w->view, rings, w->start, w->point.item});
     }
     return enough;
 }

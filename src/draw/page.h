@@ -70,6 +70,7 @@ static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)
  * that run along the frame and back. */
 typedef struct page_region {
     const roberts_region *region;
+    const roberts_slope *slope; /* NULL: not known */
     const struct page_view *view;
     size_t ring_count;         /* 0: nothing of it is within the frame */
     const size_t *ring_start;  /* [ring_count + 1] */

@@ -30,7 +30,7 @@
 
 roberts_hide_options roberts_hide_options_default(void)
 {
-    return (roberts_hide_options){.crease_degrees = 0.1, .crease_auto = true};
+    return (roberts_hide_options){.crease_degrees = 0.1, .crease_auto = true, .slopes = true};
 }
 
 /* ---- time ---- */

@@ -172,24 +172,33 @@ roberts_vec3 slope_upright(const roberts_camera *camera)
     return along_axis && !from_above ? up : (roberts_vec3){0, 0, 1};
 }
 
-void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region)
+/* The unit normal of a face on the side that is seen, in the model. */
+static roberts_vec3 seen_normal(const seen *s, uint32_t face, plane F)
+{
+    const roberts_vec3 inward = {F.a, F.b, F.c};
+    return vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / vec3_length(inward), inward);
+}
+
+roberts_vec3 region_normal(const seen *s, uint32_t face)
+{
+    return to_viewer(&s->view, seen_normal(s, face, scene_whole_plane(s->scene, face)));
+}
+
+roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright)
 {
     const view *v = &s->view;
     const plane F = scene_whole_plane(s->scene, face);
-    const roberts_vec3 inward = {F.a, F.b, F.c};
-    const double length = vec3_length(inward);
-    const roberts_vec3 n = vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / length, inward);
-    roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / (length * length), inward));
+    const roberts_vec3 inward = {F.a, F.b, F.c}, n = seen_normal(s, face, F);
+    roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / vec3_dot(inward, inward), inward));
     double w = weight(v, foot);
     if (w < nearest_foot) {
         foot = s->scene->point[s->scene->corner[s->scene->face_start[face]]];
         w = weight(v, foot);
     }
     const roberts_vec3 steep = steepest(n, upright), p = view_point(v, foot);
-    region->normal = to_viewer(v, n);
-    region->steep = moves(v, p, w, steep);
-    region->level = moves(v, p, w, vec3_cross(steep, n));
-    region->foot = (roberts_vec2){p.x * v->unit, p.y * v->unit};
+    return (roberts_slope){.steep = moves(v, p, w, steep),
+                           .level = moves(v, p, w, vec3_cross(steep, n)),
+                           .foot = {p.x * v->unit, p.y * v->unit}};
 }
 
 /* ---- where the near plane cuts ----------------------------------------------------------------------------------- */

@@ -24,9 +24,12 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
  * such `up`, so there it is +z. */
 roberts_vec3 slope_upright(const roberts_camera *camera);
 
-/* Fills the normal, steep, level and foot of a region of scene face `face`. upright: a unit vector. Faces in one plane
- * that are seen from the same side get the same values, except for rounding. */
-void slope_find(const seen *s, uint32_t face, roberts_vec3 upright, roberts_region *region);
+/* The unit normal of scene face `face`, as in roberts_region. */
+roberts_vec3 region_normal(const seen *s, uint32_t face);
+
+/* Finds directions in the plane of scene face `face`. upright: a unit vector. Faces in one plane that are seen from the
+ * same side get the same values, except for rounding. */
+roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright);
 
 /* ---- where the near plane cuts ---- */
 

@@ -485,7 +485,9 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
     out->region = alloc_array(faces, sizeof *out->region);
     out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
     out->corner = alloc_array(w->side_count, sizeof *out->corner);
-    bool enough = order && number && out->region && out->ring_start && out->corner;
+    out->slope = w->job->options->slopes ? alloc_array(faces, sizeof *out->slope) : NULL;
+    bool enough =
+        order && number && out->region && out->ring_start && out->corner && (out->slope || !w->job->options->slopes);
     for (uint32_t f = 0; enough && f < scene->face_count; f++)
         number[f] = ROBERTS_NONE;
     for (size_t k = 0; enough && k < w->ring_count; k++) {
@@ -499,8 +501,10 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .first_ring = k,
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
+                                                         .normal = region_normal(&w->job->seen, ring->face),
                                                          .color = region_color(w->job, ring->face)};
-            slope_find(&w->job->seen, ring->face, w->job->upright, &out->region[out->count - 1]);
+            if (out->slope)
+                out->slope[out->count - 1] = slope_find(&w->job->seen, ring->face, w->job->upright);
         }
         out->region[out->count - 1].ring_count++;
         out->region[out->count - 1].area += ring->area * unit * unit;
@@ -597,5 +601,6 @@ void roberts_regions_free(roberts_region_list *regions)
     free(regions->region);
     free(regions->ring_start);
     free(regions->corner);
+    free(regions->slope);
     *regions = (roberts_region_list){0};
 }

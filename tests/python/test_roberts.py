@@ -50,7 +50,8 @@ class Layout(unittest.TestCase):
 
     def test_array_types_are_the_structs(self):
         for dtype, struct in ((roberts._SEGMENT, _library.segment), (roberts._CROSSING, _library.crossing),
-                              (roberts._REGION, _library.region), (roberts._COLOR, _library.color)):
+                              (roberts._REGION, _library.region), (roberts._SLOPE, _library.slope),
+                              (roberts._COLOR, _library.color)):
             self.assertEqual(dtype.itemsize, ctypes.sizeof(struct))
             self.assertEqual([name for name, *_ in struct._fields_], list(dtype.names))
             for name in dtype.names:

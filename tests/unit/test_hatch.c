@@ -24,6 +24,7 @@ typedef struct ring {
 /* A region with its rings, and a drawing that has it alone. The picture is 100 x 100; a unit is a mm, y up. */
 typedef struct given_region {
     roberts_region region;
+    roberts_slope slope;
     size_t start[RINGS_MOST + 1];
     roberts_vec2 corner[RINGS_MOST * CORNERS_MOST];
     roberts_region_list list;
@@ -32,16 +33,15 @@ typedef struct given_region {
 
 static void give(given_region *g, const ring *rings, size_t count, roberts_vec3 normal)
 {
-    *g = (given_region){
-        .region = {
-            .ring_count = count, .normal = normal, .steep = {0.0, 1.0}, .level = {1.0, 0.0}, .foot = {50.0, 50.0}}};
+    *g = (given_region){.region = {.ring_count = count, .normal = normal},
+                        .slope = {.steep = {0.0, 1.0}, .level = {1.0, 0.0}, .foot = {50.0, 50.0}}};
     size_t corners = 0;
     for (size_t r = 0; r < count; r++) {
         for (size_t k = 0; k < rings[r].count; k++)
             g->corner[corners++] = (roberts_vec2){rings[r].corner[k][0], rings[r].corner[k][1]};
         g->start[r + 1] = corners;
     }
-    g->list = (roberts_region_list){1, count, corners, &g->region, g->start, g->corner};
+    g->list = (roberts_region_list){1, count, corners, &g->region, g->start, g->corner, &g->slope};
     g->drawing = (roberts_drawing){.framed = true, .window_max = {100.0, 100.0}, .epsilon = 1e-9, .regions = &g->list};
 }
 
@@ -234,8 +234,8 @@ static void length_follows_shade(void **state)
         options.hatching.along = (roberts_hatch_along)(trial % 5 % 3);
         options.hatching.nested = trial % 2;
         give(&g, with_hole, 2, normal_of(dark));
-        g.region.steep = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
-        g.region.level = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
+        g.slope.steep = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
+        g.slope.level = (roberts_vec2){rng_between(&r, -1.0, 1.0), rng_between(&r, -1.0, 1.0)};
         strokes s = strokes_of(&g.drawing, &options);
         const double ink = hatched_mm(&s) * options.hatching.spacing_mm / area_of(&g);
         const double part = fabs(ink - dark) / dark;
@@ -385,16 +385,17 @@ static void steep_strokes_are_upright(void **state)
         assert_true(roberts_camera_angles(17.0 + 30.0 * i, 20.0, 0.0, &camera));
         roberts_drawing drawing = draw_regions(scene, &camera, 1, &regions);
         for (size_t k = 0; k < regions.count; k++) {
-            const roberts_region *own = &regions.region[k];
+            const roberts_vec3 normal = regions.region[k].normal;
+            const roberts_slope *own = &regions.slope[k];
             const double c = cos(20.0 * acos(-1.0) / 180.0), s = sin(20.0 * acos(-1.0) / 180.0);
-            assert_true(fabs(vec3_length(own->normal) - 1.0) < 1e-12);
-            if (own->normal.y > 0.5) { /* the top: +y, foreshortened by the elevation, and +x */
+            assert_true(fabs(vec3_length(normal) - 1.0) < 1e-12);
+            if (normal.y > 0.5) { /* the top: +y, foreshortened by the elevation, and +x */
                 assert_true(fabs(hypot(own->steep.x, own->steep.y / s) - 1.0) < 1e-9);
                 assert_true(fabs(hypot(own->level.x, own->level.y / s) - 1.0) < 1e-9);
             } else {
                 assert_true(fabs(own->steep.x) < 1e-12 && fabs(own->steep.y - c) < 1e-12);
                 assert_true(own->level.x > 0.0);
-                assert_true(fabs(own->level.x - own->normal.z / c) < 1e-9);
+                assert_true(fabs(own->level.x - normal.z / c) < 1e-9);
             }
         }
         roberts_drawing_free(&drawing);
@@ -566,9 +567,13 @@ static void odd_arguments(void **state)
     g.drawing.regions = NULL; /* nothing to hatch */
     assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
     g.drawing.regions = &g.list;
-    g.region.steep = g.region.level = (roberts_vec2){0.0, 0.0}; /* seen from the edge: level strokes */
-    g.region.foot = (roberts_vec2){1e300, -1e300};
+    g.slope.steep = g.slope.level = (roberts_vec2){0.0, 0.0}; /* seen from the edge: level strokes */
+    g.slope.foot = (roberts_vec2){1e300, -1e300};
     options.hatching.along = ROBERTS_HATCH_STEEP;
+    assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
+    g.list.slope = NULL;
+    assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
+    options.hatching.along = ROBERTS_HATCH_PICTURE;
     assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
     free(to.bytes);
 }

@@ -335,6 +335,7 @@ static void check_both(const char *name, const roberts_scene *scene, const rober
     options.all_edges = turn % 3 == 2;
     options.keep_hidden = turn % 5 == 4;
     options.unite = turn % 7 == 6;
+    options.slopes = turn % 2;
     assert_int_equal(roberts_hide(scene, camera, &options, &d, NULL), ROBERTS_OK);
     assert_int_equal(roberts_regions(scene, camera, &options, &l, NULL), ROBERTS_OK);
     assert_int_equal(roberts_hide_with_regions(scene, camera, &options, &with, &both, NULL), ROBERTS_OK);
@@ -346,6 +347,7 @@ static void check_both(const char *name, const roberts_scene *scene, const rober
     if (both.count != l.count || both.ring_count != l.ring_count || both.corner_count != l.corner_count)
         fail_msg("%s: %zu regions of %zu rings and %zu corners with the lines, %zu of %zu and %zu alone", name,
                  both.count, both.ring_count, both.corner_count, l.count, l.ring_count, l.corner_count);
+    assert_true(!l.slope == !options.slopes && !both.slope == !options.slopes);
     for (size_t i = 0; i < l.count; i++)
         if (both.region[i].solid != l.region[i].solid || both.region[i].face != l.region[i].face)
             fail_msg("%s: region %zu is of another face with the lines", name, i);

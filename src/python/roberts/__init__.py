@@ -53,8 +53,9 @@ _SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), 
 _CROSSING = np.dtype([("face", "u4", 2), ("end", "f8", (2, 3))])
 _COLOR = np.dtype([("count", "u1"), ("value", "f4", 4)], align=True)
 _REGION = np.dtype([("solid", "u4"), ("face", "u4"), ("first_ring", np.uintp), ("ring_count", np.uintp),
-                    ("area", "f8"), ("z_min", "f8"), ("z_max", "f8"), ("normal", _vec3), ("steep", _vec2),
-                    ("level", _vec2), ("foot", _vec2), ("color", _COLOR)], align=True)
+                    ("area", "f8"), ("z_min", "f8"), ("z_max", "f8"), ("normal", _vec3),
+                    ("color", _COLOR)], align=True)
+_SLOPE = np.dtype([("steep", _vec2), ("level", _vec2), ("foot", _vec2)])
 
 PathOrBytes = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview]
 ViewLike = Union[str, "View", None]
@@ -360,8 +361,9 @@ def _hide_options(values: Mapping[str, Any]) -> c.hide_options:
 class Regions:
     """What is seen of each face; made by Scene.regions(). All arrays are views of the library's memory.
 
-    regions     (n,) structured: solid, face, first_ring, ring_count, area, z_min, z_max, normal, steep, level, foot,
-                color; as roberts_region
+    regions     (n,) structured: solid, face, first_ring, ring_count, area, z_min, z_max, normal, color; as
+                roberts_region
+    slopes      (n,) structured: steep, level, foot; as roberts_slope
     ring_start  (r + 1,): ring i has the corners corners[ring_start[i]:ring_start[i + 1]]
     corners     (k, 2) float64, picture, model units, y up
     """
@@ -375,6 +377,10 @@ class Regions:
     @property
     def regions(self) -> np.ndarray:
         return _array(self, self._list.region, self._list.count, _REGION)
+
+    @property
+    def slopes(self) -> np.ndarray:
+        return _array(self, self._list.slope, self._list.count, _SLOPE)
 
     @property
     def ring_start(self) -> np.ndarray:

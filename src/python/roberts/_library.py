@@ -104,18 +104,21 @@ class drawing(Structure):
 class hide_options(Structure):
     _fields_ = [("crease_degrees", c_double), ("crease_auto", c_bool), ("all_edges", c_bool), ("keep_hidden", c_bool),
                 ("levels", c_bool), ("nameless", c_bool), ("unite", c_bool), ("merge_regions", c_bool),
-                ("epsilon", c_double), ("grid", c_uint32), ("threads", c_uint32)]
+                ("slopes", c_bool), ("epsilon", c_double), ("grid", c_uint32), ("threads", c_uint32)]
 
 
 class region(Structure):
     _fields_ = [("solid", c_uint32), ("face", c_uint32), ("first_ring", c_size_t), ("ring_count", c_size_t),
-                ("area", c_double), ("z_min", c_double), ("z_max", c_double), ("normal", vec3), ("steep", vec2),
-                ("level", vec2), ("foot", vec2), ("color", color)]
+                ("area", c_double), ("z_min", c_double), ("z_max", c_double), ("normal", vec3), ("color", color)]
+
+
+class slope(Structure):
+    _fields_ = [("steep", vec2), ("level", vec2), ("foot", vec2)]
 
 
 class region_list(Structure):
     _fields_ = [("count", c_size_t), ("ring_count", c_size_t), ("corner_count", c_size_t), ("region", c_void_p),
-                ("ring_start", c_void_p), ("corner", c_void_p)]
+                ("ring_start", c_void_p), ("corner", c_void_p), ("slope", c_void_p)]
 
 
 class pen(Structure):
@@ -172,7 +175,7 @@ class sheet(Structure):
 
 
 STRUCTS = (vec2, vec3, error, warnings, color, source, group, mesh, scene_options, camera, segment, crossing, tally,
-           time, drawing, hide_options, region, region_list, pen, background, hatching, page, placement, lettering,
+           time, drawing, hide_options, region, slope, region_list, pen, background, hatching, page, placement, lettering,
            plotter, draw_options, sheet)
 
 INSTALLED = ""  # `make install-python` writes the library's path here
