@@ -52,10 +52,10 @@ static void *work(void *argument)
 }
 
 /* By `threads` threads, this one among them. */
-static roberts_status run(labour *job, int threads, roberts_drawing *drawing, roberts_segment_fn *each, void *context)
+static roberts_status run(labour *job, int threads, roberts_drawing *drawing, const roberts_receiver *to)
 {
     pthread_t other[THREADS_TRIED];
-    assert_true(chunks_init(&job->all, CHUNKS, threads + job->missing, drawing, each, context));
+    assert_true(chunks_init(&job->all, CHUNKS, threads + job->missing, drawing, to));
     for (int i = 1; i < threads; i++)
         assert_int_equal(pthread_create(&other[i], NULL, work, job), 0);
     work(job);
@@ -91,7 +91,7 @@ static void kept_in_order(void **state)
         labour job = {.fails = CHUNKS, .missing = 3 * (i % 2)};
         roberts_drawing drawing = {0};
         roberts_segment expected = {.v0 = UINT32_MAX};
-        assert_int_equal(run(&job, threads, &drawing, NULL, NULL), ROBERTS_OK);
+        assert_int_equal(run(&job, threads, &drawing, NULL), ROBERTS_OK);
         assert_int_equal(drawing.count, total());
         for (size_t k = 0; k < drawing.count; k++) {
             expected = next(expected);
@@ -124,7 +124,8 @@ static void given_in_order(void **state)
             labour job = {.fails = CHUNKS};
             roberts_drawing drawing = {0};
             receiver r = {.last = {.v0 = UINT32_MAX}, .in_order = true, .stop_at = stopped ? total() / 3 : 0};
-            assert_int_equal(run(&job, threads, &drawing, receive, &r), stopped ? ROBERTS_STOPPED : ROBERTS_OK);
+            const roberts_receiver to = {receive, &r};
+            assert_int_equal(run(&job, threads, &drawing, &to), stopped ? ROBERTS_STOPPED : ROBERTS_OK);
             assert_true(r.in_order);
             assert_int_equal(r.count, stopped ? total() / 3 : total());
             assert_int_equal(drawing.count, stopped ? r.count - 1 : r.count);
@@ -139,7 +140,7 @@ static void ends_without_memory(void **state)
     for (int threads = 1; threads <= THREADS_TRIED; threads++) {
         labour job = {.fails = CHUNKS / 2};
         roberts_drawing drawing = {0};
-        assert_int_equal(run(&job, threads, &drawing, NULL, NULL), ROBERTS_NO_MEMORY);
+        assert_int_equal(run(&job, threads, &drawing, NULL), ROBERTS_NO_MEMORY);
         for (size_t i = 0; i < drawing.count; i++)
             assert_true(drawing.segment[i].solid < job.fails);
         free(drawing.segment);
