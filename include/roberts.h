@@ -166,7 +166,7 @@ void roberts_mesh_stand_up(roberts_mesh *mesh);
  * rest 0 or NULL. roberts_scene_build() then reads the arrays in place, without a copy. You keep them: pass this mesh
  * to no other function; nothing of it is released.
  * Returns ROBERTS_OK, _BAD_NUMBER (a coordinate), _BAD_INDEX (a corner) or _BAD_ARGUMENT (face_start or a count is
- * wrong, or there are groups or sources, which such a mesh cannot have).
+ * wrong, an array with a count is NULL, or there are groups or sources, which such a mesh cannot have).
  */
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 

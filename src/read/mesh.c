@@ -336,6 +336,11 @@ roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners
     return ROBERTS_OK;
 }
 
+static roberts_status bad_null(roberts_error *error, const char *array, size_t count, const char *what)
+{
+    return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "%s is NULL, but there are %zu %s", array, count, what);
+}
+
 /* The starts of faces begin with 0, do not descend, and end with the number of corners. */
 static roberts_status check_starts(const roberts_mesh *mesh, roberts_error *error)
 {
@@ -367,6 +372,12 @@ roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error
     if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count > UINT32_MAX)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "there are more vertices, faces or corners than 32 bits count");
+    if (mesh->vertex_count && !mesh->vertex)
+        return bad_null(error, "vertex", mesh->vertex_count, "vertices");
+    if (mesh->face_count && !mesh->face_start)
+        return bad_null(error, "face_start", mesh->face_count, "faces");
+    if (mesh->corner_count && !mesh->corner)
+        return bad_null(error, "corner", mesh->corner_count, "corners");
     for (size_t v = 0; v < mesh->vertex_count; v++)
         if (!mesh_position(mesh->vertex[v]))
             return bad_vertex(error, v);

@@ -145,6 +145,8 @@ static void refuses_bad_arrays(void **state)
         {3, vertex, late, corner, ROBERTS_BAD_ARGUMENT, "face_start begins with 1, not with 0"},
         {3, vertex, back, corner, ROBERTS_BAD_ARGUMENT, "face_start descends behind face 1"},
         {3, vertex, brief, corner, ROBERTS_BAD_ARGUMENT, "face_start ends with 2, but there are 3 corners"},
+        {3, NULL, start, corner, ROBERTS_BAD_ARGUMENT, "vertex is NULL, but there are 3 vertices"},
+        {3, vertex, start, NULL, ROBERTS_BAD_ARGUMENT, "corner is NULL, but there are 3 corners"},
         {ROBERTS_NONE, vertex, start, corner, ROBERTS_BAD_ARGUMENT,
          "there are more vertices, faces or corners than 32 bits count"},
     };
@@ -163,6 +165,8 @@ static void refuses_bad_arrays(void **state)
     }
     assert_int_equal(roberts_mesh_check(&(roberts_mesh){.source_count = 1}, &error), ROBERTS_BAD_ARGUMENT);
     assert_string_equal(error.message, "arrays have neither sources nor groups");
+    assert_int_equal(roberts_mesh_check(&(roberts_mesh){.face_count = 2}, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "face_start is NULL, but there are 2 faces");
 }
 
 static void frees_what_is_empty(void **state)
