@@ -43,7 +43,9 @@ int values_set_flag(const option *o, const char *value, cli_options *options)
 int values_set_text(const option *o, const char *value, cli_options *options)
 {
     *(const char **)field(o, options) = value;
-    return *value ? EXIT_DONE : message_misuse("--%s: the name is empty", o->name);
+    if (*value)
+        return EXIT_DONE;
+    return message_misuse("--%s: the %s is empty", o->name, strcmp(o->value, "TEXT") == 0 ? "text" : "name");
 }
 
 int values_set_number(const option *o, const char *value, cli_options *options)

@@ -110,6 +110,7 @@ static const struct {
     {"--batch in", "--batch needs names of files"},
     {"--batch in a.off -", "--batch needs names of files"},
     {"--batch= a.off", "--batch: the name is empty"},
+    {"--sheet first --title= a.off", "--title: the text is empty"},
     {"--batch in a.off in/a.off", "--batch: a.off and in/a.off would both be drawn to in/a.svg"},
     {"--part 0/3 models/table.off", "--part: \"0/3\" is not K/N, with K from 1 to N"},
     {"--part 4/3 models/table.off", "--part: \"4/3\" is not K/N"},
