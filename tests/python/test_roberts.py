@@ -99,6 +99,8 @@ class Scenes(unittest.TestCase):
                               [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
         self.assertEqual([len(face) for face in mixed.faces], [4, 3, 3, 3, 3])
         self.assertEqual(mixed.body_kind(0), "convex")
+        sparse = roberts.Scene([[0, 0, 0], [1, 0, 0], [1, 1, 0]], [[], [0, 1, 2], []])
+        self.assertEqual([len(face) for face in sparse.faces], [0, 3, 0])
         vertices, faces = triangles.vertices.copy(), triangles.faces.copy()
         placed = roberts.Scene(vertices, faces)  # their own numbers, and no copies of them
         self.assertEqual(placed.vertices.ctypes.data, vertices.ctypes.data)
@@ -129,7 +131,8 @@ class Scenes(unittest.TestCase):
             with self.assertRaises(roberts.Error) as caught:
                 roberts.Scene(vertices, faces)
             self.assertEqual(caught.exception.status, status)
-        for vertices, faces in ((triangle, [[0, 1, -1]]), (triangle, [[0.5, 1, 2]]), ([[0, 0]], [[0]])):
+        for vertices, faces in ((triangle, [[0, 1, -1]]), (triangle, [[0.5, 1, 2]]), ([[0, 0]], [[0]]),
+                                (triangle, [3, 0, 1, 2]), (triangle, [[[0, 1, 2]]])):
             self.assertRaises(ValueError, roberts.Scene, vertices, faces)
         scene = roberts.Scene(triangle, [[0, 1, 2]])
         self.assertRaises(ValueError, scene.hide, "nowhere")
@@ -212,6 +215,9 @@ class Pages(unittest.TestCase):
         scene = roberts.read(path)
         self.same(scene.hide(keep_hidden=True), path, "--hidden", "solid", "--style", "hidden:width=0.1",
                   hidden="solid", pens={"hidden": {"width": 0.1}})
+        self.same(scene.hide(), path, "--frame", "--style", "frame:color=red", pens={"frame": {"color": (255, 0, 0)}})
+        self.same(scene.hide(), path, "--style", "crease:off,color=red",
+                  pens={"crease": {"off": True, "color": (255, 0, 0)}})
         with self.assertRaisesRegex(ValueError, "keep_hidden"):
             scene.hide().svg(hidden="dashed")
         with self.assertRaisesRegex(ValueError, "'thick' is none of outline, .*, hidden, "):
@@ -263,6 +269,11 @@ class Pages(unittest.TestCase):
         with self.assertRaises(roberts.Error) as caught:
             drawing.save(os.path.join(HERE, "none", "a.svg"))
         self.assertEqual(caught.exception.status, "IO")
+
+    def test_names_of_any_bytes(self):
+        with open(CUBE, "rb") as file:
+            scene = roberts.read(file.read(), name="cub\udcff.off")
+        self.assertIn("<title>cub?.off</title>", scene.hide().svg())
 
     def test_notebook(self):
         drawing = roberts.read("models/table.off").hide()

@@ -309,8 +309,11 @@ def _pack(faces: Any) -> tuple[np.ndarray, np.ndarray]:
         count, k = faces.shape
         lengths, corners = np.full(count, k), faces.reshape(-1)
     else:
-        rows = [np.asarray(face).reshape(-1) for face in faces]
+        rows = [np.asarray(face) for face in faces]
+        if any(row.ndim != 1 for row in rows):
+            raise ValueError("Scene: each face is a sequence of vertex numbers")
         lengths = np.array([len(row) for row in rows], np.int64)
+        rows = [row for row in rows if len(row)]  # an array of nothing is one of float64
         corners = np.concatenate(rows) if rows else np.empty(0, np.uint32)
     if corners.size and corners.dtype.kind not in "iu":
         raise ValueError("Scene: faces are made of whole numbers")
@@ -335,7 +338,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
     weakref.finalize(scene, c.lib.roberts_mesh_free, ctypes.byref(mesh))
     if isinstance(what, (bytes, bytearray, memoryview)):
         data = bytes(what)
-        c.check("mesh_read_memory", ctypes.byref(mesh), (name or "data").encode(), data, len(data),
+        c.check("mesh_read_memory", ctypes.byref(mesh), os.fsencode(name or "data"), data, len(data),
                 ctypes.byref(warned.struct))
     else:
         path = os.fspath(what)
@@ -438,7 +441,7 @@ class _Drawable:
         scale             mm on paper for each model unit; default: as large as the margins allow
         pens              a dict of pens by class (outline, border, crease, intersection, wire, hidden, frame,
                           symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red,
-                          green, blue; 0 to 255), off, number
+                          green, blue; 0 to 255), off, number; a frame is drawn if it has a pen here
         background        (red, green, blue)
         fill              white, model, body, or (red, green, blue)
         shaded            fills are darker where less light falls
@@ -579,7 +582,8 @@ class _Page:
     def _texts(self, of: Drawing, given: dict) -> None:
         for name, default in (("title", of._scene.name or None), ("description", None), ("id_prefix", None)):
             value = given.pop(name, default)
-            setattr(self.options, name, value.encode("utf-8") if value is not None else None)
+            # names of files need not be UTF-8; the library writes a ? for each byte that is not
+            setattr(self.options, name, value.encode("utf-8", "surrogateescape") if value is not None else None)
 
     def _paper(self, given: dict) -> None:
         o = self.options
@@ -591,10 +595,9 @@ class _Page:
         for name, values in given.pop("pens", {}).items():
             pen = getattr(o, _choice(_PENS, name, "pens"))
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
+            pen.off = False
             if "color" in values:
                 pen.red, pen.green, pen.blue = _color(values.pop("color"))
-            if values:
-                pen.off = False
             _fill(pen, values, "pens")
         if "background" in given:
             o.background = c.background(True, *_color(given.pop("background")))
