@@ -136,4 +136,10 @@ assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off
   "--style=wire:off",
   "--eye=1,2,3",
 ]);
+assert.deepEqual(toArguments({ label: ["vertices", "faces"], field: ["owner=A"], pick: ["0,0", "1,1"], hatch: [] }), [
+  "--label=vertices,faces",
+  "--field=owner=A",
+  "--pick=0,0",
+  "--pick=1,1",
+]);
 console.log(`note: ${count} models, the same bytes as the program's`);

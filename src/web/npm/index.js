@@ -29,11 +29,16 @@ function argument(name, value) {
   return value === true ? `--${name}` : `--${name}=${value}`;
 }
 
-/* A list of numbers is one value (a point); any other list is an option given several times. */
-function values(value) {
+/* Options that may be given several times; of any other only the last one would count. */
+const repeated = new Set(["style", "field", "pick"]);
+
+/* A list of numbers is one value (a point), and so is a list of texts and numbers if the option is given but once. Any
+ * other list is an option given several times. */
+function values(name, value) {
   if (value === undefined || value === null || value === false) return [];
-  if (!Array.isArray(value)) return [value];
-  return value.length > 0 && value.every((one) => typeof one === "number") ? [value.join(",")] : value;
+  if (!Array.isArray(value) || value.length === 0) return [value].flat();
+  const kinds = repeated.has(name) ? ["number"] : ["number", "string"];
+  return value.every((one) => kinds.includes(typeof one)) ? [value.join(",")] : value;
 }
 
 export function toArguments(options = {}) {
@@ -41,7 +46,7 @@ export function toArguments(options = {}) {
     .filter(([name]) => !notOptions.has(name))
     .flatMap(([name, value]) => {
       const long = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-      return values(value).map((one) => argument(long, one));
+      return values(name, value).map((one) => argument(long, one));
     });
 }
 
