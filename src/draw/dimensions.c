@@ -27,11 +27,12 @@ void dimension_text(double value, const char *unit, char *text, size_t size)
 {
     char digits[64];
     const double exponent = value > 0.0 ? floor(log10(value)) : 0.0;
-    int decimals = (int)fmin(fmax(4.0 - exponent, 0.0), 9.0);
-    double scaled = floor(value * pow(10.0, decimals) + 0.5);
+    const bool tiny = exponent < -9.0;
+    int decimals = tiny ? 0 : (int)fmax(4.0 - exponent, 0.0);
+    double scaled = tiny ? value : floor(value * pow(10.0, decimals) + 0.5);
     for (; decimals > 0 && fmod(scaled, 10.0) == 0.0; decimals--)
         scaled /= 10.0;
-    snprintf(digits, sizeof digits, scaled < 1e15 ? "%.0f" : "%.4e", scaled);
+    snprintf(digits, sizeof digits, tiny || scaled >= 1e15 ? "%.4e" : "%.0f", scaled);
     size_t length = strlen(digits), whole = length > (size_t)decimals ? length - (size_t)decimals : 0;
     char number[80];
     if (decimals == 0) {

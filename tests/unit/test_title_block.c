@@ -293,10 +293,21 @@ static void numbers(void **state)
     static const struct {
         double value;
         const char *unit, *text;
-    } cases[] = {{44.0, NULL, "44"},         {0.93, "m", "0,93 m"},         {1.41421356, NULL, "1,4142"},
-                 {123456.7, NULL, "123457"}, {0.000125, NULL, "0,000125"},  {99999.5, NULL, "100000"},
-                 {0.1, "", "0,1"},           {20.05, NULL, "20,05"},        {0.05, NULL, "0,05"},
-                 {1000.0, "ft", "1000 ft"},  {1.25e20, NULL, "1,2500e+20"}, {0.0, NULL, "0"}};
+    } cases[] = {{44.0, NULL, "44"},
+                 {0.93, "m", "0,93 m"},
+                 {1.41421356, NULL, "1,4142"},
+                 {123456.7, NULL, "123457"},
+                 {0.000125, NULL, "0,000125"},
+                 {99999.5, NULL, "100000"},
+                 {0.1, "", "0,1"},
+                 {20.05, NULL, "20,05"},
+                 {0.05, NULL, "0,05"},
+                 {1000.0, "ft", "1000 ft"},
+                 {1.25e20, NULL, "1,2500e+20"},
+                 {0.0, NULL, "0"},
+                 {2.8284e-7, NULL, "0,00000028284"},
+                 {1e-9, NULL, "0,000000001"},
+                 {9.1e-13, "m", "9,1000e-13 m"}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         char text[100];
         dimension_text(cases[i].value, cases[i].unit, text, sizeof text);
