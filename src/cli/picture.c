@@ -176,7 +176,7 @@ static void tell_scene(const cli_options *options, const roberts_scene *scene, c
     fprintf(options->log, "%zu bod%s, %zu vertices, %zu face%s", bodies, bodies == 1 ? "y" : "ies", run->vertices,
             run->faces, run->faces == 1 ? "" : "s");
     if (run->lines > 0)
-        fprintf(options->log, ", %zu points and lines", run->lines);
+        fprintf(options->log, ", %zu %s", run->lines, run->lines == 1 ? "point or line" : "points and lines");
     fprintf(options->log, "; %.3f s\n", run->read.wall + run->solids.wall);
     if (*run->missing) {
         begin_of_inputs(options);

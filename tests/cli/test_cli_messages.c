@@ -52,6 +52,9 @@ static void messages_name_the_file(void **state)
     assert_int_equal(run("-v -f null lined.off"), 0);
     assert_int_equal(strncmp(last.err, "roberts: lined.off: 2 bodies, 5 vertices, 1 face, 2 points and lines; ", 69),
                      0);
+    put("wire.off", "OFF\n2 1\n0 0 0\n1 0 0\n2 0 1\n");
+    assert_int_equal(run("-v -f null wire.off"), 0);
+    assert_int_equal(strncmp(last.err, "roberts: wire.off: 1 body, 2 vertices, 0 faces, 1 point or line; ", 65), 0);
     assert_int_equal(run("tri.off --hull"), 1); /* and no hint */
     assert_null(strstr(last.err, "see --hull"));
     assert_int_equal(run("--solids open.off half.off"), 1); /* one solid of two files, by positions */
