@@ -6,8 +6,8 @@ type Value = string | number | boolean;
 /**
  * The options of the program by their long names: `{ hidden: "dashed", crease: 30, allEdges: true }` is
  * `--hidden=dashed --crease=30 --all-edges`. A list is one value with commas: `{ label: ["vertices", "faces"] }` is
- * `--label=vertices,faces`. A list of `style`, `field` or `pick` gives the option several times. `false` and `undefined`
- * do not give it. `roberts --help` lists the options.
+ * `--label=vertices,faces`. A list of `style`, `field` or `pick` gives the option several times. `false` and
+ * `undefined` do not give it. `roberts --help` lists the options.
  */
 export interface Options {
   /** What the drawing and the messages call the model (default: "model"). */
