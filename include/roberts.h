@@ -128,7 +128,7 @@ typedef ptrdiff_t roberts_read_fn(void *context, void *buffer, size_t size);
  * Reads one file in OFF, STL, OBJ or PLY, text or binary, and appends its polygons to `mesh`. The content decides the
  * format, not the name. Vertices are numbered from 0 in all formats, and on from those already in `mesh`. Corners of
  * STL with equal positions become one vertex within each of its solids.
- * name      what messages call the input; copied
+ * name      what messages call the input; copied. NULL: it has no name
  * read      called until it returns 0 or the last declared element is read; it is asked for whole blocks, so bytes
  *           behind that element may be consumed
  * context   handed to `read`

@@ -308,7 +308,7 @@ static roberts_status read_source(roberts_mesh *mesh, const char *name, const in
                                   const roberts_warnings *warnings, roberts_error *error)
 {
     off_division division = off_divide(mesh->threads);
-    return read_mesh(mesh, name, source, &division, warnings, error);
+    return read_mesh(mesh, name ? name : "", source, &division, warnings, error);
 }
 
 roberts_status roberts_mesh_read(roberts_mesh *mesh, const char *name, roberts_read_fn *read, void *context,

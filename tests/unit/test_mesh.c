@@ -89,6 +89,21 @@ static void adds_to_a_coloured_mesh(void **state)
     roberts_mesh_free(&mesh);
 }
 
+/* An input without a name can be read, and refused. */
+static void reads_without_a_name(void **state)
+{
+    static const char text[] = "OFF 1 0 0\n0 0 0\n", bad[] = "OFF 1 0 0\n0 0 x\n";
+    roberts_mesh mesh = {0};
+    roberts_error error;
+    (void)state;
+    assert_int_equal(roberts_mesh_read_memory(&mesh, NULL, text, strlen(text), NULL, &error), ROBERTS_OK);
+    assert_string_equal(mesh.source[0].name, "");
+    assert_int_equal(roberts_mesh_read_memory(&mesh, NULL, bad, strlen(bad), NULL, &error), ROBERTS_BAD_SYNTAX);
+    assert_string_equal(error.file, "");
+    assert_int_equal(error.line, 2);
+    roberts_mesh_free(&mesh);
+}
+
 /* A mesh over arrays gives the scene that vertices and faces one by one give, and leaves the arrays as they are. */
 static void takes_arrays_in_place(void **state)
 {
@@ -186,8 +201,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(adds_vertices_and_faces), cmocka_unit_test(refuses_bad_coordinates),
         cmocka_unit_test(refuses_bad_corners),     cmocka_unit_test(adds_to_a_coloured_mesh),
-        cmocka_unit_test(frees_what_is_empty),     cmocka_unit_test(takes_arrays_in_place),
-        cmocka_unit_test(refuses_bad_arrays),
+        cmocka_unit_test(frees_what_is_empty),     cmocka_unit_test(reads_without_a_name),
+        cmocka_unit_test(takes_arrays_in_place),   cmocka_unit_test(refuses_bad_arrays),
     };
     return cmocka_run_group_tests_name("mesh", tests, NULL, NULL);
 }
