@@ -86,17 +86,35 @@ void cover_free(cover *c)
     *c = (cover){0};
 }
 
-/* Returns the least depth of the faces' planes over the cell low .. high. Since z = (a x + b y + d) / -c with c < 0,
- * each plane has its least depth at a corner of the cell. */
-static double depth_over(roberts_vec2 low, roberts_vec2 high, const hide_face *face, uint32_t face_count)
+/* Cells of a column, one above the other. */
+typedef struct cell_pile {
+    const scan_frame *f;
+    double left, right, lower; /* lower: where the next cell begins */
+    uint32_t row, end;         /* the next cell, and the end */
+} cell_pile;
+
+static inline cell_pile pile_of(const scan_frame *f, uint32_t column, uint32_t first, uint32_t last)
 {
-    double least = INFINITY;
-    for (uint32_t k = 0; k < face_count; k++) {
-        plane F = face[k].F;
-        double x = F.a > 0.0 ? low.x : high.x, y = F.b > 0.0 ? low.y : high.y;
-        least = lesser(least, (F.a * x + F.b * y + F.d) / -F.c);
+    return (cell_pile){f, scan_left(f, column), scan_left(f, column + 1.0), scan_lower(f, first), first, last + 1};
+}
+
+/* Finds the depth of a front over the next two cells, and passes them: what is nowhere nearer lies behind the front.
+ * Since z = (a x + b y + d) / -c with c < 0, each plane has its least depth at a corner of the cell. */
+BITS_INLINE void pass_two(cell_pile *p, const cover_front *front, float depth[2])
+{
+    const double middle = scan_lower(p->f, p->row + 1.0), end = scan_lower(p->f, p->row + 2.0);
+    const two lower = two_of(p->lower, middle), upper = two_of(middle, end), ulp = two_all(0x1p-23);
+    two least = two_all(front->face_count ? INFINITY : -INFINITY);
+    for (uint32_t k = 0; k < front->face_count; k++) {
+        const plane F = front->face[k].F;
+        const two x = two_all(F.a * (F.a > 0.0 ? p->left : p->right));
+        const two y = two_mul(two_all(F.b), F.b > 0.0 ? lower : upper);
+        least = two_lesser(least, two_div(two_add(two_add(x, y), two_all(F.d)), two_all(-F.c)));
     }
-    return least;
+    const two z = two_sub(two_greater(two_all(front->depth), least), two_all(front->slack));
+    two_part_floats(&depth[0], &depth[1], two_sub(z, two_mul(two_abs(z), ulp))); /* rounds as hide_float_below() does */
+    p->row += 2;
+    p->lower = end;
 }
 
 static inline void raise_cell(float *cell, uint32_t *cell_by, float bound, uint32_t by)
@@ -111,6 +129,17 @@ static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, f
 {
     for (uint32_t k = 0; k < count; k++)
         raise_cell(&cell[k], &cell_by[k], bound, by);
+}
+
+static inline void enter_pile(cell_pile p, float *cell, uint32_t *cell_by, const cover_front *front)
+{
+    float z[2];
+    for (uint32_t j = p.row; j < p.end; j = p.row) {
+        pass_two(&p, front, z);
+        raise_cell(&cell[j], &cell_by[j], z[0], front->by);
+        if (j + 1 < p.end)
+            raise_cell(&cell[j + 1], &cell_by[j + 1], z[1], front->by);
+    }
 }
 
 void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *front)
@@ -130,17 +159,8 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
             continue;
         if (!front->face_count)
             enter_level(cell + first, cell_by + first, last - first + 1, level, front->by);
-        roberts_vec2 low = {0.0, scan_lower(f, first)}, high = low;
-        if (front->face_count) {
-            low.x = scan_left(f, i);
-            high.x = scan_left(f, i + 1.0);
-        }
-        for (uint32_t j = first; front->face_count && j <= last; j++) {
-            high.y = scan_lower(f, j + 1.0);
-            double own = greater(front->depth, depth_over(low, high, front->face, front->face_count));
-            raise_cell(&cell[j], &cell_by[j], hide_float_below(own - front->slack), front->by);
-            low.y = high.y;
-        }
+        else
+            enter_pile(pile_of(f, i, first, last), cell, cell_by, front);
     }
 }
 
@@ -198,16 +218,14 @@ static void lower_cells(const hide_fronts *fronts, scan *s, const cover_front *f
     for (uint32_t i = s->first; i <= s->last; i++) {
         uint32_t first, last;
         scan_touched(s, f, i, &first, &last);
-        float *cell = cells->depth + (size_t)(i - cells->in.left) * cells->rows;
-        roberts_vec2 low = {scan_left(f, i), scan_lower(f, first)}, high = {scan_left(f, i + 1.0), low.y};
-        for (uint32_t j = first; j <= last; j++) {
-            high.y = scan_lower(f, j + 1.0);
-            double own = front->depth;
-            if (front->face_count)
-                own = greater(own, depth_over(low, high, front->face, front->face_count));
-            float *at = &cell[j - cells->in.low], z = hide_float_below(own - front->slack);
-            *at = z < *at ? z : *at;
-            low.y = high.y;
+        float *cell = cells->depth + (size_t)(i - cells->in.left) * cells->rows, z[2];
+        cell_pile p = pile_of(f, i, first, last);
+        for (float *at = cell + (first - cells->in.low); p.row < p.end; at += 2) {
+            const bool both = p.row + 1 < p.end;
+            pass_two(&p, front, z);
+            at[0] = z[0] < at[0] ? z[0] : at[0];
+            if (both)
+                at[1] = z[1] < at[1] ? z[1] : at[1];
         }
     }
 }
