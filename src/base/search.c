@@ -110,10 +110,12 @@ void box_tree_free(box_tree *tree)
 /* The segment is divided into short parts, and the cells round each part are searched row by row. The cells of a row
  * follow one another along z, and so do their points. */
 
-/* A bound for where a point lies beside a segment, in roundings of a coordinate to float. */
+/* A bound for where a point lies beside a segment or a plane, in roundings of a coordinate to float. */
 #define FLOAT_ROUNDINGS 32.0
 /* The greatest length of a part along the axis of the segment's greatest extent, in cells. */
 #define PART_CELLS 2.0
+/* For a triangle in more cells, its sides are asked for. */
+#define TRIANGLE_CELLS 64
 /* Points in a cell, if they are spread evenly. With fewer, a segment meets more rows; with more, more points. */
 #define POINTS_PER_CELL 6.0
 
@@ -262,6 +264,60 @@ bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, dou
         t0 = t1;
     }
     return true;
+}
+
+/* A plane among the cells, in floats: the points at d along n, whose length is 1 or 0. */
+typedef struct grid_plane {
+    float n[3], d;
+    float margin; /* a point farther from the plane is too far from the triangle */
+} grid_plane;
+
+/* The plane through P. However n is rounded, no point of the triangle is farther from it than Q or R. */
+static grid_plane plane_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 R, double margin)
+{
+    const roberts_vec3 PQ = vec3_sub(Q, P), PR = vec3_sub(R, P), cross = vec3_cross(PQ, PR);
+    const double length = vec3_length(cross);
+    const roberts_vec3 n = length > 0.0 ? vec3_scale(1.0 / length, cross) : (roberts_vec3){0.0, 0.0, 0.0};
+    margin += greater(fabs(vec3_dot(n, PQ)), fabs(vec3_dot(n, PR)));
+    return (grid_plane){{(float)n.x, (float)n.y, (float)n.z}, (float)vec3_dot(n, P), (float)margin};
+}
+
+static bool take_cells_near(const point_grid *grid, const grid_plane *F, const uint32_t first[3],
+                            const uint32_t last[3], point_list *found)
+{
+    for (uint32_t i = first[0]; i <= last[0]; i++)
+        for (uint32_t j = first[1]; j <= last[1]; j++) {
+            const uint32_t *start = grid->start + grid_row(grid, i, j);
+            const grid_point *end = grid->item + start[last[2] + 1];
+            for (const grid_point *p = grid->item + start[first[2]]; p < end; p++) {
+                if (fabsf(F->n[0] * p->at[0] + F->n[1] * p->at[1] + F->n[2] * p->at[2] - F->d) > F->margin)
+                    continue;
+                if (!array_reserve(&found->item, &found->room, found->count + 1, sizeof *found->item))
+                    return false;
+                found->item[found->count++] = p->number;
+            }
+        }
+    return true;
+}
+
+bool point_grid_near_triangle(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, roberts_vec3 C, double margin,
+                              point_list *found)
+{
+    const roberts_vec3 P = in_cells(grid, A), Q = in_cells(grid, B), R = in_cells(grid, C);
+    const double p[3] = {P.x, P.y, P.z}, q[3] = {Q.x, Q.y, Q.z}, r[3] = {R.x, R.y, R.z};
+    const double most = 2.0 * margin * grid->per + grid->rounding;
+    uint32_t first[3], last[3];
+    uint64_t cells = 1;
+    for (int i = 0; i < 3; i++) {
+        first[i] = cell_along(grid, lesser(p[i], lesser(q[i], r[i])) - most, i);
+        last[i] = cell_along(grid, greater(p[i], greater(q[i], r[i])) + most, i);
+        cells *= last[i] - first[i] + 1;
+        if (cells > TRIANGLE_CELLS)
+            return point_grid_near(grid, A, B, margin, found) && point_grid_near(grid, B, C, margin, found) &&
+                   point_grid_near(grid, C, A, margin, found);
+    }
+    const grid_plane F = plane_of(P, Q, R, most);
+    return take_cells_near(grid, &F, first, last, found);
 }
 
 void point_grid_free(point_grid *grid)

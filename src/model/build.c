@@ -192,12 +192,10 @@ static void free_workers(construction_worker *worker, int threads)
     free(worker);
 }
 
-/* Numbers the edges, and frees `list`. If `list` is empty, the patterns are found first. False: no memory. */
+/* Numbers the edges. If `list` is empty, the patterns are found first. False: no memory. */
 static bool number_all_edges(roberts_scene *scene, repeated_solids *list, edge_scratch *scratch)
 {
-    bool done = (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
-    repeated_free(list);
-    return done;
+    return (list->count > 0 || repeated_find(list, scene)) && repeated_number_edges(list, scene, scratch);
 }
 
 typedef struct building {
@@ -213,9 +211,9 @@ static bool build_some(void *context, size_t first, size_t end)
     return true;
 }
 
-/* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty. `c` has the scene, the rules
- * and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not depend on the
- * number of threads. */
+/* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty and receives them. `c` has the
+ * scene, the rules and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not
+ * depend on the number of threads. */
 static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
                                    roberts_error *error)
 {
@@ -291,15 +289,16 @@ static bool only_holes(const uint8_t *open, uint32_t count)
 
 /* Makes plain bodies of the marked solids, if possible. *done: it succeeded or failed for good. Otherwise the marks
  * show which solids are open, and the status is that of the first one that is not convex. */
-static roberts_status build_plain(construction *c, const polygons *faces, const roberts_scene_options *options,
-                                  roberts_status status, bool *done, roberts_error *error)
+static roberts_status build_plain(construction *c, const polygons *faces, const repeated_solids *list,
+                                  const roberts_scene_options *options, roberts_status status, bool *done,
+                                  roberts_error *error)
 {
     roberts_scene *scene = c->scene;
     const roberts_mesh *mesh = c->rules.mesh;
     builder work = {0};
     *done = false;
     if (status == ROBERTS_OK && scene->face_count == mesh->face_count && faces->repeated == 0) {
-        plain_answer answer = plain_bodies_build(scene, c->open, options, bodies_touching(scene, mesh));
+        plain_answer answer = plain_bodies_build(scene, c->open, list, options, bodies_touching(scene, mesh));
         *done = answer != PLAIN_NO;
         if (*done)
             return answer == PLAIN_YES ? ROBERTS_OK : ROBERTS_NO_MEMORY;
@@ -347,7 +346,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         goto done;
     status = build_solids(&c, options->threads, &list, error);
     if (status != ROBERTS_NO_MEMORY && atomic_load(&c.any_marked) && bodies)
-        status = build_plain(&c, &faces, options, status, &done, error);
+        status = build_plain(&c, &faces, &list, options, status, &done, error);
     any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
     notes->known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
@@ -355,6 +354,7 @@ static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool
         notes->known = true;
     } else if (any_open) {
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
+        repeated_free(&list);
         scene_turn_back(scene); /* regrouping starts from the original winding */
         status = regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
@@ -417,6 +417,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = ROBERTS_NO_MEMORY;
     free(open);
+    repeated_free(&list);
     builder_free(&work);
     polygons_free(&faces);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;

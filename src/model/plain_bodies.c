@@ -485,9 +485,16 @@ static bool is_odd(const plain_edges *edges, uint32_t e)
     return edges->edge[e].f[1] == ROBERTS_NONE || edges->is[e] & EDGE_MANY;
 }
 
-/* Finds the edges of solid s. */
-static plain_answer take_edges(plain_work *w, uint32_t s)
+/* Finds the edges of solid s. They are those of the first solid of its pattern. (But scene_many has the numbers of an
+ * edge and of faces, which are not the same.) */
+static plain_answer take_edges(plain_work *w, uint32_t s, uint32_t alike)
 {
+    if (w->count[alike] > 0 && w->edges.many_count == 0) {
+        w->first[s] = w->first[alike];
+        w->count[s] = w->count[alike];
+        w->open[s] = w->open[alike];
+        return PLAIN_YES;
+    }
     uint32_t first = (uint32_t)w->edges.count;
     plain_answer answer = plain_edges_find(&w->edges, s);
     w->first[s] = first;
@@ -514,14 +521,47 @@ static plain_answer is_clear(const plain_work *w, const point_grid *grid, uint32
     return PLAIN_YES;
 }
 
+/* Is that so for the triangle with the vertices a, a + 1 and a + 2? Their own distances are plain if the least height
+ * is. */
+static plain_answer is_clear_triangle(const plain_work *w, const point_grid *grid, uint32_t a, point_list *found)
+{
+    const roberts_vec3 *p = w->scene->point + a;
+    const roberts_vec3 AB = vec3_sub(p[1], p[0]), AC = vec3_sub(p[2], p[0]), BC = vec3_sub(p[2], p[1]);
+    const double longest = greater(vec3_dot(BC, BC), greater(vec3_dot(AB, AB), vec3_dot(AC, AC)));
+    const roberts_vec3 cross = vec3_cross(AB, AC);
+    const bool plain = vec3_dot(cross, cross) > 4.0 * w->rules.touching * w->rules.touching * longest;
+    found->count = 0;
+    if (!point_grid_near_triangle(grid, p[0], p[1], p[2], w->rules.touching, found))
+        return PLAIN_NO_MEMORY;
+    for (size_t i = 0; i < found->count; i++) {
+        const uint32_t v = found->item[i];
+        if (plain && v - a < 3)
+            continue;
+        for (uint32_t k = 0; k < 3; k++) {
+            const uint32_t l = (k + 1) % 3;
+            double t;
+            if (v != a + k && v != a + l &&
+                surface_touches(p[k], p[l], w->scene->point[v], w->rules.touching, &t) != TOUCHES_NOT)
+                return PLAIN_NO;
+        }
+    }
+    return PLAIN_YES;
+}
+
 /* The vertices of open bodies. */
 typedef struct open_vertices {
-    unsigned char *is_end; /* [vertex_count] of an odd edge? */
-    uint32_t *vertex;      /* [count] the ends of odd edges, ascending; or all of them */
-    uint32_t *first;       /* [vertex_count + 1] where in plain_edges.edge the edges begin of which this is the smaller
-                              vertex */
+    unsigned char *is; /* [vertex_count] OPEN_... */
+    uint32_t *vertex;  /* [count] the ends of odd edges, ascending; or all of them */
+    uint32_t *first;   /* [vertex_count + 1] of a vertex that leads: where in plain_edges.edge its edges begin; the next
+                          vertex has their end */
     size_t count;
 } open_vertices;
+
+enum {
+    OPEN_END = 1,   /* of an odd edge */
+    OPEN_LEADS = 2, /* the smaller vertex of one */
+    OPEN_LOOSE = 4, /* the first vertex of a loose triangle */
+};
 
 /* Lists all vertices of open bodies, or only the ends of their odd edges. */
 static void list_open(const plain_work *w, open_vertices *o, bool all)
@@ -530,26 +570,43 @@ static void list_open(const plain_work *w, open_vertices *o, bool all)
     o->count = 0;
     for (uint32_t s = 0; s < w->scene->solid_count; s++)
         for (uint32_t v = solid[s].vertex; w->open[s] && v < solid[s + 1].vertex; v++)
-            if (all || o->is_end[v])
+            if (all || o->is[v] & OPEN_END)
                 o->vertex[o->count++] = v;
 }
 
-/* Finds the ends of the odd edges, and where the edges of each vertex begin. Returns the number of vertices of open
- * bodies that are no such ends. */
-static size_t find_ends(const plain_work *w, open_vertices *o)
+/* Finds the ends of the odd edges of an open body, and where the edges of each vertex begin. Returns the number of its
+ * vertices that are no such ends. */
+static size_t find_ends_of(const plain_work *w, open_vertices *o, uint32_t s)
 {
     const scene_edge *edge = w->edges.edge;
+    const scene_solid *own = &w->scene->solid[s];
+    const uint32_t end = w->first[s] + w->count[s];
+    size_t others = own[1].vertex - own->vertex;
+    for (uint32_t v = own->vertex, e = w->first[s]; v < own[1].vertex; v++) {
+        for (o->first[v] = e; e < end && edge[e].v[0] == v - own->vertex; e++)
+            if (is_odd(&w->edges, e)) {
+                o->is[v] |= OPEN_END | OPEN_LEADS;
+                o->is[own->vertex + edge[e].v[1]] |= OPEN_END;
+            }
+        others -= o->is[v] & OPEN_END;
+    }
+    return others;
+}
+
+/* The same for all of them. Loose triangles are marked instead: their edges are known. */
+static size_t find_ends(const plain_work *w, open_vertices *o)
+{
     size_t others = 0;
     for (uint32_t s = 0; s < w->scene->solid_count; s++) {
         const scene_solid *own = &w->scene->solid[s];
-        uint32_t e = w->first[s], end = e + w->count[s];
-        for (uint32_t v = own->vertex; w->open[s] && v < own[1].vertex; v++) {
-            for (o->first[v] = e; e < end && edge[e].v[0] == v - own->vertex; e++)
-                if (is_odd(&w->edges, e))
-                    o->is_end[v] = o->is_end[own->vertex + edge[e].v[1]] = 1;
-            others += !o->is_end[v];
+        if (!w->open[s])
+            continue;
+        if (own[1].vertex - own->vertex != 3 || own[1].face - own->face != 1) {
+            others += find_ends_of(w, o, s);
+            continue;
         }
-        o->first[own[1].vertex] = e;
+        o->is[own->vertex] = OPEN_LOOSE | OPEN_END;
+        o->is[own->vertex + 1] = o->is[own->vertex + 2] = OPEN_END;
     }
     return others;
 }
@@ -557,29 +614,56 @@ static size_t find_ends(const plain_work *w, open_vertices *o)
 /* Data is prefetched this many edges ahead. */
 #define EDGES_AHEAD 8
 
+/* Prefetches what ask_edges() needs of the vertices behind place k. */
+static inline void fetch_edges(const plain_work *w, const point_grid *grid, const open_vertices *o, size_t k)
+{
+    const scene_edge *edge = w->edges.edge;
+    const roberts_vec3 *point = w->scene->point;
+    const size_t left = o->count - k;
+    const grid_point *item = grid->item + k;
+    if (left > 4 * EDGES_AHEAD)
+        FETCH_AHEAD(&o->is[item[4 * EDGES_AHEAD].number]);
+    if (left > 3 * EDGES_AHEAD && o->is[item[3 * EDGES_AHEAD].number] & OPEN_LEADS)
+        FETCH_AHEAD(&o->first[item[3 * EDGES_AHEAD].number]);
+    if (left > 2 * EDGES_AHEAD) {
+        uint32_t u = item[2 * EDGES_AHEAD].number;
+        if (o->is[u] & OPEN_LEADS)
+            FETCH_AHEAD(&edge[o->first[u]]);
+        if (o->is[u] & (OPEN_LEADS | OPEN_LOOSE))
+            FETCH_ARRAY(&point[u], 3 * sizeof *point);
+    }
+    if (left > EDGES_AHEAD && o->is[item[EDGES_AHEAD].number] & OPEN_LEADS) {
+        uint32_t u = item[EDGES_AHEAD].number;
+        for (uint32_t e = o->first[u]; e < o->first[u + 1]; e++)
+            FETCH_AHEAD(&point[u - edge[e].v[0] + edge[e].v[1]]);
+    }
+}
+
+/* Does no end of an odd edge touch an odd edge that begins at v? */
+static plain_answer ask_edges_of(const plain_work *w, const point_grid *grid, const open_vertices *o, uint32_t v,
+                                 point_list *found)
+{
+    const scene_edge *edge = w->edges.edge;
+    plain_answer answer = PLAIN_YES;
+    for (uint32_t e = o->first[v]; e < o->first[v + 1] && answer == PLAIN_YES; e++)
+        if (is_odd(&w->edges, e))
+            answer = is_clear(w, grid, v, v - edge[e].v[0] + edge[e].v[1], found);
+    return answer;
+}
+
 /* Does no end of an odd edge touch another odd edge? Edges are taken cell by cell, so that what one edge has read is
  * still in the cache for the next. */
 static plain_answer ask_edges(const plain_work *w, const point_grid *grid, const open_vertices *o)
 {
-    const scene_edge *edge = w->edges.edge;
     point_list found = {0};
     plain_answer answer = PLAIN_YES;
     for (size_t k = 0; answer == PLAIN_YES && k < o->count; k++) {
         uint32_t v = grid->item[k].number;
-        if (k + 3 * EDGES_AHEAD < o->count)
-            FETCH_AHEAD(&o->first[grid->item[k + 3 * EDGES_AHEAD].number]);
-        if (k + 2 * EDGES_AHEAD < o->count) {
-            FETCH_AHEAD(&edge[o->first[grid->item[k + 2 * EDGES_AHEAD].number]]);
-            FETCH_AHEAD(&w->scene->point[grid->item[k + 2 * EDGES_AHEAD].number]);
-        }
-        if (k + EDGES_AHEAD < o->count) {
-            uint32_t u = grid->item[k + EDGES_AHEAD].number;
-            for (uint32_t e = o->first[u]; e < o->first[u + 1]; e++)
-                FETCH_AHEAD(&w->scene->point[u - edge[e].v[0] + edge[e].v[1]]);
-        }
-        for (uint32_t e = o->first[v]; e < o->first[v + 1] && answer == PLAIN_YES; e++)
-            if (is_odd(&w->edges, e))
-                answer = is_clear(w, grid, v, v - edge[e].v[0] + edge[e].v[1], &found);
+        fetch_edges(w, grid, o, k);
+        if (o->is[v] & OPEN_LOOSE)
+            answer = is_clear_triangle(w, grid, v, &found);
+        else if (o->is[v] & OPEN_LEADS)
+            answer = ask_edges_of(w, grid, o, v, &found);
     }
     free(found.item);
     return answer;
@@ -603,11 +687,11 @@ static plain_answer are_apart(const plain_work *w, const open_vertices *o, size_
 static plain_answer are_clear(const plain_work *w)
 {
     const size_t vertices = w->scene->vertex_count;
-    open_vertices o = {.is_end = alloc_zeroed(vertices, 1),
+    open_vertices o = {.is = alloc_zeroed(vertices, 1),
                        .vertex = alloc_array(vertices, sizeof *o.vertex),
                        .first = alloc_array(vertices + 1, sizeof *o.first)};
     point_grid grid = {0};
-    plain_answer answer = o.is_end && o.vertex && o.first ? PLAIN_YES : PLAIN_NO_MEMORY;
+    plain_answer answer = o.is && o.vertex && o.first ? PLAIN_YES : PLAIN_NO_MEMORY;
     if (answer == PLAIN_YES) {
         bool all = find_ends(w, &o) > 0;
         list_open(w, &o, true);
@@ -619,7 +703,7 @@ static plain_answer are_clear(const plain_work *w)
         answer =
             point_grid_build(&grid, w->scene->point, o.vertex, o.count) ? ask_edges(w, &grid, &o) : PLAIN_NO_MEMORY;
     point_grid_free(&grid);
-    free(o.is_end);
+    free(o.is);
     free(o.vertex);
     free(o.first);
     return answer;
@@ -803,8 +887,8 @@ static bool fill_surface(plain_work *w)
     return true;
 }
 
-plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const roberts_scene_options *options,
-                                double touching)
+plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const repeated_solids *list,
+                                const roberts_scene_options *options, double touching)
 {
     plain_work w = {.scene = scene,
                     .mark = mark,
@@ -821,7 +905,7 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
             if (scene->turned[f])
                 scene_turn_face(scene, f); /* restore the corners of the file */
         if (scene->solid[s].stored >= scene->shared)
-            answer = take_edges(&w, s);
+            answer = take_edges(&w, s, list->item[list->of[s]].solid);
     }
     plain_edges_free_scratch(&w.edges);
     if (answer == PLAIN_YES)

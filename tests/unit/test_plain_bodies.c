@@ -281,6 +281,71 @@ static void loose_faces_are_apart(void **state)
     }
 }
 
+/* A loose triangle is plain unless a vertex of another one touches a side of it. The first triangle is as small as the
+ * cells in which neighbours are sought, or large and oblique, so that its sides are sought one by one. It lies among
+ * others, which are far from it. */
+static void loose_triangles_are_clear(void **state)
+{
+    static const struct {
+        const char *name;
+        roberts_vec3 corner[3]; /* of the second triangle; the first one is (0, 0, 0), (1, 0, 0), (0, 1, 0) */
+        bool plain;
+    } cases[] = {
+        {"a corner on a side", {{0.5, 0.5, 0}, {1, 1, 1}, {1, 1, 2}}, false},
+        {"a corner on the first side", {{0.25, 0, 0}, {0.5, -1, 1}, {0.25, -1, 2}}, false},
+        {"a corner a little off that side", {{0.25, -1e-7, 0}, {0.5, -1, 1}, {0.25, -1, 2}}, true},
+        {"a corner at a corner", {{1, 1, 2}, {1, 1, 1}, {1, 0, 0}}, false},
+        {"a corner in the face", {{0.25, 0.25, 0}, {1, 1, 1}, {1, 1, 2}}, true},
+        {"a corner of the first one on a side", {{-1, 0, -1}, {1, 0, 1}, {-1, -1, 1}}, false},
+        {"triangles that cross", {{0.25, 0.25, -1}, {0.25, 0.25, 1}, {1, 1, 2}}, true},
+        {"a side through the line of another", {{2, 0, -1}, {2, 0, 1}, {3, 0, 0}}, true},
+        {"a triangle without area", {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}}, false},
+    };
+    enum { CASES = sizeof cases / sizeof cases[0], OTHERS = 12 };
+    (void)state;
+    for (int i = 0; i < 2 * CASES; i++) {
+        const double size = i < CASES ? 1.0 : 60.0;
+        roberts_mesh mesh = {0};
+        roberts_scene *scene = NULL;
+        roberts_error error = {0};
+        for (int v = 0; v < 6; v++) {
+            roberts_vec3 p = v < 3 ? (roberts_vec3){v == 1, v == 2, 0} : cases[i % CASES].corner[v - 3];
+            p.z += i < CASES ? 0.0 : p.x + p.y;
+            assert_true(mesh_add_vertex(&mesh, vec3_scale(size, p)));
+        }
+        for (int k = 0; k < OTHERS * OTHERS * OTHERS; k++) {
+            const double x = k % OTHERS, y = k / OTHERS % OTHERS, z = k / (OTHERS * OTHERS);
+            const roberts_vec3 at = {60.0 + 2.0 * x, 60.0 + 2.0 * y, 2.0 * z - 20.0};
+            for (int v = 0; v < 3; v++)
+                assert_true(mesh_add_vertex(&mesh, (roberts_vec3){at.x + (v == 1), at.y + (v == 2), at.z + (v == 2)}));
+        }
+        for (uint32_t v = 0; v < mesh.vertex_count; v += 3)
+            add_face(&mesh, 3, (uint32_t[]){v, v + 1, v + 2});
+        if (roberts_scene_build(&mesh, NULL, &scene, &error) != ROBERTS_OK)
+            fail_msg("%s: %s", cases[i % CASES].name, error.message);
+        if ((scene->face_number == NULL) != cases[i % CASES].plain)
+            fail_msg("%s, size %g: plain, or not", cases[i % CASES].name, size);
+        roberts_scene_free(scene);
+        roberts_mesh_free(&mesh);
+    }
+}
+
+/* Bodies with the same pattern share their edges, unless these have more than two faces. */
+static void edges_of_a_pattern_are_stored_once(void **state)
+{
+    static const struct {
+        const char *what;
+        bool shared;
+    } cases[] = {{"ss", true}, {"nnn", true}, {"sf", false}, {"ff", false}, {"sts", true}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_scene *scene = scene_of(cases[i].what, false, true);
+        const scene_solid *last = &scene->solid[scene->solid_count - 1];
+        assert_int_equal(scene->solid[0].stored == last->stored, cases[i].shared);
+        roberts_scene_free(scene);
+    }
+}
+
 /* Only a shape far from convex is recognised at a glance. */
 static void a_glance_tells_only_what_is_certain(void **state)
 {
@@ -336,6 +401,8 @@ int main(void)
         cmocka_unit_test(plain_bodies_are_the_same),
         cmocka_unit_test(a_concave_face_is_cut),
         cmocka_unit_test(loose_faces_are_apart),
+        cmocka_unit_test(loose_triangles_are_clear),
+        cmocka_unit_test(edges_of_a_pattern_are_stored_once),
         cmocka_unit_test(a_glance_tells_only_what_is_certain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
