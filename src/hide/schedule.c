@@ -202,44 +202,58 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Fills `key` with the places of the solids on the Z-order curve through the picture. Returns how far apart consecutive
- * solids are on average. */
-static double find_keys(const hide_fronts *fronts, uint32_t *key)
+/* Has the solid no lines? One that the near plane has removed may have some. */
+static bool has_no_lines(const hide_fronts *fronts, uint32_t s)
+{
+    return fronts->culled[s] && !(fronts->seen->clip.clipped && fronts->seen->rules.hidden);
+}
+
+/* Lists the solids that have lines, and fills `key` with their places on the Z-order curve through the picture. Returns
+ * how far apart consecutive solids of the scene are on average. */
+static double find_keys(const hide_fronts *fronts, uint32_t *listed, uint32_t *key, uint32_t *listed_count)
 {
     uint32_t count = fronts->scene->solid_count, last_i = 0, last_j = 0;
     double way = 0.0;
+    *listed_count = 0;
     scan_frame frame = scan_frame_over(fronts->low, fronts->high, SIDE, SIDE, hide_margin(&fronts->space));
     for (uint32_t s = 0; s < count; s++) {
         const hide_box *box = &fronts->box[s];
         uint32_t i = scan_column(&frame, 0.5 * ((double)box->x0 + (double)box->x1));
         uint32_t j = scan_row(&frame, 0.5 * ((double)box->y0 + (double)box->y1));
         way += apart(i, last_i) + apart(j, last_j);
-        key[s] = bits_spread(i) << 1 | bits_spread(j);
         last_i = i;
         last_j = j;
+        if (has_no_lines(fronts, s))
+            continue;
+        key[*listed_count] = bits_spread(i) << 1 | bits_spread(j);
+        listed[(*listed_count)++] = s;
     }
     return way / count;
 }
 
 bool picture_order_init(picture_order *o, const hide_fronts *fronts, double depth)
 {
-    *o = (picture_order){.count = fronts->scene->solid_count};
-    if (o->count < MANY_SOLIDS)
+    const uint32_t solids = fronts->scene->solid_count;
+    *o = (picture_order){.solids = solids};
+    if (solids < MANY_SOLIDS)
         return true;
-    uint32_t *key = alloc_array(o->count, sizeof *key);
-    if (!key)
-        return false;
-    bool far = find_keys(fronts, key) > FAR_APART, done = true;
-    if (far || depth > DEEP) {
+    uint32_t *key = alloc_array(solids, sizeof *key), *listed = alloc_array(solids, sizeof *listed);
+    bool done = key && listed, far = done && find_keys(fronts, listed, key, &o->count) > FAR_APART;
+    if (done && (far || depth > DEEP)) {
         o->solid = alloc_array(o->count, sizeof *o->solid);
-        o->place = alloc_array(o->count, sizeof *o->place);
+        o->place = alloc_array(solids, sizeof *o->place);
         o->chunks = (o->count + KEPT_SOLIDS - 1) / KEPT_SOLIDS;
         o->chunk = alloc_zeroed(o->chunks, sizeof *o->chunk);
         done = o->solid && o->place && o->chunk && radix_order(key, o->count, o->solid);
-        for (uint32_t k = 0; done && k < o->count; k++)
+        for (uint32_t s = 0; done && s < solids; s++)
+            o->place[s] = ROBERTS_NONE;
+        for (uint32_t k = 0; done && k < o->count; k++) {
+            o->solid[k] = listed[o->solid[k]];
             o->place[o->solid[k]] = k;
+        }
     }
     free(key);
+    free(listed);
     return done;
 }
 
@@ -312,14 +326,18 @@ bool picture_order_keep(picture_order *o, uint32_t place, const hide_worker *w)
 
 void picture_order_fetch(const picture_order *o, uint32_t solid)
 {
-    if (o->count - solid <= 2 * RECALLS_AHEAD)
+    if (o->solids - solid <= 2 * RECALLS_AHEAD)
         return;
     uint32_t later = o->place[solid + 2 * RECALLS_AHEAD], sooner = o->place[solid + RECALLS_AHEAD];
-    const kept_chunk *c = &o->chunk[later / KEPT_SOLIDS];
-    FETCH_AHEAD(c);
-    FETCH_AHEAD(&c->first_line[later % KEPT_SOLIDS]);
-    FETCH_AHEAD(&c->first_part[later % KEPT_SOLIDS]);
-    c = &o->chunk[sooner / KEPT_SOLIDS];
+    if (later != ROBERTS_NONE) {
+        const kept_chunk *far = &o->chunk[later / KEPT_SOLIDS];
+        FETCH_AHEAD(far);
+        FETCH_AHEAD(&far->first_line[later % KEPT_SOLIDS]);
+        FETCH_AHEAD(&far->first_part[later % KEPT_SOLIDS]);
+    }
+    if (sooner == ROBERTS_NONE)
+        return;
+    const kept_chunk *c = &o->chunk[sooner / KEPT_SOLIDS];
     uint32_t k = sooner % KEPT_SOLIDS;
     size_t lines = c->first_line[k + 1] - c->first_line[k], parts = c->first_part[k + 1] - c->first_part[k];
     if (lines)

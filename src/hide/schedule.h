@@ -84,10 +84,12 @@ typedef struct kept_chunk {
 } kept_chunk;
 
 typedef struct picture_order {
+    uint32_t solids;        /* of the scene */
     uint32_t count, chunks; /* of `solid`; of `chunk` */
-    uint32_t *solid;        /* [count] in this order; NULL: the order of the file is as good, and nothing is kept */
-    uint32_t *place;        /* [count] the place of each solid in `solid` */
-    kept_chunk *chunk;      /* [chunks] each has KEPT_SOLIDS solids */
+    uint32_t *solid; /* [count] those with lines, in this order; NULL: the order of the file is as good, and nothing is
+                        kept */
+    uint32_t *place; /* [solids] the place of each in `solid`; ROBERTS_NONE: it has no lines */
+    kept_chunk *chunk; /* [chunks] each has KEPT_SOLIDS solids */
 } picture_order;
 
 /* Finds the order. depth: mean number of fronts' boxes over a point of the picture. False: no memory;
