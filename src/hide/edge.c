@@ -223,6 +223,61 @@ static BITS_PER_PROCESSOR BITS_RARE uint64_t not_left_out(const hide_worker *w, 
     return bits;
 }
 
+/* How a line and a triangle lie in the picture, as far as floats tell. */
+typedef enum float_verdict { FLOATS_BESIDE, FLOATS_MEET, FLOATS_UNCLEAR } float_verdict;
+
+/* Does the same as is_beside() from rounded coordinates. They decide if no sign is in doubt: a line that shares a
+ * corner with the triangle leaves one in doubt. */
+BITS_INLINE float_verdict beside_in_floats(const hide_triangle *t, const hide_edge *e, float plain)
+{
+    const four ax = four_all((float)e->A.x), ay = four_all((float)e->A.y);
+    const four bx = four_all((float)e->B.x), by = four_all((float)e->B.y);
+    const four least = four_all(plain), most = four_all(-plain);
+    const four x = four_sub(four_load(t->x), ax), y = four_sub(four_load(t->y), ay);
+    const four left = four_sub(four_mul(four_sub(bx, ax), y), four_mul(four_sub(by, ay), x));
+    unsigned in = four_at_most(least, left), out = four_at_most(left, most), plainly = in | out;
+    if (in == 15 || out == 15)
+        return FLOATS_BESIDE;
+    const four x1 = four_sub(four_load(t->x + 1), ax), y1 = four_sub(four_load(t->y + 1), ay);
+    const four a = four_sub(four_mul(x, y1), four_mul(y, x1));
+    const four u = four_sub(four_load(t->x), bx), v = four_sub(four_load(t->y), by);
+    const four u1 = four_sub(four_load(t->x + 1), bx), v1 = four_sub(four_load(t->y + 1), by);
+    const four b = four_sub(four_mul(u, v1), four_mul(v, u1));
+    const unsigned out_a = four_at_most(a, most), out_b = four_at_most(b, most);
+    if (out_a & out_b)
+        return FLOATS_BESIDE;
+    plainly &= (out_a | four_at_most(least, a)) & (out_b | four_at_most(least, b));
+    return plainly == 15 ? FLOATS_MEET : FLOATS_UNCLEAR;
+}
+
+/* Returns the size from which a cross product of rounded coordinates has a plain sign, for lines and a front in these
+ * boxes. Rounding one coordinate adds at most 2^-24 `across`, so a difference of two is off by twice that and its own
+ * rounding, and the difference of two products by 24 * 2^-24 `across` times their sizes. */
+BITS_INLINE float plain_in_floats(const hide_fronts *fronts, const hide_box *a, const hide_box *b)
+{
+    const float x = (a->x1 > b->x1 ? a->x1 : b->x1) - (a->x0 < b->x0 ? a->x0 : b->x0);
+    const float y = (a->y1 > b->y1 ? a->y1 : b->y1) - (a->y0 < b->y0 ? a->y0 : b->y0);
+    return (float)(32.0 * 0x1p-24 * fronts->space.view->across * (double)(x + y) + 2.0 * fronts->space.plain);
+}
+
+/* The same, where fronts are kept as triangles. box: of the lines. */
+static BITS_PER_PROCESSOR BITS_RARE uint64_t not_left_out_in_floats(const hide_worker *w, const hide_line *first,
+                                                                    uint64_t bits, const hide_box *box, uint32_t index)
+{
+    const hide_fronts *fronts = w->fronts;
+    const hide_front *front = &fronts->front[index];
+    const float plain = plain_in_floats(fronts, &fronts->front_box[index], box);
+    for (uint64_t rest = bits; rest; rest &= rest - 1) {
+        const hide_line *line = first + bits_trailing_zeros(rest);
+        const float_verdict lies = beside_in_floats(&fronts->triangle[index], &line->e, plain);
+        if (lies == FLOATS_BESIDE ||
+            (lies == FLOATS_MEET ? seen_owns(fronts->scene, &line->is.own, hide_key(fronts, front))
+                                 : is_left_out(w, line, front)))
+            bits &= ~(rest & -rest);
+    }
+    return bits;
+}
+
 /* Tests lines against a front that may be nearer somewhere. Bit i of `bits` stands for line first[i]. The lines lie
  * within `box`. False: no memory. */
 static BITS_PER_PROCESSOR bool meet(hide_worker *w, hide_line *first, uint64_t bits, const hide_box *box,
@@ -306,7 +361,8 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
     uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
     if (w->own == ROBERTS_NONE)
-        bits = not_left_out(w, p->first, bits, front);
+        bits = w->fronts->triangle ? not_left_out_in_floats(w, p->first, bits, p->box, front)
+                                   : not_left_out(w, p->first, bits, front);
     return !bits || is_of_body(w, front) || meet(w, p->first, bits, p->box, front);
 }
 

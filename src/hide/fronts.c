@@ -599,6 +599,28 @@ bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hid
     return false;
 }
 
+static bool keep_some(void *context, size_t first, size_t end)
+{
+    const hide_fronts *fronts = context;
+    for (size_t k = first; k < end; k++) {
+        uint32_t turned[SEEN_TURNED] = {0};
+        const hide_face outline = hide_outline(fronts, (uint32_t)k, turned);
+        for (uint32_t i = 0; i < 5; i++) {
+            const roberts_vec3 *P = &fronts->P[outline.corner[i % 3]];
+            fronts->triangle[k].x[i] = outline.count == 3 ? (float)P->x : NAN;
+            fronts->triangle[k].y[i] = outline.count == 3 ? (float)P->y : NAN;
+        }
+    }
+    return true;
+}
+
+bool hide_fronts_keep(hide_fronts *fronts, uint32_t threads)
+{
+    fronts->triangle = alloc_array(fronts->front_count, sizeof *fronts->triangle);
+    return fronts->triangle && threads_each(threads_for(threads, 1 + fronts->front_count / SOLIDS_PER_THREAD),
+                                            fronts->front_count, 0, keep_some, fronts);
+}
+
 void hide_fronts_drop_boxes(hide_fronts *fronts)
 {
     if (fronts->front_count > fronts->whole_count)
@@ -616,6 +638,7 @@ void hide_fronts_free(hide_fronts *fronts)
     free(fronts->whole);
     free(fronts->front);
     free(fronts->front_box);
+    free(fronts->triangle);
     free(fronts->outline);
     free(fronts->next_copy);
     runs_table_free(&fronts->face_runs);

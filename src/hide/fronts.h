@@ -47,6 +47,12 @@ typedef struct hide_single {
     uint32_t turned[SEEN_TURNED]; /* room for its corners: see seen_corners() */
 } hide_single;
 
+/* A triangle in the picture, rounded to floats: x of its corners counter-clockwise, and of the first two again; then y.
+ * NaN: the front is no triangle. */
+typedef struct hide_triangle {
+    float x[5], y[5];
+} hide_triangle;
+
 typedef struct hide_fronts {
     seen *seen;
     const roberts_scene *scene; /* seen->scene */
@@ -60,6 +66,7 @@ typedef struct hide_fronts {
     hide_whole_front *whole; /* [whole_count] */
     hide_front *front;       /* [front_count] whole fronts come first */
     hide_box *front_box;     /* [front_count] */
+    hide_triangle *triangle; /* [front_count] the fronts in the picture. NULL: not kept. See hide_fronts_keep() */
     uint32_t convex_count;   /* convex solids of the scene */
     uint32_t *next_copy;     /* [whole_count] of each front, another copy of it, or ROBERTS_NONE; NULL: no copies */
     uint32_t whole_count, front_count;
@@ -83,6 +90,10 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
 /* The same. looked_up: hide_seen_at() will be called, even if hidden lines are not kept. */
 bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);
+
+/* Keeps what the tests need of each front side by side, for bodies whose own data lie anywhere in memory. False: no
+ * memory. */
+bool hide_fronts_keep(hide_fronts *fronts, uint32_t threads);
 
 /* Frees the boxes of bodies, unless there are single faces: only these need them from now on. */
 void hide_fronts_drop_boxes(hide_fronts *fronts);

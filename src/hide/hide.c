@@ -90,7 +90,11 @@ static roberts_status list_fronts(hide_job *job)
         return ROBERTS_NO_MEMORY;
     }
     hide_fronts_drop_boxes(&job->fronts);
-    return objet_build(&job->grid, fronts, frame, job->options->threads);
+    roberts_status status = objet_build(&job->grid, fronts, frame, job->options->threads);
+    if (status == ROBERTS_OK && job->order.solid && fronts->front_count > fronts->whole_count &&
+        !hide_fronts_keep(fronts, job->options->threads))
+        status = ROBERTS_NO_MEMORY;
+    return status;
 }
 
 /* ---- 3. where faces cross ---- */

@@ -21,9 +21,24 @@ static double anyhow(uint64_t n)
     return (double)(n >> 11) * 0x1p-53;
 }
 
-/* A meadow of tetrahedra that reach over one another, two deep; more where they are `wide`. cell[i]: where the i-th
- * stands, row by row. */
-static roberts_scene *make_scene(const uint32_t *cell, double wide)
+static const roberts_camera camera = {.dir = {1, -2, 30}};
+
+/* A loose triangle or quadrilateral, or exactly behind the one of the cell before. */
+static void add_loose(roberts_mesh *mesh, uint32_t cell)
+{
+    static const unsigned char triangle[] = {3, 0, 1, 2, 0}, quadrilateral[] = {4, 0, 1, 2, 3, 0};
+    const uint32_t as = cell % 5 == 4 ? cell - 1 : cell;
+    const roberts_vec3 at = {as % SIDE + anyhow(3 * as + 1), as / SIDE + anyhow(3 * as + 2), 3.0 * anyhow(3 * as + 3)};
+    const roberts_vec3 a = {1.5, 0.1, anyhow(5 * as + 4)}, b = {0.2, 1.4, anyhow(7 * as + 5)};
+    const roberts_vec3 first = vec3_add(at, vec3_scale(cell % 5 == 4 ? -0.1 : 0.0, camera.dir));
+    const roberts_vec3 second = vec3_add(first, a);
+    const roberts_vec3 point[4] = {first, second, vec3_add(second, b), vec3_add(first, b)};
+    mesh_solid(mesh, point, 4, as % 3 ? triangle : quadrilateral);
+}
+
+/* A meadow of tetrahedra, or of loose faces, that reach over one another, two deep; more where they are `wide`.
+ * cell[i]: where the i-th stands, row by row. */
+static roberts_scene *make_scene(const uint32_t *cell, double wide, bool loose)
 {
     static const unsigned char faces[] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3, 0};
     roberts_mesh mesh = {0};
@@ -32,12 +47,13 @@ static roberts_scene *make_scene(const uint32_t *cell, double wide)
         double z = 3.0 * anyhow(3 * cell[i] + 3);
         const roberts_vec3 point[4] = {
             {x, y, z}, {x + 1.5 * wide, y + 0.1, z}, {x + 0.2, y + 1.4 * wide, z}, {x + 0.5, y + 0.5, z + 1}};
-        mesh_solid(&mesh, point, 4, faces);
+        if (loose)
+            add_loose(&mesh, cell[i]);
+        else
+            mesh_solid(&mesh, point, 4, faces);
     }
     return build_scene(&mesh);
 }
-
-static const roberts_camera camera = {.dir = {1, -2, 30}};
 
 /* In order, or (the same on each run) scattered. */
 static void fill(uint32_t *cell, bool scattered)
@@ -62,7 +78,7 @@ static bool is_worth(const roberts_scene *scene)
     cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0.0}, 0, &depth);
     assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;
-    for (uint32_t i = 0; worth && i < COUNT; i++)
+    for (uint32_t i = 0; worth && i < order.count; i++)
         assert_true(order.solid[i] < COUNT && order.place[order.solid[i]] == i);
     picture_order_free(&order);
     hide_fronts_free(&fronts);
@@ -98,22 +114,26 @@ static void same_part(const roberts_segment *a, const roberts_segment *b)
     assert_int_equal(a->line, b->line);
 }
 
+typedef struct kind {
+    bool keep_hidden, loose;
+} kind;
+
 static void scattered_as_in_order(void **state)
 {
-    const bool *keep_hidden = *state;
+    const kind *of = *state;
     uint32_t *cell = calloc(COUNT, sizeof *cell);
     size_t *first = calloc(COUNT, sizeof *first), *count = calloc(COUNT, sizeof *count), next = 0;
     roberts_drawing ordered, drawing;
     roberts_tally tally;
     roberts_hide_options options = roberts_hide_options_default();
-    options.keep_hidden = *keep_hidden;
+    options.keep_hidden = of->keep_hidden;
     fill(cell, false);
-    roberts_scene *scene = make_scene(cell, 1.0);
+    roberts_scene *scene = make_scene(cell, 1.0, of->loose);
     assert_false(is_worth(scene));
     assert_int_equal(roberts_hide(scene, &camera, &options, &ordered, NULL), ROBERTS_OK);
     roberts_scene_free(scene);
     fill(cell, true);
-    scene = make_scene(cell, 1.0);
+    scene = make_scene(cell, 1.0, of->loose);
     assert_true(is_worth(scene));
     for (options.threads = 1; options.threads <= 3; options.threads += 2, next = 0) {
         assert_int_equal(roberts_hide(scene, &camera, &options, &drawing, NULL), ROBERTS_OK);
@@ -152,7 +172,7 @@ static void deep_as_with_hidden(void **state)
     roberts_drawing all, drawing;
     (void)state;
     fill(cell, false);
-    roberts_scene *scene = make_scene(cell, 1.5);
+    roberts_scene *scene = make_scene(cell, 1.5, false);
     assert_true(is_worth(scene));
     assert_int_equal(roberts_hide(scene, &camera, &options, &all, NULL), ROBERTS_OK);
     options.keep_hidden = false;
@@ -177,14 +197,14 @@ static void deep_as_with_hidden(void **state)
 /* Some of the many allocations, from the whole run. An array that cannot be made smaller is kept as it is. */
 static void memory_fails(void **state)
 {
-    const bool *keep_hidden = *state;
+    const kind *of = *state;
     uint32_t *cell = calloc(COUNT, sizeof *cell);
     size_t lost = 0;
     roberts_hide_options options = roberts_hide_options_default();
     options.threads = 1;
-    options.keep_hidden = *keep_hidden;
+    options.keep_hidden = of->keep_hidden;
     fill(cell, true);
-    roberts_scene *scene = make_scene(cell, 1.0);
+    roberts_scene *scene = make_scene(cell, 1.0, of->loose);
     memory_fail(0);
     size_t before = memory_blocks;
     roberts_drawing drawing = drawing_of(scene, &camera, &options);
@@ -208,13 +228,16 @@ static void memory_fails(void **state)
 
 int main(void)
 {
-    bool visible = false, all = true; /* keep_hidden */
+    kind solids = {false, false}, all_solids = {true, false}, loose = {false, true}, all_loose = {true, true};
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_prestate(scattered_as_in_order, &visible),
-        cmocka_unit_test_prestate(scattered_as_in_order, &all),
+        cmocka_unit_test_prestate(scattered_as_in_order, &solids),
+        cmocka_unit_test_prestate(scattered_as_in_order, &all_solids),
+        cmocka_unit_test_prestate(scattered_as_in_order, &loose),
+        cmocka_unit_test_prestate(scattered_as_in_order, &all_loose),
         cmocka_unit_test(deep_as_with_hidden),
-        cmocka_unit_test_prestate(memory_fails, &visible),
-        cmocka_unit_test_prestate(memory_fails, &all),
+        cmocka_unit_test_prestate(memory_fails, &solids),
+        cmocka_unit_test_prestate(memory_fails, &all_solids),
+        cmocka_unit_test_prestate(memory_fails, &loose),
     };
     return cmocka_run_group_tests_name("memory_order", tests, NULL, NULL);
 }
