@@ -333,9 +333,11 @@ static bool box_solids(void *context, size_t first, size_t end)
 static bool box_bodies(void *context, size_t first, size_t end)
 {
     const crossing_filter *p = context;
-    for (size_t body = first; body < end; body++)
+    for (size_t k = first; k < end; k++) {
+        const uint32_t body = p->by_front ? p->fronts->front[k].solid : (uint32_t)k;
         if (!p->fronts->culled[body])
-            p->body[body] = box_of_model(p->fronts->scene, (uint32_t)body);
+            p->body[k] = box_of_model(p->fronts->scene, body);
+    }
     return true;
 }
 
@@ -388,13 +390,15 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
                            .whole = fronts->scene->low ? 0 : fronts->whole_count};
     p->touching = p->whole > 0 || singles ? touching_distance(fronts) : 0.0;
     p->model = alloc_array(p->whole, sizeof *p->model);
-    p->body = boxed ? alloc_array(bodies, sizeof *p->body) : NULL;
+    p->by_front = !simple && fronts->front_count < bodies;
+    const uint32_t boxes = p->by_front ? fronts->front_count : bodies;
+    p->body = boxed ? alloc_array(boxes, sizeof *p->body) : NULL;
     p->simple = simple ? alloc_array(bodies, sizeof *p->simple) : NULL;
     if (!p->model || (boxed && !p->body) || (simple && !p->simple))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
     if (boxed)
-        threads_each(threads, bodies, 0, box_bodies, p);
+        threads_each(threads, boxes, 0, box_bodies, p);
     if (simple)
         threads_each(threads, bodies, 0, find_simple, p);
     if (!p->star)
@@ -446,7 +450,7 @@ static hide_bounds box_of_piece(const roberts_scene *scene, uint32_t piece)
 bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 {
     const hide_front *f = &p->fronts->front[a], *g = &p->fronts->front[b];
-    if (p->body && filter_gap(&p->body[f->solid], &p->body[g->solid]) > p->touching)
+    if (p->body && filter_gap(&p->body[p->by_front ? a : f->solid], &p->body[p->by_front ? b : g->solid]) > p->touching)
         return true;
     if (!p->fronts->seen->view.perspective || !hide_is_face(f) || !hide_is_face(g))
         return false;

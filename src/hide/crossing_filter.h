@@ -92,8 +92,10 @@ typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 typedef struct crossing_filter {
     const hide_fronts *fronts;
     model_box *model;   /* [whole] */
-    hide_bounds *body;  /* [solid_count] boxes of bodies along the axes of the model; NULL: not known */
+    hide_bounds *body;  /* boxes of bodies along the axes of the model: [front_count] of each front's body, if that is
+                           less than [solid_count]; NULL: not known */
     uint8_t *simple;    /* [solid_count] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
+    bool by_front;      /* `body` has a box for each front; then `simple` is NULL */
     uint32_t whole;     /* number of whole solids, which come before single faces */
     double touching;    /* model units; bodies farther apart do not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
