@@ -360,8 +360,7 @@ typedef struct plain_work {
     /* meshes only: */
     uint8_t *bend;      /* see scene_surface.bend */
     bend_count *smooth; /* [solids] */
-    plane *plane;       /* [plane_room] of the faces of one body */
-    size_t plane_room;
+    plane *plane;       /* of the faces of one body */
 } plain_work;
 
 /* Stores the plane of a face as bodies.c does: its normal points to the side from which the corners run clockwise. */
@@ -793,33 +792,30 @@ static uint32_t edges_of(const plain_work *w, uint32_t s)
     return w->count[s] > 0 ? w->count[s] : scene_corners(w->scene, s) / 2;
 }
 
-/* Finds the planes of the faces of solid s. PLAIN_NO: one is too narrow. */
-static BITS_PER_PROCESSOR plain_answer take_planes(plain_work *w, uint32_t s)
+/* Finds the planes of the faces of solid s. False: one is too narrow. */
+static BITS_PER_PROCESSOR bool take_planes(plain_work *w, uint32_t s)
 {
     const roberts_scene *scene = w->scene;
     const uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
-    if (!array_reserve(&w->plane, &w->plane_room, count, sizeof *w->plane))
-        return PLAIN_NO_MEMORY;
     for (uint32_t f = 0; f < count; f += 2) {
         const uint32_t g = f + 1 < count ? f + 1 : f;
         two_shapes found;
         if (!measure_triangles(scene, first + f, first + g, w->rules.touching, &found))
-            return PLAIN_NO;
+            return false;
         w->plane[f] = found.F;
         w->plane[g] = found.G;
     }
-    return PLAIN_YES;
+    return true;
 }
 
-/* Finds the bends at the edges of solid s, which begin at bend[0]. PLAIN_NO: a face is too narrow. */
-static BITS_PER_PROCESSOR plain_answer take_bends(plain_work *w, uint32_t s, uint8_t *bend)
+/* Finds the bends at the edges of solid s, which begin at bend[0]. False: a face is too narrow. */
+static BITS_PER_PROCESSOR bool take_bends(plain_work *w, uint32_t s, uint8_t *bend)
 {
     const roberts_scene *scene = w->scene;
     bool own = w->count[s] > 0;
     const scene_edge *edge = own ? w->edges.edge + w->first[s] : scene->edge + scene->solid[s].stored;
-    plain_answer answer = take_planes(w, s);
-    if (answer != PLAIN_YES)
-        return answer;
+    if (!take_planes(w, s))
+        return false;
     for (uint32_t e = 0, count = edges_of(w, s); e < count; e++) {
         uint8_t is = own ? w->edges.is[w->first[s] + e] : EDGE_TURNED_1;
         bend[e] = 0;
@@ -829,26 +825,29 @@ static BITS_PER_PROCESSOR plain_answer take_bends(plain_work *w, uint32_t s, uin
         bend[e] = scene_bend_code(own_bend);
         body_count_bend(&w->smooth[s], own_bend);
     }
-    return PLAIN_YES;
+    return true;
 }
 
 /* Finds the bends at all edges, in place of the planes. */
 static plain_answer take_mesh(plain_work *w)
 {
+    const scene_solid *solid = w->scene->solid;
     size_t count = 0;
-    for (uint32_t s = 0; s < w->scene->solid_count; s++)
+    uint32_t faces = 0;
+    for (uint32_t s = 0; s < w->scene->solid_count; s++) {
         count += edges_of(w, s);
+        faces = solid[s + 1].face - solid[s].face > faces ? solid[s + 1].face - solid[s].face : faces;
+    }
     w->bend = alloc_array(count, sizeof *w->bend);
     w->smooth = alloc_zeroed(w->scene->solid_count, sizeof *w->smooth);
-    if (!w->bend || !w->smooth)
-        return PLAIN_NO_MEMORY;
     drop_planes(w->scene);
+    w->plane = alloc_array(faces, sizeof *w->plane);
+    if (!w->bend || !w->smooth || !w->plane)
+        return PLAIN_NO_MEMORY;
     count = 0;
-    for (uint32_t s = 0; s < w->scene->solid_count; count += edges_of(w, s++)) {
-        plain_answer answer = take_bends(w, s, w->bend + count);
-        if (answer != PLAIN_YES)
-            return answer;
-    }
+    for (uint32_t s = 0; s < w->scene->solid_count; count += edges_of(w, s++))
+        if (!take_bends(w, s, w->bend + count))
+            return PLAIN_NO;
     return PLAIN_YES;
 }
 
