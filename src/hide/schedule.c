@@ -422,11 +422,12 @@ static bool goes_on(chunks *c)
 
 static void give_away(chunks *c, hide_chunk *chunk)
 {
-    const bool goes_on = chunk_give(chunk, c->to);
+    const bool more = chunk_give(chunk, c->to);
     c->drawing->count += chunk->given;
-    if (!goes_on)
-        chunks_fail(c, ROBERTS_STOPPED);
-    atomic_store(&c->turn, chunk->number + 1);
+    if (more)
+        atomic_store(&c->turn, chunk->number + 1);
+    else
+        chunks_fail(c, ROBERTS_STOPPED); /* and no chunk has its turn: another thread may just have seen it go on */
 }
 
 /* Copies a chunk into the drawing. The drawing's array moves only while nobody writes to it. The next chunk gets its
