@@ -330,12 +330,16 @@ static bool box_solids(void *context, size_t first, size_t end)
     return true;
 }
 
+/* The fronts of a body follow one another: its box is measured once. */
 static bool box_bodies(void *context, size_t first, size_t end)
 {
     const crossing_filter *p = context;
+    const hide_front *front = p->fronts->front;
     for (size_t k = first; k < end; k++) {
-        const uint32_t body = p->by_front ? p->fronts->front[k].solid : (uint32_t)k;
-        if (!p->fronts->culled[body])
+        const uint32_t body = p->by_front ? front[k].solid : (uint32_t)k;
+        if (p->by_front && k > first && front[k - 1].solid == body)
+            p->body[k] = p->body[k - 1];
+        else if (!p->fronts->culled[body])
             p->body[k] = box_of_model(p->fronts->scene, body);
     }
     return true;
