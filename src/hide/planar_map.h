@@ -15,12 +15,12 @@ typedef struct planar_map {
     roberts_vec2 *node;  /* [node_count] some may be on no line */
     uint32_t (*line)[2]; /* [line_count] by their nodes, the smaller node first; each once */
     size_t node_count, line_count, node_room, line_room;
-    uint32_t
-        *slot; /* [slot_count] of a hash table by place: the number of the node, plus 1. Only while lines are added */
+    uint32_t *slot; /* [slot_count] hash table by place: the number of the node, plus 1; 0: free. NULL after division */
     size_t slot_count;
 } planar_map;
 
-/* Adds a segment, unless it has no length. Ends at exactly the same place are one node. False: no memory. */
+/* Adds a segment, unless it has no length. Ends at exactly the same place are one node. False: no
+ * memory; then, and after planar_map_divide(), nothing can be added. */
 bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b);
 
 /* Makes the map planar. False: no memory. */
