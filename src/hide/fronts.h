@@ -91,7 +91,7 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
 bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);
 
-/* Keeps what the tests need of each front side by side, for bodies whose own data lie anywhere in memory. False: no
+/* Keeps the triangles of fronts as floats, side by side, for bodies whose own data lie anywhere in memory. False: no
  * memory. */
 bool hide_fronts_keep(hide_fronts *fronts, uint32_t threads);
 
@@ -122,6 +122,12 @@ static inline bool hide_is_face(const hide_front *front)
 static inline const cover *hide_own_cover(const hide_fronts *fronts, uint32_t body)
 {
     return fronts->own ? fronts->own[body] : NULL;
+}
+
+/* Has the body lines? One that the near plane has removed has only clipped ones. */
+static inline bool hide_has_lines(const hide_fronts *fronts, uint32_t body)
+{
+    return !fronts->culled[body] || (fronts->seen->clip.clipped && fronts->seen->rules.hidden);
 }
 
 /* Returns the depth of the farthest of these vertices. */

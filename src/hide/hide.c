@@ -230,12 +230,11 @@ static roberts_status fill_drawing(const hide_job *job, hide_worker *w, uint32_t
     bool done = true;
     for (uint32_t k = 0; done && k < count; k++)
         done = do_chunk(job, w, &all, k) && (!all.to || chunk_give(&all, all.to));
-    drawing->segment = all.segment;
     drawing->count = all.count + all.given;
-    if (all.to) {
+    if (all.to)
         free(all.segment);
-        drawing->segment = NULL;
-    }
+    else
+        drawing->segment = all.segment;
     return done ? ROBERTS_OK : all.stopped ? ROBERTS_STOPPED : ROBERTS_NO_MEMORY;
 }
 

@@ -202,12 +202,6 @@ static double apart(uint32_t a, uint32_t b)
     return a < b ? b - a : a - b;
 }
 
-/* Has the solid no lines? One that the near plane has removed may have some. */
-static bool has_no_lines(const hide_fronts *fronts, uint32_t s)
-{
-    return fronts->culled[s] && !(fronts->seen->clip.clipped && fronts->seen->rules.hidden);
-}
-
 /* Lists the solids that have lines, and fills `key` with their places on the Z-order curve through the picture. Returns
  * how far apart consecutive solids of the scene are on average. */
 static double find_keys(const hide_fronts *fronts, uint32_t *listed, uint32_t *key, uint32_t *listed_count)
@@ -223,7 +217,7 @@ static double find_keys(const hide_fronts *fronts, uint32_t *listed, uint32_t *k
         way += apart(i, last_i) + apart(j, last_j);
         last_i = i;
         last_j = j;
-        if (has_no_lines(fronts, s))
+        if (!hide_has_lines(fronts, s))
             continue;
         key[*listed_count] = bits_spread(i) << 1 | bits_spread(j);
         listed[(*listed_count)++] = s;

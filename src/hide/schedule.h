@@ -115,9 +115,9 @@ typedef struct hide_chunk {
     roberts_segment *segment; /* [count] */
     size_t count, room;
     uint32_t number;
-    const roberts_receiver *to; /* takes the segments already while the chunk is filled; NULL: they stay */
-    size_t given;               /* to the receiver */
-    bool stopped;               /* it stops the work */
+    const roberts_receiver *to; /* takes the segments while a single thread fills the chunk; NULL: they stay */
+    size_t given;               /* segments that the receiver has taken */
+    bool stopped;               /* the receiver stops the work */
 } hide_chunk;
 
 /* Gives the segments of a chunk to a receiver, so that the chunk is empty. False: it stops the work. */

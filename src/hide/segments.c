@@ -386,12 +386,6 @@ static bool add_body_segments(const hide_job *job, hide_worker *w, hide_chunk *o
 
 /* ---- bodies to lines ------------------------------------------------------------------------------------------- */
 
-/* Does the body have segments? A body that the near plane has removed has only clipped ones. */
-static bool has_segments(const hide_job *job, uint32_t body)
-{
-    return !job->fronts.culled[body] || (job->seen.clip.clipped && job->options->keep_hidden);
-}
-
 /* Covers that may hide lines of a body. */
 typedef struct line_covers {
     const cover *set[3];
@@ -509,7 +503,7 @@ static bool hide_lines(const hide_job *job, hide_worker *w)
 bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 {
     hide_worker_begin(w, ROBERTS_NONE);
-    if (!has_segments(job, body))
+    if (!hide_has_lines(&job->fronts, body))
         return true;
     seen_walk walk = seen_walk_begin(&job->seen, body);
     return take_lines(job, w, &walk, SIZE_MAX) && hide_lines(job, w);
@@ -575,7 +569,7 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
     for (uint32_t s = first; s < end; s++) {
         if (job->order.solid)
             picture_order_fetch(&job->order, s);
-        if (!has_segments(job, s))
+        if (!hide_has_lines(&job->fronts, s))
             continue;
         if (!find_edges(job, w, out, s) || (job->seen.further.first && !find_further(job, w, out, s)))
             return false;
