@@ -306,45 +306,24 @@ static bool join_cells(region_work *w)
     return true;
 }
 
-static void reverse(uint32_t *item, size_t count)
-{
-    for (size_t i = 0; 2 * i + 1 < count; i++) {
-        const uint32_t other = item[count - 1 - i];
-        item[count - 1 - i] = item[i];
-        item[i] = other;
-    }
-}
-
-/* Moves the first items behind the others. */
-static void rotate(uint32_t *item, size_t count, size_t first)
-{
-    reverse(item, first);
-    reverse(item + first, count - first);
-    reverse(item, count);
-}
-
 /* Adds the half-edges of the ring that begins with `half` to the sides, from its leftmost corner on, and marks them as
  * done. There is room for them. False: no memory. */
 static bool add_ring(region_work *w, uint32_t half, uint8_t *done)
 {
-    const uint32_t cell = map_cell_of(&w->cells, half);
-    uint32_t *side = w->side + w->side_count;
-    uint32_t count = 0, least = 0;
-    roberts_vec2 at = corner_of(w, half);
-    for (uint32_t h = half; !done[h]; h = map_next(&w->cells, h, w->gone)) {
-        const roberts_vec2 P = corner_of(w, h);
+    uint32_t *side = w->side + w->side_count, count = 0, leftmost = half;
+    for (uint32_t h = map_next(&w->cells, half, w->gone); h != half; h = map_next(&w->cells, h, w->gone))
+        if (vec2_compare(corner_of(w, h), corner_of(w, leftmost)) < 0)
+            leftmost = h;
+    for (uint32_t h = leftmost; !done[h]; h = map_next(&w->cells, h, w->gone)) {
         done[h] = 1;
-        if (vec2_compare(P, at) < 0) {
-            at = P;
-            least = count;
-        }
         side[count++] = h;
     }
     if (!array_reserve(&w->ring, &w->ring_room, w->ring_count + 1, sizeof *w->ring))
         return false;
-    rotate(side, count, least);
-    w->ring[w->ring_count++] = (region_ring){
-        .first = w->side_count, .corners = count, .face = w->sight[cell].face, .area = map_area(w->map, side, count)};
+    w->ring[w->ring_count++] = (region_ring){.first = w->side_count,
+                                             .corners = count,
+                                             .face = w->sight[map_cell_of(&w->cells, half)].face,
+                                             .area = map_area(w->map, side, count)};
     w->side_count += count;
     return true;
 }
