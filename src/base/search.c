@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/bits.h"
 #include "base/box.h"
 
 /* ---- a tree of boxes --------------------------------------------------------------------------------------------- */
@@ -209,24 +210,35 @@ static grid_line line_of(const double a[3], const double b[3], double margin)
     return l;
 }
 
-static inline bool is_near(const grid_line *l, const grid_point *p)
+/* A part of a line: from along[0] to along[1] on its axis, without the end. */
+typedef struct line_part {
+    const grid_line *line;
+    float along[2];
+} line_part;
+
+BITS_INLINE bool is_near_line(const void *of, const grid_point *p)
 {
+    const line_part *part = of;
+    const grid_line *l = part->line;
     float t = p->at[l->axis];
-    return fabsf(p->at[l->aside[0]] - (l->from[0] + l->slope[0] * t)) <= l->margin &&
+    return t >= part->along[0] && t < part->along[1] &&
+           fabsf(p->at[l->aside[0]] - (l->from[0] + l->slope[0] * t)) <= l->margin &&
            fabsf(p->at[l->aside[1]] - (l->from[1] + l->slope[1] * t)) <= l->margin;
 }
 
-/* Appends the points near the line in the cells first..last. from, to: they are those of one part of the segment if
- * they lie there along its axis, `to` excluded. */
-static bool take_cells(const point_grid *grid, const grid_line *l, const uint32_t first[3], const uint32_t last[3],
-                       const float part[2], point_list *found)
+/* What a search asks of a point. */
+typedef bool grid_test(const void *of, const grid_point *p);
+
+/* Appends the points in the cells first..last that pass a test. */
+BITS_INLINE bool take_cells(const point_grid *grid, grid_test *test, const void *of, const uint32_t first[3],
+                            const uint32_t last[3], point_list *found)
 {
     for (uint32_t i = first[0]; i <= last[0]; i++)
         for (uint32_t j = first[1]; j <= last[1]; j++) {
             const uint32_t *start = grid->start + grid_row(grid, i, j);
             const grid_point *end = grid->item + start[last[2] + 1];
             for (const grid_point *p = grid->item + start[first[2]]; p < end; p++) {
-                if (!is_near(l, p) || !(p->at[l->axis] >= part[0] && p->at[l->axis] < part[1]))
+                if (!test(of, p))
                     continue;
                 if (!array_reserve(&found->item, &found->room, found->count + 1, sizeof *found->item))
                     return false;
@@ -249,17 +261,17 @@ bool point_grid_near(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, dou
         double t1 = k < more ? (k + 1.0) / (more + 1.0) : 1.0;
         double low = a[l.axis] + t0 * (b[l.axis] - a[l.axis]), high = a[l.axis] + t1 * (b[l.axis] - a[l.axis]);
         uint32_t first[3], last[3];
-        float part[2] = {-INFINITY, INFINITY};
+        line_part part = {&l, {-INFINITY, INFINITY}};
         if (k > 0)
-            part[back] = (float)low;
+            part.along[back] = (float)low;
         if (t1 < 1.0)
-            part[!back] = (float)high;
+            part.along[!back] = (float)high;
         for (int i = 0; i < 3; i++) {
             double p = a[i] + t0 * (b[i] - a[i]), q = a[i] + t1 * (b[i] - a[i]);
             first[i] = cell_along(grid, lesser(p, q) - most, i);
             last[i] = cell_along(grid, greater(p, q) + most, i);
         }
-        if (!take_cells(grid, &l, first, last, part, found))
+        if (!take_cells(grid, is_near_line, &part, first, last, found))
             return false;
         t0 = t1;
     }
@@ -282,22 +294,10 @@ static grid_plane plane_of(roberts_vec3 P, roberts_vec3 Q, roberts_vec3 R, doubl
     return (grid_plane){{(float)n.x, (float)n.y, (float)n.z}, (float)vec3_dot(n, P), (float)margin};
 }
 
-static bool take_cells_near(const point_grid *grid, const grid_plane *F, const uint32_t first[3],
-                            const uint32_t last[3], point_list *found)
+BITS_INLINE bool is_near_plane(const void *of, const grid_point *p)
 {
-    for (uint32_t i = first[0]; i <= last[0]; i++)
-        for (uint32_t j = first[1]; j <= last[1]; j++) {
-            const uint32_t *start = grid->start + grid_row(grid, i, j);
-            const grid_point *end = grid->item + start[last[2] + 1];
-            for (const grid_point *p = grid->item + start[first[2]]; p < end; p++) {
-                if (fabsf(F->n[0] * p->at[0] + F->n[1] * p->at[1] + F->n[2] * p->at[2] - F->d) > F->margin)
-                    continue;
-                if (!array_reserve(&found->item, &found->room, found->count + 1, sizeof *found->item))
-                    return false;
-                found->item[found->count++] = p->number;
-            }
-        }
-    return true;
+    const grid_plane *F = of;
+    return !(fabsf(F->n[0] * p->at[0] + F->n[1] * p->at[1] + F->n[2] * p->at[2] - F->d) > F->margin);
 }
 
 bool point_grid_near_triangle(const point_grid *grid, roberts_vec3 A, roberts_vec3 B, roberts_vec3 C, double margin,
@@ -317,7 +317,7 @@ bool point_grid_near_triangle(const point_grid *grid, roberts_vec3 A, roberts_ve
                    point_grid_near(grid, C, A, margin, found);
     }
     const grid_plane F = plane_of(P, Q, R, most);
-    return take_cells_near(grid, &F, first, last, found);
+    return take_cells(grid, is_near_plane, &F, first, last, found);
 }
 
 void point_grid_free(point_grid *grid)
