@@ -274,15 +274,10 @@ static void mark_face(const crossing_filter *p, uint32_t face)
             mark(p, scene->corner[c], STAR_FOLD);
 }
 
-static bool is_simple(const crossing_filter *p, uint32_t body)
-{
-    return p->simple && p->simple[body];
-}
-
 /* Of late faces, mark_late() marks all. Of bodies that do not cross themselves, no star is needed. */
 static void mark_front(const crossing_filter *p, const hide_front *front)
 {
-    if (front->kind == HIDE_SURFACE_FACE && !is_simple(p, front->solid) &&
+    if (front->kind == HIDE_SURFACE_FACE && !filter_simple(p, front->solid) &&
         p->fronts->seen->facing[front->piece] != hide_late_facing(p->fronts, front->solid))
         mark_face(p, front->piece);
 }
@@ -291,7 +286,7 @@ static void mark_front(const crossing_filter *p, const hide_front *front)
 static void mark_late(const crossing_filter *p, uint32_t body)
 {
     const scene_solid *own = &p->fronts->scene->solid[body];
-    const unsigned char late = is_simple(p, body) ? VIEW_UNKNOWN : hide_late_facing(p->fronts, body);
+    const unsigned char late = filter_simple(p, body) ? VIEW_UNKNOWN : hide_late_facing(p->fronts, body);
     for (uint32_t face = own->face; late != VIEW_UNKNOWN && face < own[1].face; face++)
         if (p->fronts->seen->facing[face] == late)
             mark_face(p, face);

@@ -109,6 +109,12 @@ void filter_end(crossing_filter *p);
 /* Finds model[front].flat. */
 bool filter_find_flat(const crossing_filter *p, uint32_t front);
 
+/* Is it certain that no two faces of a body cross? */
+static inline bool filter_simple(const crossing_filter *p, uint32_t body)
+{
+    return p->simple && p->simple[body];
+}
+
 /* Is it certain that no two fronts of a cell's list cross? Then they belong to few bodies, which do not cross
  * themselves, and whose boxes in the model are apart. */
 bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);

@@ -260,7 +260,7 @@ static void pack_entry(const finder *t, const hide_box *cell, uint32_t front, ui
     to->y1[lane] = box->y1 < cell->y1 ? box->y1 : cell->y1;
     to->z0[lane] = box->z0;
     to->z1[lane] = box->z1;
-    const bool apart = f->kind == HIDE_SURFACE_FACE && !(t->filter->simple && t->filter->simple[f->solid]);
+    const bool apart = f->kind == HIDE_SURFACE_FACE && !filter_simple(t->filter, f->solid);
     to->kin[lane] = apart ? k : seen_body_key(f->solid);
     const uint32_t *start = fronts->scene->face_start + f->piece, *corner = fronts->scene->corner;
     atomic_uchar *star = t->filter->star;
