@@ -175,8 +175,8 @@ class sheet(Structure):
 
 
 STRUCTS = (vec2, vec3, error, warnings, color, source, group, mesh, scene_options, camera, segment, crossing, tally,
-           time, drawing, hide_options, region, slope, region_list, pen, background, hatching, page, placement, lettering,
-           plotter, draw_options, sheet)
+           time, drawing, hide_options, region, slope, region_list, pen, background, hatching, page, placement,
+           lettering, plotter, draw_options, sheet)
 
 INSTALLED = ""  # `make install-python` writes the library's path here
 
