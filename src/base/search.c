@@ -19,7 +19,7 @@ static double box_middle(const box3 *box, int axis)
     return axis == 0 ? box->lo.x + box->hi.x : axis == 1 ? box->lo.y + box->hi.y : box->lo.z + box->hi.z;
 }
 
-static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
+int box_longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
 {
     double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
     for (uint32_t i = 0; i < count; i++)
@@ -35,7 +35,7 @@ static int longest_axis(const box3 *box, const uint32_t *item, uint32_t count)
  * same in every run. */
 void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half)
 {
-    const int axis = longest_axis(box, item, count);
+    const int axis = box_longest_axis(box, item, count);
     uint32_t from = 0, to = count > 0 ? count - 1 : 0;
     while (from < to) {
         uint32_t pivot = item[from + (to - from) / 2], i = from, j = to;

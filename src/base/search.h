@@ -45,8 +45,11 @@ bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base
 
 void box_tree_free(box_tree *tree);
 
-/* Moves the numbers of `half` boxes to the front of item[0 .. count - 1]: those with the smallest centres, along the
- * axis on which the centres are spread farthest. */
+/* Returns the axis on which the centres of the boxes item[0 .. count - 1] are spread farthest: 0, 1 or 2. */
+int box_longest_axis(const box3 *box, const uint32_t *item, uint32_t count);
+
+/* Moves the numbers of `half` boxes to the front of item[0 .. count - 1]: those with the smallest centres, along that
+ * axis. */
 void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half);
 
 static inline bool box3_meet(const box3 *a, const box3 *b)

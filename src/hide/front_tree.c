@@ -31,6 +31,7 @@ typedef struct building {
     front_tree *tree;
     item *item;      /* by its place in the list */
     box3 *box;       /* the same, for box_tree_halve() */
+    box3 *pile;      /* the same in a pile: z is its depth; x its turn, of which 1 counts as half of all depth */
     uint32_t *place; /* in the order of the tree */
 } building;
 
@@ -225,6 +226,38 @@ static void bound(const building *of, front_node *n, int k, const uint32_t *plac
     n->plane.high[k] = hide_float_above(b.high);
 }
 
+/* How far a front is turned in the picture, from 0 to 1. A half turn changes nothing; if its sides are about as long as
+ * one another, a quarter turn changes nothing either. */
+static double turn_of(const item *of)
+{
+    const double x = fabs(of->side[0].x), y = fabs(of->side[0].y);
+    const bool second = of->side[0].x * of->side[0].y < 0.0; /* in the second quadrant, or the fourth */
+    if (!(of->side[0].length > 0.0))
+        return 0.0;
+    const double turn = (second ? x : y) / (x + y);
+    return of->side[1].length > 0.5 * of->side[0].length ? turn : 0.5 * (turn + second);
+}
+
+static void set_pile(building *b, uint32_t count)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (uint32_t i = 0; i < count; i++) {
+        low = lesser(low, b->box[i].lo.z);
+        high = greater(high, b->box[i].lo.z);
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        const double turn = turn_of(&b->item[i]) * 0.5 * (high - low);
+        b->pile[i] = (box3){{turn, 0.0, b->box[i].lo.z}, {turn, 0.0, b->box[i].hi.z}};
+    }
+}
+
+/* Divides a pile of fronts by turn and by depth in turn: the strips of fronts that lie alike are narrow. */
+static void halve(const building *b, uint32_t *first, uint32_t count, uint32_t half)
+{
+    const bool is_pile = box_longest_axis(b->box, first, count) == 2;
+    box_tree_halve(is_pile ? b->pile : b->box, first, count, half);
+}
+
 /* Builds a node over at least one item, and what is below it. With four children to most nodes and two to four to the
  * others, there are at most two nodes for three items. */
 static uint32_t build_node(building *b, uint32_t *first, uint32_t count)
@@ -233,9 +266,9 @@ static uint32_t build_node(building *b, uint32_t *first, uint32_t count)
     uint32_t begin[5] = {0, count / 4, count / 2, count / 2 + (count - count / 2) / 2, count};
     front_node *n = &b->tree->node[at];
     *n = (front_node){.x0 = {INFINITY, INFINITY, INFINITY, INFINITY}, .x1 = {INFINITY, INFINITY, INFINITY, INFINITY}};
-    box_tree_halve(b->box, first, count, begin[2]);
-    box_tree_halve(b->box, first, begin[2], begin[1]);
-    box_tree_halve(b->box, first + begin[2], count - begin[2], begin[3] - begin[2]);
+    halve(b, first, count, begin[2]);
+    halve(b, first, begin[2], begin[1]);
+    halve(b, first + begin[2], count - begin[2], begin[3] - begin[2]);
     for (int k = 0; k < 4; k++) {
         uint32_t size = begin[k + 1] - begin[k];
         uint32_t *own = first + begin[k];
@@ -251,19 +284,26 @@ static uint32_t build_node(building *b, uint32_t *first, uint32_t count)
 
 bool front_tree_build(front_tree *tree, const hide_fronts *fronts, const uint32_t *front, uint32_t count)
 {
-    building b = {fronts, tree, alloc_array(count, sizeof *b.item), alloc_array(count, sizeof *b.box),
+    building b = {fronts,
+                  tree,
+                  alloc_array(count, sizeof *b.item),
+                  alloc_array(count, sizeof *b.box),
+                  alloc_array(count, sizeof *b.pile),
                   alloc_array(count, sizeof *b.place)};
     *tree = (front_tree){.node = alloc_array(2 * (size_t)count / 3 + 1, sizeof *tree->node)}; /* see build_node() */
-    bool done = b.item && b.box && b.place && tree->node;
+    bool done = b.item && b.box && b.pile && b.place && tree->node;
     for (uint32_t i = 0; done && i < count; i++) {
         b.item[i] = measure_front(fronts, front[i]);
         b.box[i] = hide_box3(&fronts->front_box[front[i]]);
         b.place[i] = i;
     }
-    if (done)
+    if (done) {
+        set_pile(&b, count);
         build_node(&b, b.place, count);
+    }
     free(b.item);
     free(b.box);
+    free(b.pile);
     free(b.place);
     return done;
 }

@@ -5,7 +5,8 @@
  * largest of their faces. So the tree separates oblique thin solids, and piles of sheets seen nearly edge-on, as well
  * as cubes. A line is clipped to the half-spaces. The fronts neither hide nor touch the rest of the line.
  *
- * Fronts are divided at the median of their middles, along the axis of their greatest spread. */
+ * Fronts are divided at the median of their middles, along the axis of their greatest spread; if that is the depth, at
+ * the median of their depths or of their turns in the picture. */
 #ifndef ROBERTS_HIDE_FRONT_TREE_H
 #define ROBERTS_HIDE_FRONT_TREE_H
 
