@@ -116,6 +116,9 @@ static const body_case cases[] = {
     {"... with another such face along the cut, that does not fold",
      "OFF\n5 2 0\n3 3 0\n0 0 3\n1 2 0\n3 2 3\n1 3 1\n4 3 4 2 1\n4 1 3 0 2\n", BACK, "o", ROOT_10 + 3 + ROOT_13,
      2 + 3 + 1 + 2 * ROOT_2, 0, 0, false, false},
+    {"... through it along the cut: a line as the edge of four faces is, although neither folds",
+     "OFF\n6 2 0\n-2 0 0\n0 -3 1\n2 0 0\n0 3 1\n0 -3 -1\n0 3 -1\n4 0 1 2 3\n4 0 4 2 5\n", TOP, "o", 0, 4 * ROOT_13, 4,
+     0, false, false},
     {"washers on one another, whose faces have slits to the holes: neither is welded",
      "OFF\n32 20 0\n0 0 0\n3 0 0\n3 3 0\n0 3 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n"
      "1 1 1\n1 2 1\n2 2 1\n2 1 1\n0 0 1\n3 0 1\n3 3 1\n0 3 1\n1 1 1\n1 2 1\n2 2 1\n2 1 1\n0 0 2\n3 0 2\n"
