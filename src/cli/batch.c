@@ -365,17 +365,6 @@ static int batch_files_drop_current(batch_files *b, const manifest *rows)
     return result;
 }
 
-/* Makes the folders between DIR and the drawing. If one cannot be made, writing the drawing reports why. */
-static void batch_files_make_folders(const batch_files *b, const batch_file *file)
-{
-    char *slash = file->output + strlen(b->options->batch);
-    while ((slash = strchr(slash + 1, '/'))) {
-        *slash = '\0';
-        (void)mkdir(file->output, 0777);
-        *slash = '/';
-    }
-}
-
 static void batch_files_free(batch_files *b)
 {
     for (size_t i = 0; i < b->count; i++) {
@@ -470,6 +459,19 @@ static void begin(void *context)
         manifest_close(&b->manifest);
 }
 
+/* A roberts_temporary_fn that first makes the missing folders of a drawing: a model that is refused before leaves none
+ * behind. If one cannot be made, writing the drawing reports why. */
+static void make_folders(void *context, const char *path)
+{
+    const batch_file *file = context;
+    for (char *slash = file->output; path && (slash = strchr(slash + 1, '/'));) {
+        *slash = '\0';
+        (void)mkdir(file->output, 0777);
+        *slash = '/';
+    }
+    signals_temporary(NULL, path);
+}
+
 static void describe_result(const picture_result *made, char *text, size_t size)
 {
     const roberts_error *error = &made->error;
@@ -483,7 +485,7 @@ static void describe_result(const picture_result *made, char *text, size_t size)
 }
 
 /* Draws one file. Messages go to `log`. */
-static file_report make_one(const batch *b, const batch_file *file, FILE *log)
+static file_report make_one(const batch *b, batch_file *file, FILE *log)
 {
     cli_options own = *b->options;
     char *input = file->input;
@@ -499,8 +501,10 @@ static file_report make_one(const batch *b, const batch_file *file, FILE *log)
     own.log = log;
     own.scene.warnings.warn = own.quiet ? NULL : count_warning;
     own.scene.warnings.context = &counter;
-    if (own.root && own.draw.format != ROBERTS_NULL)
-        batch_files_make_folders(&b->files, file);
+    if (own.root) {
+        own.draw.temporary = make_folders;
+        own.draw.temporary_context = file;
+    }
     file_report report = {.result = picture_make(&own, &made)};
     report.status = made.error.status;
     report.seconds = report_since(start).wall;

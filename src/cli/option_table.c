@@ -279,7 +279,7 @@ static const option rows[] = {
      .help = "keep the folders of files below FOLDER: FOLDER/a/b.off becomes DIR/a/b.svg",
      .manual =
          "Keeps the folders of files below FOLDER: the drawing of FOLDER/a/b.off is DIR/a/b.svg. Folders are made "
-         "where they are missing. All names have to begin with FOLDER; links are not followed. Without it all "
+         "where a drawing needs them. All names have to begin with FOLDER; links are not followed. Without it all "
          "drawings are in DIR itself, and no two files may have one name."},
     {.group = GROUP_BATCH,
      .name = "shard",

@@ -214,6 +214,12 @@ static void drawings_keep_their_folders(void **state)
     assert_int_equal(run("--batch in --root . file/p.off c/p.off"), 1);
     assert_said("in/file/p.svg: ");
     assert_int_equal(access("in/c/p.svg", F_OK), 0);
+    /* a model that is not there or is refused leaves no folders behind, and folders that were there stay */
+    put("file/bad.off", "OFF\n3 1 0\n");
+    assert_int_equal(unlink("in/file") + unlink("in/c/p.svg"), 0);
+    assert_int_equal(run("--batch in --root . missing/d/p.off file/bad.off c/missing.off"), 1);
+    assert_int_equal(access("in/missing", F_OK) + access("in/file", F_OK), -2);
+    assert_int_equal(access("in/c", F_OK), 0);
 }
 
 /* ---- the manifest ---- */
