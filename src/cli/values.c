@@ -1,6 +1,7 @@
 /* values.c - what the value of each option may be, and where it goes. */
 #include "cli/values.h"
 
+#include <ctype.h>
 #include <float.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -33,6 +34,15 @@ static int refuse_number(const option *o, const char *value, const char *unit)
     return refuse_range(what, value, o->least, o->most, unit);
 }
 
+/* How a message ends about a value with a comma between digits, which is probably meant as a decimal point. */
+static const char *point_meant(const char *value)
+{
+    for (const char *comma = strchr(value, ','); comma; comma = strchr(comma + 1, ','))
+        if (comma > value && isdigit((unsigned char)comma[-1]) && isdigit((unsigned char)comma[1]))
+            return "; decimals have a point, as in 0.5";
+    return "";
+}
+
 int values_set_flag(const option *o, const char *value, cli_options *options)
 {
     (void)value;
@@ -52,7 +62,7 @@ int values_set_number(const option *o, const char *value, cli_options *options)
 {
     double *number = field(o, options);
     if (!parse_number(value, number))
-        return message_misuse("--%s: \"%s\" is not a number", o->name, value);
+        return message_misuse("--%s: \"%s\" is not a number%s", o->name, value, point_meant(value));
     return *number >= o->least && *number <= o->most ? EXIT_DONE : refuse_number(o, value, "");
 }
 
@@ -69,7 +79,8 @@ int values_set_length(const option *o, const char *value, cli_options *options)
 {
     double *mm = field(o, options);
     if (!parse_length(value, mm))
-        return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it", o->name, value);
+        return message_misuse("--%s: \"%s\" is not a length in mm, or with cm, in or pt behind it%s", o->name, value,
+                              point_meant(value));
     return *mm >= o->least && *mm <= o->most ? EXIT_DONE : refuse_number(o, value, " mm");
 }
 
@@ -235,6 +246,8 @@ int values_set_page(const option *o, const char *value, cli_options *options)
         page->height_mm = sizes[i][1];
         return EXIT_DONE;
     }
+    if (*point_meant(word))
+        return message_misuse("--page: \"%s\" is not like 210x297 or 8.5x11in%s", value, point_meant(word));
     if (value[length] || !parse_lengths(word, 'x', &width, &height))
         return hint_unknown("--page", value, o->words, "or WxH in mm, as 210x297, or 8.5x11in");
     if (!(width >= 1.0 && width <= 40000.0 && height >= 1.0 && height <= 40000.0))
@@ -255,7 +268,8 @@ int values_set_scale(const option *o, const char *value, cli_options *options)
     if (placement->standard)
         return EXIT_DONE;
     if (!parse_pair(value, ':', &a, &b) && !parse_number(value, &a))
-        return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard", value);
+        return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard%s", value,
+                              point_meant(value));
     if (!(a > 0.0 && b > 0.0 && a / b >= 1e-12 && a / b <= 1e12))
         return refuse_range("--scale", value, 1e-12, 1e12, "");
     placement->scale = a / b;
@@ -566,6 +580,8 @@ int values_set_style(const option *o, const char *value, cli_options *options)
     if (strchr(rest, ':'))
         return message_misuse("--style: \"%s\": there is a comma between two values, as outline:width=0.7,color=red",
                               value);
+    if (*point_meant(rest))
+        return message_misuse("--style: \"%s\": there is a comma between two values%s", value, point_meant(rest));
     roberts_pen *pen = (roberts_pen *)((char *)&options->draw + pen_fields[i]);
     while (rest && status == EXIT_DONE) {
         rest = parse_word(rest, ',', word, sizeof word, &fits);
@@ -862,6 +878,8 @@ int values_set_hatch(const option *o, const char *value, cli_options *options)
     int status = EXIT_DONE;
     (void)o;
     *h = roberts_draw_options_default().hatching;
+    if (*point_meant(value))
+        return message_misuse("--hatch: \"%s\": there is a comma between two values%s", value, point_meant(value));
     while (value && status == EXIT_DONE) {
         value = parse_word(value, ',', word, sizeof word, &fits);
         status = fits ? set_hatch_key(h, word, &turned) : message_misuse("--hatch: \"%s...\" is too long", word);
