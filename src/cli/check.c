@@ -257,10 +257,18 @@ static bool has_labels(const options_given *given)
     return options_is_given(given, "label") || options_is_given(given, "labels");
 }
 
+/* Of faces and bodies, only visible regions are labelled. A list of names may hold vertices. */
+static bool has_hidden_labels(const cli_options *options, const options_given *given)
+{
+    const bool any = options->draw.lettering.labels & (ROBERTS_LABEL_VERTICES | ROBERTS_LABEL_EDGES);
+    return options->draw.hidden != ROBERTS_HIDDEN_NONE && (any || options_is_given(given, "labels"));
+}
+
 static bool has_text(const cli_options *options, const options_given *given)
 {
-    return options->draw.lettering.zones || has_labels(given) || options_is_given(given, "title") ||
-           options_is_given(given, "field") || options_is_given(given, "dimensions");
+    return (options->draw.lettering.zones && !options->draw.frame.off) || has_labels(given) ||
+           options_is_given(given, "title") || options_is_given(given, "field") ||
+           options_is_given(given, "dimensions");
 }
 
 /* Why lines of a class are not on the page, or NULL. */
@@ -277,8 +285,8 @@ static const char *missing(const cli_options *options, const options_given *give
         return "faces are not hatched without --hatch";
     if (pen == PEN_TEXT && !has_text(options, given))
         return no_text;
-    if (pen == PEN_HIDDEN_TEXT && !(has_labels(given) && draw->hidden != ROBERTS_HIDDEN_NONE))
-        return "hidden things have labels only with --hidden and --label or --labels";
+    if (pen == PEN_HIDDEN_TEXT && !has_hidden_labels(options, given))
+        return "hidden things have labels only with --hidden, and --label vertices or edges, or --labels";
     return NULL;
 }
 
@@ -373,6 +381,10 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--unit", "the drawing is fitted on the page, and not true to --scale");
     for (size_t pen = 0; pen < PENS; pen++)
         warn_pen(options, given, pen);
+    const roberts_pen *back = &draw->back;
+    if (draw->hidden == ROBERTS_HIDDEN_SOLID && is_dashed(back) &&
+        (back->dash_mm != 12.0 * back->width_mm || back->gap_mm != 3.0 * back->width_mm))
+        warn("dash= of --style hidden", "--hidden solid draws these lines without dashes");
     if (draw->real_dashes && !any_dashed(draw))
         warn("--dash real", "no lines are dashed, as by --hidden dashed");
 }
@@ -411,13 +423,20 @@ static void warn_regions(const cli_options *options)
         warn_ending(options->regions, "regions are written as json");
 }
 
-/* Are there regions that could be merged? Labels from a file may be those of faces. */
-static bool has_regions(const cli_options *options)
+/* Warns of --merge-regions if nothing shows its regions. Plain fills of a class are joined by colour anyway, but with
+ * --union a region of several bodies has the colour of one. Labels from a file may be those of faces. */
+static void warn_merged(const cli_options *options)
 {
     const roberts_draw_options *draw = &options->draw;
     const bool labels = options->names || (draw->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
-    return options->regions ||
-           (has_page(draw->format) && (labels || draw->fill != ROBERTS_FILL_NONE || values_hatches(draw)));
+    const bool fills = has_page(draw->format) && draw->fill != ROBERTS_FILL_NONE;
+    const bool grouped = draw->format == ROBERTS_SVG && draw->grouping != ROBERTS_GROUP_CLASS;
+    const bool bodies = options->hide.unite && draw->fill == ROBERTS_FILL_BODY;
+    if (options->regions || (has_page(draw->format) && (labels || values_hatches(draw))) ||
+        (fills && (grouped || bodies || draw->shaded)))
+        return;
+    warn("--merge-regions", fills ? "fills of one colour are joined anyway"
+                                  : "there are no regions without --regions, --fill, --hatch or labels of faces");
 }
 
 /* A name with a place for a number without a turntable, or for a view without tables of a sheet: a file may have such a
@@ -545,8 +564,8 @@ void check_warn(const cli_options *options, const options_given *given)
     if (options_is_given(given, "format"))
         warn_format(options);
     warn_regions(options);
-    if (options->hide.merge_regions && !has_regions(options))
-        warn("--merge-regions", "there are no regions without --regions, --fill, --hatch or labels of faces");
+    if (options->hide.merge_regions)
+        warn_merged(options);
     warn_place(options);
     warn_twice(options);
     if (options_is_given(given, "up"))
