@@ -517,7 +517,7 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     progress_stage("writing");
     roberts_draw_options page = options->draw;
     char title[256];
-    page.title = write_title(options, title, sizeof title);
+    page.title = page.lettering.title ? page.lettering.title : write_title(options, title, sizeof title);
     page.description = options->description.text;
     page.ink = &run->ink;
     page.scene = scene;

@@ -414,6 +414,7 @@ static const struct {
     {"--order none --view=top --crease 5",
      "<desc>roberts --order=none --view=top --crease=5 models/platonic/cube.off</desc>"},
     {"", "<title>cube.off</title>"},
+    {"--sheet first --page a4 --landscape --title Cube", "<title>Cube</title>"},
 };
 
 /* The file drawn with these arguments holds the text wanted; or, after an exclamation mark, does not. */
