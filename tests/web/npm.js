@@ -75,7 +75,14 @@ for (const wrong of ["table.off", undefined, cube.buffer])
     name: "TypeError",
     message: "model: the bytes of a file have to be a Uint8Array",
   });
-await assert.rejects(draw(cube, { format: "png" }), { name: "TypeError", message: /^format is no option here/ });
+for (const [option, value] of Object.entries({ format: "png", output: "a.svg", help: true, version: true }))
+  await assert.rejects(draw(cube, { [option]: value }), {
+    name: "TypeError",
+    message: new RegExp(`^${option} is no option here: `),
+  });
+await assert.rejects(draw(cube, { name: "-" }), { name: "TypeError", message: /^name: "-" would be standard input/ });
+const turned = await draw(cube, { help: false, output: "turn-%d.svg", turntable: 2 });
+assert.deepEqual([turned.svg, Object.keys(turned.files)], ["", ["turn-0.svg", "turn-1.svg"]]);
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
 
 // parts need a file of their own; batches need processes, which are not here

@@ -41,7 +41,8 @@ export interface Options {
 /** What a drawing comes with. */
 export interface Beside {
   warnings: string[];
-  /** Files that an option has written, such as `regions: "regions.json"`. */
+  /** Files that an option has written, such as `regions: "regions.json"`. With `turntable: 4, output: "turn-%d.svg"`
+   * all drawings are here, and none is beside them. */
   files: Record<string, Uint8Array>;
 }
 

@@ -25,6 +25,14 @@ function load() {
 
 const notOptions = new Set(["name", "files"]);
 
+/* Options of the program that would leave the result without its drawing. */
+const notHere = {
+  format: "draw() gives SVG, and save() takes the format as an argument",
+  output: "the drawing is in the result; only a name for several files, as turn-%d.svg or %s.csv, can be given",
+  help: "it draws nothing",
+  version: "it draws nothing",
+};
+
 function argument(name, value) {
   return value === true ? `--${name}` : `--${name}=${value}`;
 }
@@ -51,9 +59,11 @@ export function toArguments(options = {}) {
 }
 
 export async function save(bytes, format, options = {}) {
-  if (options.format !== undefined)
-    throw new TypeError("format is no option here: draw() gives SVG, and save() takes the format as an argument");
+  for (const [option, why] of Object.entries(notHere))
+    if (values(option, options[option]).some((value) => option !== "output" || !String(value).includes("%")))
+      throw new TypeError(`${option} is no option here: ${why}`);
   const name = options.name ?? "model";
+  if (name === "-") throw new TypeError('name: "-" would be standard input, which is empty');
   const files = { ...options.files, [name]: bytes };
   for (const [file, content] of Object.entries(files))
     if (!(content instanceof Uint8Array)) throw new TypeError(`${file}: the bytes of a file have to be a Uint8Array`);
