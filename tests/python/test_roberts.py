@@ -148,6 +148,14 @@ class Scenes(unittest.TestCase):
                     {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)},
                     {"preset": "top", "azimuth": 5}):
             self.assertRaises(ValueError, roberts.view, **odd)
+        for name in ("direction", "eye", "look_at", "up"):
+            with self.assertRaisesRegex(ValueError, f"^view: {name}: a vector has three numbers, not 2$"):
+                roberts.view(**{"eye": (1, 2, 3)} if name == "look_at" else {}, **{name: (1, 2)})
+        for name, value in (("light", (1, 2)), ("fill", (1, 2)), ("background", (0, 0, 256)), ("page", (1, 2, 3, 4)),
+                            ("pens", {"outline": {"color": (0.5, -1, 0)}}), ("id_prefix", "1"), ("id_prefix", "")):
+            with self.assertRaisesRegex(ValueError, f"^{name}: "):
+                scene.hide().svg(**{name: value})
+        self.assertIn('id="_a.1-', scene.hide().svg(id_prefix="_a.1-"))
         for odd in ({"fill": (256, 0, 0)}, {"background": (0, 0)}, {"pens": {"outline": {"color": (0, -1, 0)}}},
                     {"pens": {"outline": {"number": 256}}}, {"light": (1, 2)}):
             self.assertRaises(ValueError, scene.hide().svg, **odd)

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import re
 import warnings as _warnings
 import weakref
 from typing import Any, Mapping, Optional, Sequence, Union
@@ -109,15 +110,20 @@ def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
             raise ValueError(f"{what}: {name} is out of range")
 
 
-def _vector(values: Sequence[float]) -> c.vec3:
+def _vector(values: Sequence[float], what: str) -> c.vec3:
     """Three numbers; ctypes would take fewer."""
-    x, y, z = values
-    return c.vec3(x, y, z)
+    part = [*values]
+    if len(part) != 3:
+        raise ValueError(f"{what}: a vector has three numbers, not {len(part)}")
+    return c.vec3(*part)
 
 
-def _color(values: Sequence[int]) -> tuple[int, int, int]:
-    """Red, green and blue, from 0 to 255; ctypes would keep the lowest bits of others."""
-    red, green, blue = bytes([*values])
+def _color(values: Sequence[int], what: str) -> tuple[int, int, int]:
+    """Red, green and blue; ctypes would keep the lowest bits of numbers beyond 255."""
+    part = [*values]
+    if len(part) != 3 or not all(0 <= one <= 255 for one in part):
+        raise ValueError(f"{what}: a colour has three numbers from 0 to 255")
+    red, green, blue = bytes(part)
     return red, green, blue
 
 
@@ -172,13 +178,13 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
         if not c.lib.roberts_camera_preset(preset.encode(), ctypes.byref(camera)):
             raise ValueError(f"view: there is no {preset!r}")
     if direction is not None:
-        camera.dir = _vector(direction)
+        camera.dir = _vector(direction, "view: direction")
     if eye is not None:
-        camera.projection, camera.eye = 1, _vector(eye)
+        camera.projection, camera.eye = 1, _vector(eye, "view: eye")
     if look_at is not None:
-        camera.look_at, camera.has_look_at = _vector(look_at), True
+        camera.look_at, camera.has_look_at = _vector(look_at, "view: look_at"), True
     if up is not None:
-        camera.up = _vector(up)
+        camera.up = _vector(up, "view: up")
     camera.roll_degrees, camera.fov_degrees, camera.near_distance = roll, fov, near
     return View(camera)
 
@@ -582,14 +588,19 @@ class _Page:
     def _texts(self, of: Drawing, given: dict) -> None:
         for name, default in (("title", of._scene.name or None), ("description", None), ("id_prefix", None)):
             value = given.pop(name, default)
+            if name == "id_prefix" and value is not None and not re.fullmatch(r"[A-Za-z_][-.\w]*", value, re.ASCII):
+                raise ValueError(f"{name}: {value!r} cannot begin an id: it needs a letter or _, then letters, digits, "
+                                 "- . or _")
             # names of files need not be UTF-8; the library writes a ? for each byte that is not
             setattr(self.options, name, value.encode("utf-8", "surrogateescape") if value is not None else None)
 
     def _paper(self, given: dict) -> None:
         o = self.options
         if "page" in given:
-            width, height, *margin = given.pop("page")
-            o.page = c.page(width, height, margin[0] if margin else o.page.margin_mm)
+            page = [*given.pop("page")]
+            if not 2 <= len(page) <= 3:
+                raise ValueError("page: it is (width, height) or (width, height, margin)")
+            o.page = c.page(*[*page, o.page.margin_mm][:3])
         if "scale" in given:
             o.placement.scale = given.pop("scale")
         for name, values in given.pop("pens", {}).items():
@@ -597,21 +608,21 @@ class _Page:
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
             pen.off = False
             if "color" in values:
-                pen.red, pen.green, pen.blue = _color(values.pop("color"))
+                pen.red, pen.green, pen.blue = _color(values.pop("color"), "pens: color")
             _fill(pen, values, "pens")
         if "background" in given:
-            o.background = c.background(True, *_color(given.pop("background")))
+            o.background = c.background(True, *_color(given.pop("background"), "background"))
 
     def _paint(self, given: dict) -> bool:
         """Fills, hatching and labels. Returns whether they need regions."""
         o, fill, hatch = self.options, given.pop("fill", None), given.pop("hatch", None)
         if fill is not None and not isinstance(fill, str):
-            o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*_color(fill))
+            o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*_color(fill, "fill"))
         elif fill is not None:
             o.fill = _choice({"white": 1, "model": 2, "body": 3}, fill, "fill")
         o.shaded = given.pop("shaded", False)
         if "light" in given:
-            o.light = _vector(given.pop("light"))
+            o.light = _vector(given.pop("light"), "light")
         if hatch:
             o.hatching.on = True
             _fill(o.hatching, hatch if isinstance(hatch, Mapping) else {}, "hatch")
