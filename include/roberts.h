@@ -1051,7 +1051,7 @@ typedef bool roberts_write_fn(void *context, const void *bytes, size_t size);
  * is joined, SVG is accurate to 0.0005 mm. (On pages longer than 4 m, these lengths are ten times as large.) Tables
  * contain all segments unchanged.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO (a write failed), _BAD_NUMBER (a segment is not finite) or _BAD_ARGUMENT (also if
- * the drawing does not fit on the page at its scale).
+ * the drawing does not fit on the page at its scale, or lacks the regions that fills, hatching or labels need).
  */
 roberts_status roberts_drawing_write(const roberts_drawing *drawing, const roberts_draw_options *options,
                                      roberts_write_fn *write, void *context, roberts_error *error);

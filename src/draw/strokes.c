@@ -17,6 +17,7 @@
 #include "draw/dimensions.h"
 #include "draw/hatch.h"
 #include "draw/label_places.h"
+#include "draw/label_targets.h"
 #include "draw/labels.h"
 #include "draw/overlap.h"
 #include "draw/sheet.h"
@@ -495,6 +496,19 @@ static roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
 
 /* ---- a page ------------------------------------------------------------------------------------------------------ */
 
+/* Would something that the options ask for be missing because a view has no regions? */
+static bool lacks_regions(const strokes *s)
+{
+    const roberts_draw_options *options = s->options;
+    const bool filled =
+        options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
+    const unsigned labels = targets_kinds(&options->lettering) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    bool lacks = false;
+    for (size_t i = 0; i < s->views; i++)
+        lacks |= !s->view[i].drawing->regions;
+    return lacks && (filled || labels || draws_hatching(options));
+}
+
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
 static roberts_status draw(strokes *s, roberts_error *error)
 {
@@ -504,6 +518,10 @@ static roberts_status draw(strokes *s, roberts_error *error)
     pieces p = {0};
     uint32_t *part = NULL;
     roberts_status status = ROBERTS_OK;
+    if (lacks_regions(s))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                         "fills, hatching, and labels of faces and bodies need the regions of each drawing, as "
+                         "roberts_hide_with_regions() gives them");
     for (size_t i = 0; i < s->views; i++) {
         room += view[i].drawing->count;
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
@@ -517,7 +535,7 @@ static roberts_status draw(strokes *s, roberts_error *error)
     }
     for (size_t i = 0; i < s->views; i++) {
         s->view[i].first_region = (uint32_t)number;
-        number += draws_hatching(s->options) && view[i].drawing->regions ? view[i].drawing->regions->count : 0;
+        number += draws_hatching(s->options) ? view[i].drawing->regions->count : 0;
     }
     if (number > INT32_MAX)
         status = error_no_memory(error);

@@ -564,8 +564,8 @@ static void odd_arguments(void **state)
     options.hatching.shortest_mm = -1.0;
     assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
     options.hatching.shortest_mm = 0.0;
-    g.drawing.regions = NULL; /* nothing to hatch */
-    assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_OK);
+    g.drawing.regions = NULL;
+    assert_int_equal(roberts_drawing_write(&g.drawing, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
     g.drawing.regions = &g.list;
     g.slope.steep = g.slope.level = (roberts_vec2){0.0, 0.0}; /* seen from the edge: level strokes */
     g.slope.foot = (roberts_vec2){1e300, -1e300};

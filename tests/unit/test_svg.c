@@ -527,6 +527,38 @@ static void senseless_options_are_refused(void **state)
     refused(&bad);
 }
 
+/* Fills, hatching and some labels need regions; formats that have none of these do not. */
+static void drawings_without_regions_are_refused(void **state)
+{
+    static const roberts_name face = {.of = ROBERTS_LABEL_FACES, .text = "A"};
+    const roberts_drawing drawing = {.count = 1, .segment = few};
+    const roberts_draw_options good = roberts_draw_options_default();
+    roberts_draw_options options = good;
+    (void)state;
+    options.fill = ROBERTS_FILL_BODY;
+    refused(&options);
+    options.format = ROBERTS_HPGL;
+    free(drawing_written(&drawing, &options).bytes);
+    options.format = ROBERTS_CSV;
+    free(drawing_written(&drawing, &options).bytes);
+    options = good;
+    options.hatching.on = true;
+    refused(&options);
+    options.hatch.off = true;
+    free(drawing_written(&drawing, &options).bytes);
+    options = good;
+    options.lettering.labels = ROBERTS_LABEL_BODIES;
+    refused(&options);
+    options.lettering = (roberts_lettering){.name_count = 1, .name = &face};
+    refused(&options);
+    const roberts_sheet sheet = {.view = {[ROBERTS_SHEET_TOP] = &drawing}};
+    sink to = {0};
+    assert_int_equal(roberts_sheet_write(&sheet, &options, sink_write, &to, NULL), ROBERTS_BAD_ARGUMENT);
+    options = good;
+    options.lettering.labels = ROBERTS_LABEL_VERTICES;
+    free(drawing_written(&drawing, &options).bytes);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -544,6 +576,7 @@ int main(void)
         cmocka_unit_test(bytes_are_the_same_later),
         cmocka_unit_test(failures_are_told),
         cmocka_unit_test(senseless_options_are_refused),
+        cmocka_unit_test(drawings_without_regions_are_refused),
     };
     return cmocka_run_group_tests_name("svg", tests, NULL, NULL);
 }
