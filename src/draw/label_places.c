@@ -45,16 +45,17 @@ static double reach(roberts_vec2 half, roberts_vec2 d)
     return fmin(fabs(d.x) > 0.0 ? half.x / fabs(d.x) : INFINITY, fabs(d.y) > 0.0 ? half.y / fabs(d.y) : INFINITY);
 }
 
-/* Place `i` round a vertex. The best direction is away from the vertex's lines. */
+/* Place `i` round a vertex. The directions go round the label as if it were a square: however wide it is, its corners
+ * and the middles of its sides may point to the vertex. The best direction is away from the vertex's lines. */
 static roberts_vec2 vertex_place(const placing *p, const label *l, size_t i, double *cost)
 {
     const roberts_vec2 d = p->side[i % VERTEX_SIDES], away = l->of->along;
     const double ring = (double)(i / VERTEX_SIDES), length = vec2_length(away.x, away.y);
-    const double off = reach(l->half, d) + p->gap * (0.5 + 2.0 * ring);
+    const double side = reach((roberts_vec2){1.0, 1.0}, d), off = p->gap * (0.5 + 2.0 * ring);
     *cost = farther * ring;
     if (length > no_direction)
         *cost += beside_best * (1.0 + (away.x * d.x + away.y * d.y) / length);
-    return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
+    return (roberts_vec2){l->of->at.x + (side * l->half.x + off) * d.x, l->of->at.y + (side * l->half.y + off) * d.y};
 }
 
 /* Place `i` beside an edge: above it first, from the middle outward. */

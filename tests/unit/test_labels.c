@@ -265,6 +265,30 @@ static void letters_fit_the_room(void **state)
     }
 }
 
+/* Names are wider than numbers: their corners point to the vertex where there is no room beside, above or below it. */
+static void wide_names(void **state)
+{
+    static const char *const models[] = {"platonic/dodecahedron", "archimedean/cuboctahedron"};
+    roberts_name name[20];
+    (void)state;
+    for (uint32_t v = 0; v < 20; v++)
+        name[v] = (roberts_name){.of = ROBERTS_LABEL_VERTICES, .number = v, .text = "south-western corner"};
+    for (size_t i = 0; i < sizeof models / sizeof models[0]; i++) {
+        roberts_drawing drawing = model_drawing(models[i], "iso");
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        strokes s;
+        options.lettering.name = name;
+        options.lettering.name_count = sizeof name / sizeof name[0];
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        assert_true(s.notes.count > 8 && warnings.count == 0);
+        assert_int_equal(count_crossed(&s), 0);
+        check_apart(&s, models[i]);
+        strokes_free(&s);
+        roberts_drawing_free(&drawing);
+    }
+}
+
 /* Writes the drawing; its bytes do not matter, but what is warned of does. */
 static void write_drawing(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
@@ -615,14 +639,21 @@ static void lines_that_cross(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_of_a_dodecahedron), cmocka_unit_test(margins_at_a_scale),
-        cmocka_unit_test(models_from_a4_to_a0),  cmocka_unit_test(letters_fit_the_room),
-        cmocka_unit_test(hidden_and_named),      cmocka_unit_test(same_again),
-        cmocka_unit_test(kinds_are_told_apart),  cmocka_unit_test(none_beyond_the_frame),
-        cmocka_unit_test(what_lies_in_a_box),    cmocka_unit_test(labels_keep_apart),
-        cmocka_unit_test(none_behind_a_line),    cmocka_unit_test(fitted_with_its_labels),
-        cmocka_unit_test(sheet_with_its_labels), cmocka_unit_test(narrow_faces),
-        cmocka_unit_test(lines_that_cross)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron),
+                                       cmocka_unit_test(margins_at_a_scale),
+                                       cmocka_unit_test(models_from_a4_to_a0),
+                                       cmocka_unit_test(letters_fit_the_room),
+                                       cmocka_unit_test(wide_names),
+                                       cmocka_unit_test(hidden_and_named),
+                                       cmocka_unit_test(same_again),
+                                       cmocka_unit_test(kinds_are_told_apart),
+                                       cmocka_unit_test(none_beyond_the_frame),
+                                       cmocka_unit_test(what_lies_in_a_box),
+                                       cmocka_unit_test(labels_keep_apart),
+                                       cmocka_unit_test(none_behind_a_line),
+                                       cmocka_unit_test(fitted_with_its_labels),
+                                       cmocka_unit_test(sheet_with_its_labels),
+                                       cmocka_unit_test(narrow_faces),
+                                       cmocka_unit_test(lines_that_cross)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
