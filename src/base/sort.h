@@ -114,12 +114,19 @@ static inline int compare_doubles(const void *a, const void *b)
 }
 
 /* Compares two uint32_t, for qsort() and bsearch(). */
-static inline int sort_compare_numbers(const void *a, const void *b)
+static inline int compare_u32(const void *a, const void *b)
 {
     uint32_t x, y;
     memcpy(&x, a, sizeof x);
     memcpy(&y, b, sizeof y);
     return (x > y) - (x < y);
+}
+
+/* Compares two pairs of numbers: by the first ones, then by the second ones. */
+static inline int compare_pairs(const uint32_t a[2], const uint32_t b[2])
+{
+    const int i = a[0] == b[0];
+    return (a[i] > b[i]) - (a[i] < b[i]);
 }
 
 #endif

@@ -537,18 +537,12 @@ static int compare_points(const crossing_point *p, const crossing_point *q)
 static int compare_named(const void *pa, const void *pb)
 {
     const named *a = pa, *b = pb;
-    for (int i = 0; i < 2; i++)
-        if (a->number[i] != b->number[i])
-            return a->number[i] < b->number[i] ? -1 : 1;
-    for (int i = 0; i < 2; i++)
-        if (a->is.face[i] != b->is.face[i])
-            return a->is.face[i] < b->is.face[i] ? -1 : 1;
-    int order = compare_points(&a->is.end[0], &b->is.end[0]);
+    int order = compare_pairs(a->number, b->number);
     if (order == 0)
-        order = compare_points(&a->is.end[1], &b->is.end[1]);
+        order = compare_pairs(a->is.face, b->is.face);
     for (int i = 0; order == 0 && i < 2; i++)
-        order = (a->is.edge[i] > b->is.edge[i]) - (a->is.edge[i] < b->is.edge[i]);
-    return order;
+        order = compare_points(&a->is.end[i], &b->is.end[i]);
+    return order != 0 ? order : compare_pairs(a->is.edge, b->is.edge);
 }
 
 /* Are they one line? An edge may have a part in common with several others. */

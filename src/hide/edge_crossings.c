@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 
 /* An edge of face[0] of a touch. It is left out, and may lie in face[1]. */
 typedef struct touching_edge {
@@ -128,14 +129,6 @@ static bool find_common(edge_finder *e, const touching_edge *a, const touching_e
 }
 
 /* ---- touches --------------------------------------------------------------------------------------------------- */
-
-static int compare_pairs(const uint32_t a[2], const uint32_t b[2])
-{
-    for (int i = 0; i < 2; i++)
-        if (a[i] != b[i])
-            return a[i] < b[i] ? -1 : 1;
-    return 0;
-}
 
 static int compare_touches(const void *a, const void *b)
 {

@@ -21,14 +21,6 @@
 #include "base/sets.h"
 #include "base/sort.h"
 
-/* Compares the ends of two sides or edges. */
-static inline int compare_ends(const uint32_t v[2], const uint32_t w[2])
-{
-    if (v[0] != w[0])
-        return v[0] < w[0] ? -1 : 1;
-    return (v[1] > w[1]) - (v[1] < w[1]);
-}
-
 /* ---- sides with the same ends ------------------------------------------------------------------------------------ */
 
 /* A side, or a part of one, with its ends in ascending order. */
@@ -140,7 +132,7 @@ static bool is_corner(const surface *s, const surface_side *side, uint32_t v)
 
 static int compare_names(const void *pa, const void *pb)
 {
-    return compare_ends(((const scene_part *)pa)->v, ((const scene_part *)pb)->v);
+    return compare_pairs(((const scene_part *)pa)->v, ((const scene_part *)pb)->v);
 }
 
 /* Is some other side a part of the file's edge that this side covers completely? */
@@ -258,7 +250,7 @@ static bool list_vertices(finder *f)
                 f->group[side->v[k]] = group_of(f->s, side, k);
         }
     }
-    qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, sort_compare_numbers);
+    qsort(f->vertex, 2 * f->odd_count, sizeof *f->vertex, compare_u32);
     for (size_t i = 0; i < 2 * f->odd_count; i++)
         if (i == 0 || f->vertex[i] != f->vertex[i - 1])
             f->vertex[f->vertex_count++] = f->vertex[i];
@@ -424,7 +416,7 @@ static bool divide_all(finder *f)
 static int compare_halves(const void *pa, const void *pb)
 {
     const part_side *a = pa, *b = pb;
-    int order = compare_ends(a->v, b->v);
+    int order = compare_pairs(a->v, b->v);
     if (order != 0)
         return order;
     if ((a->piece & ~SURFACE_CUT) != (b->piece & ~SURFACE_CUT))
@@ -486,12 +478,12 @@ static surface_edge *find_surface_edge(const surface *s, const uint32_t v[2])
     size_t low = 0, high = s->edge_count;
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-        if (compare_ends(s->edge[middle].v, v) < 0)
+        if (compare_pairs(s->edge[middle].v, v) < 0)
             low = middle + 1;
         else
             high = middle;
     }
-    return low < s->edge_count && compare_ends(s->edge[low].v, v) == 0 ? &s->edge[low] : NULL;
+    return low < s->edge_count && compare_pairs(s->edge[low].v, v) == 0 ? &s->edge[low] : NULL;
 }
 
 /* Makes edges of the divided sides. Such an edge replaces a complete edge with the same ends. False: no memory. */
@@ -521,7 +513,9 @@ static bool merge_edges(finder *f)
     if (!edge)
         return false;
     while (i < s->edge_count || k < f->odd_edge_count) {
-        int order = i == s->edge_count ? 1 : k == f->odd_edge_count ? -1 : compare_ends(s->edge[i].v, f->odd_edge[k].v);
+        int order = i == s->edge_count       ? 1
+                    : k == f->odd_edge_count ? -1
+                                             : compare_pairs(s->edge[i].v, f->odd_edge[k].v);
         if (order < 0) {
             edge[to++] = s->edge[i++];
         } else {
@@ -596,7 +590,7 @@ typedef struct edge_key {
 static int compare_keys(const void *pa, const void *pb)
 {
     const edge_key *a = pa, *b = pb;
-    int order = compare_ends(a->v, b->v);
+    int order = compare_pairs(a->v, b->v);
     if (order != 0)
         return order;
     if (a->t != b->t)

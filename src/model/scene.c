@@ -245,13 +245,13 @@ static bool number_sparse(roberts_scene *scene, uint32_t from, uint32_t to, uint
     if (!array_reserve(sorted, room, count, sizeof **sorted))
         return false;
     memcpy(*sorted, scene->corner + from, count * sizeof **sorted);
-    qsort(*sorted, count, sizeof **sorted, sort_compare_numbers);
+    qsort(*sorted, count, sizeof **sorted, compare_u32);
     for (uint32_t i = 0; i < count; i++)
         if (i == 0 || (*sorted)[i] != (*sorted)[i - 1])
             scene->number[scene->vertex_count++] = (*sorted)[i];
     for (uint32_t i = from; i < to; i++) {
         const uint32_t *found = bsearch(&scene->corner[i], scene->number + first, scene->vertex_count - first,
-                                        sizeof *scene->number, sort_compare_numbers);
+                                        sizeof *scene->number, compare_u32);
         scene->corner[i] = (uint32_t)(found - scene->number);
     }
     return true;

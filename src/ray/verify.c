@@ -380,10 +380,8 @@ static int by_name(const void *a, const void *b)
     const edge_name *p = a, *q = b;
     if (p->solid != q->solid)
         return p->solid < q->solid ? -1 : 1;
-    for (int k = 0; k < 2; k++)
-        if (p->v[k] != q->v[k])
-            return p->v[k] < q->v[k] ? -1 : 1;
-    return (p->t0 > q->t0) - (p->t0 < q->t0);
+    const int order = compare_pairs(p->v, q->v);
+    return order != 0 ? order : (p->t0 > q->t0) - (p->t0 < q->t0);
 }
 
 /* Names all edges of bodies that are not convex, in order. False: no memory. */

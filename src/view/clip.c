@@ -347,10 +347,7 @@ static bool begin_surface(cutter *c)
 
 static int compare_sides(const void *pa, const void *pb)
 {
-    const cut_side *a = pa, *b = pb;
-    if (a->v[0] != b->v[0])
-        return a->v[0] < b->v[0] ? -1 : 1;
-    return (a->v[1] > b->v[1]) - (a->v[1] < b->v[1]);
+    return compare_pairs(((const cut_side *)pa)->v, ((const cut_side *)pb)->v);
 }
 
 static bool list_side(cutter *c, uint32_t a, uint32_t b)
@@ -553,7 +550,7 @@ static int compare_lines(const void *pa, const void *pb)
 static size_t keep_odd(uint32_t *vertex, size_t count)
 {
     size_t odd = 0;
-    qsort(vertex, count, sizeof *vertex, sort_compare_numbers);
+    qsort(vertex, count, sizeof *vertex, compare_u32);
     for (size_t i = 0, next; i < count; i = next) {
         for (next = i + 1; next < count && vertex[next] == vertex[i];)
             next++;
@@ -587,13 +584,13 @@ static bool join_lines(const cutter *c, cut_lines *lines)
         for (size_t k = 0; enough && k < near.count; k++) {
             if (near.item[k] >= end[i] || vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) > c->touching)
                 continue;
-            const uint32_t *found = bsearch(&near.item[k], end, i, sizeof *end, sort_compare_numbers);
+            const uint32_t *found = bsearch(&near.item[k], end, i, sizeof *end, compare_u32);
             first[i] = found && first[found - end] < first[i] ? first[found - end] : first[i];
         }
     }
     for (size_t i = 0; enough && odd > 0 && i < ends; i++) {
         uint32_t *own = i % 2 ? &lines->item[i / 2].to : &lines->item[i / 2].from;
-        const uint32_t *found = bsearch(own, end, odd, sizeof *end, sort_compare_numbers);
+        const uint32_t *found = bsearch(own, end, odd, sizeof *end, compare_u32);
         *own = found ? first[found - end] : *own;
     }
     point_grid_free(&grid);
