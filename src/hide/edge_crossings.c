@@ -28,32 +28,14 @@ typedef struct edge_finder {
 
 /* ---- the faces of an edge -------------------------------------------------------------------------------------- */
 
-/* How many faces does the edge have? It is not a wire. */
-static uint32_t faces_at(const roberts_scene *scene, uint32_t body, uint32_t edge)
-{
-    if (scene_is_convex(scene, body) || !(scene->surface->edge_is[edge] & EDGE_MANY))
-        return 2;
-    const scene_many *many = scene_many_at(scene, edge);
-    return many->end - many->first;
-}
-
-/* Its face k, a piece; ROBERTS_NONE: there is none. */
-static uint32_t face_at(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t k)
-{
-    if (scene_is_convex(scene, body) || !(scene->surface->edge_is[edge] & EDGE_MANY)) {
-        uint32_t f = scene_edge_stored(scene, body, edge)->f[k];
-        return f == ROBERTS_NONE ? f : scene->solid[body].face + f;
-    }
-    return scene->surface->many_face[scene_many_at(scene, edge)->first + k] & ~MANY_TURNED;
-}
-
 static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t first)
 {
-    for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
-        uint32_t f = face_at(scene, body, edge, k);
-        if (f != ROBERTS_NONE && scene_first_piece(scene, body, f) == first)
+    uint32_t room[2];
+    const uint32_t *face;
+    const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
+    for (uint32_t k = 0; k < count; k++)
+        if (scene_first_piece(scene, body, face[k] & ~MANY_TURNED) == first)
             return true;
-    }
     return false;
 }
 
@@ -62,11 +44,13 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
 static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
 {
     const roberts_scene *scene = e->fronts->scene;
-    uint32_t least = ROBERTS_NONE;
+    uint32_t room[2], least = ROBERTS_NONE;
+    const uint32_t *face;
+    const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
     bool over = false, under = false;
-    for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
-        uint32_t f = face_at(scene, body, edge, k);
-        if (f == ROBERTS_NONE || e->fronts->seen->facing[f] == VIEW_EDGE_ON)
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t f = face[k] & ~MANY_TURNED;
+        if (e->fronts->seen->facing[f] == VIEW_EDGE_ON)
             continue;
         crossing_face F = crossing_face_of(e->rules, body, f);
         crossing_lie lie = crossing_lie_of(e->rules, &F, g);
@@ -181,11 +165,13 @@ static bool list_edges(edge_finder *e, uint32_t body)
 {
     const roberts_scene *scene = e->fronts->scene;
     for (uint32_t edge = scene->solid[body].edge; edge < scene->solid[body + 1].edge; edge++) {
+        uint32_t room[2];
+        const uint32_t *face;
+        const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
         bool asked = false;
-        for (uint32_t k = 0; k < faces_at(scene, body, edge); k++) {
-            uint32_t f = face_at(scene, body, edge, k),
-                     first = f == ROBERTS_NONE ? f : scene_first_piece(scene, body, f);
-            if (f == ROBERTS_NONE || !e->touches[first])
+        for (uint32_t k = 0; k < count; k++) {
+            const uint32_t first = scene_first_piece(scene, body, face[k] & ~MANY_TURNED);
+            if (!e->touches[first])
                 continue;
             if (!asked && !seen_is_left_out(e->fronts->seen, body, edge))
                 break;

@@ -542,20 +542,14 @@ static bool add_cuts(const pair *w, int i, face_spans *s)
 }
 
 /* Is the edge one of face f? */
-static bool is_edge_of(const roberts_scene *scene, uint32_t e, const scene_edge *edge, const crossing_face *f)
+static bool is_edge_of(const roberts_scene *scene, uint32_t e, const crossing_face *f)
 {
-    for (int k = 0; k < 2; k++)
-        if (edge->f[k] != ROBERTS_NONE) {
-            uint32_t face = scene->solid[f->body].face + edge->f[k];
-            if (face >= f->first && face < f->end)
-                return true;
-        }
-    if (!(scene->surface->edge_is[e] & EDGE_MANY))
-        return false;
-    const scene_many *many = scene_many_at(scene, e);
-    for (uint32_t k = many->first; k < many->end; k++) {
-        uint32_t face = scene->surface->many_face[k] & ~MANY_TURNED;
-        if (face >= f->first && face < f->end)
+    uint32_t room[2];
+    const uint32_t *face;
+    const uint32_t count = scene_faces_at(scene, f->body, e, room, &face);
+    for (uint32_t k = 0; k < count; k++) {
+        const uint32_t own = face[k] & ~MANY_TURNED;
+        if (own >= f->first && own < f->end)
             return true;
     }
     return false;
@@ -570,7 +564,7 @@ static bool add_edges(const pair *w, int i, span_list *to)
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
         const scene_edge *edge = scene_edge_stored(scene, f->body, e);
         uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1];
-        if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, edge, f) ||
+        if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, f) ||
             height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
             height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
             continue;

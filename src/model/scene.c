@@ -538,6 +538,24 @@ const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge)
     return &s->many[find_numbered(s->many, s->many_count, sizeof *s->many, edge)];
 }
 
+uint32_t scene_faces_at(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t room[2], const uint32_t **face)
+{
+    const scene_edge *edge = scene_edge_stored(scene, s, e);
+    const uint8_t is = scene_is_convex(scene, s) ? 0 : scene->surface->edge_is[e];
+    uint32_t count = 0;
+    if (is & EDGE_MANY) {
+        const scene_many *many = scene_many_at(scene, e);
+        *face = scene->surface->many_face + many->first;
+        return many->end - many->first;
+    }
+    for (int k = 0; k < 2; k++)
+        if (edge->f[k] != ROBERTS_NONE)
+            room[count++] =
+                (scene->solid[s].face + edge->f[k]) | (is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0) ? MANY_TURNED : 0);
+    *face = room;
+    return count;
+}
+
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge)
 {
     const scene_surface *s = scene->surface;
@@ -577,17 +595,11 @@ void roberts_segment_faces(const roberts_scene *scene, const roberts_drawing *dr
     }
     if (!has_edge(scene, segment))
         return;
-    const uint32_t first = scene->solid[segment->solid].face;
-    const scene_edge *edge = scene_edge_stored(scene, segment->solid, segment->edge);
-    if (!scene_is_convex(scene, segment->solid) && scene->surface->edge_is[segment->edge] & EDGE_MANY) {
-        const scene_many *many = scene_many_at(scene, segment->edge);
-        for (uint32_t k = many->first; k < many->end; k++)
-            add_smallest(face, scene_face_number(scene, scene->surface->many_face[k] & ~MANY_TURNED));
-        return;
-    }
-    for (int k = 0; k < 2; k++)
-        if (edge->f[k] != ROBERTS_NONE)
-            add_smallest(face, scene_face_number(scene, first + edge->f[k]));
+    uint32_t room[2];
+    const uint32_t *of;
+    const uint32_t count = scene_faces_at(scene, segment->solid, segment->edge, room, &of);
+    for (uint32_t k = 0; k < count; k++)
+        add_smallest(face, scene_face_number(scene, of[k] & ~MANY_TURNED));
 }
 
 /* Returns the point at t on a line from A to B whose parameters run from `from` to `to`. */

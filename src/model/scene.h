@@ -46,7 +46,7 @@ enum {
     EDGE_CUT = 8,      /* a cut between pieces of one non-planar face: not an edge of the file */
     EDGE_PART = 16,    /* a part of an edge of the file: see scene_part */
 };
-#define MANY_TURNED 0x80000000u /* a flag in scene_surface.many_face: the face is on the right of v[0] -> v[1] */
+#define MANY_TURNED 0x80000000u /* a flag in lists of an edge's faces: the face is on the right of v[0] -> v[1] */
 
 /* The faces of an edge with more than two: many_face[first] .. many_face[end - 1], compact numbers, possibly with
  * MANY_TURNED. */
@@ -149,6 +149,10 @@ static inline bool scene_is_convex(const roberts_scene *scene, uint32_t s)
 
 /* Returns the entry of an edge that is EDGE_MANY. */
 const scene_many *scene_many_at(const roberts_scene *scene, uint32_t edge);
+
+/* Lists the faces of an edge, those of one or two in `room`: compact numbers and, if its body is not convex, possibly
+ * with MANY_TURNED. Returns how many there are; a wire has none. */
+uint32_t scene_faces_at(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t room[2], const uint32_t **face);
 
 /* Returns the entry of an edge that is EDGE_PART. */
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);

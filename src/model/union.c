@@ -87,20 +87,12 @@ static bool add_at_edge(const roberts_scene *scene, uint32_t piece, bool turned,
 /* Finds the two faces that an edge joins. False: it does not join two. */
 static bool find_joined(const roberts_scene *scene, uint32_t s, uint32_t e, edge_face at[EDGE_FACES])
 {
-    const scene_edge edge = scene_edge_at(scene, s, e);
-    const uint8_t is = scene->surface->edge_is[e];
-    uint32_t count = 0, kept = 0;
-    if (is & EDGE_MANY) {
-        const scene_many *many = scene_many_at(scene, e);
-        const uint32_t *face = scene->surface->many_face;
-        for (uint32_t k = many->first; k < many->end; k++)
-            if (!add_at_edge(scene, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, at, &count))
-                return false;
-    } else {
-        for (int k = 0; k < 2; k++)
-            if (edge.f[k] != ROBERTS_NONE)
-                (void)add_at_edge(scene, edge.f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), at, &count);
-    }
+    uint32_t room[2], count = 0, kept = 0;
+    const uint32_t *face;
+    const uint32_t faces = scene_faces_at(scene, s, e, room, &face);
+    for (uint32_t k = 0; k < faces; k++)
+        if (!add_at_edge(scene, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, at, &count))
+            return false;
     for (uint32_t k = 0; k < count; k++)
         if (at[k].winding != 0)
             at[kept++] = at[k];
@@ -233,15 +225,9 @@ void union_work_free(union_work *work)
 
 union_line union_line_of_edge(const roberts_scene *scene, uint32_t s, uint32_t e, uint32_t own[2])
 {
-    scene_edge edge = scene_edge_at(scene, s, e);
-    union_line line = {
-        .A = scene->point[edge.v[0]], .B = scene->point[edge.v[1]], .body = s, .own = own, .own_count = 2};
-    memcpy(own, edge.f, sizeof edge.f);
-    if (scene->surface && (scene->surface->edge_is[e] & EDGE_MANY)) {
-        const scene_many *many = scene_many_at(scene, e);
-        line.own = scene->surface->many_face + many->first;
-        line.own_count = many->end - many->first;
-    }
+    const scene_edge edge = scene_edge_at(scene, s, e);
+    union_line line = {.A = scene->point[edge.v[0]], .B = scene->point[edge.v[1]], .body = s};
+    line.own_count = scene_faces_at(scene, s, e, own, &line.own);
     return line;
 }
 

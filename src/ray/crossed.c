@@ -23,23 +23,15 @@ static int by_number(const void *pa, const void *pb)
     return (a->face > b->face) - (a->face < b->face);
 }
 
-/* Puts an edge of `body` down at its faces; only counts them if there is no list yet. */
+/* Puts an edge of `body` with several faces down at these; only counts them if there is no list yet. */
 static void add_crossed_edge(crossed *c, uint32_t body, uint32_t e)
 {
     const roberts_scene *scene = c->scene;
-    const scene_edge *edge = scene_edge_stored(scene, body, e);
-    uint32_t face[2] = {scene->solid[body].face + edge->f[0], scene->solid[body].face + edge->f[1]};
-    const uint32_t *of = face;
-    uint32_t count = 2;
-    if (edge->f[1] == ROBERTS_NONE)
-        return;
-    if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_MANY) {
-        const scene_many *many = scene_many_at(scene, e);
-        of = scene->surface->many_face + many->first;
-        count = many->end - many->first;
-    }
-    for (uint32_t k = 0; k < count; k++) {
-        uint32_t f = of[k] & ~MANY_TURNED;
+    uint32_t room[2];
+    const uint32_t *face;
+    const uint32_t count = scene_faces_at(scene, body, e, room, &face);
+    for (uint32_t k = 0; count > 1 && k < count; k++) {
+        const uint32_t f = face[k] & ~MANY_TURNED;
         if (c->edge)
             c->edge[--c->edge_start[f]] = e;
         else

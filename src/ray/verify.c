@@ -128,26 +128,16 @@ static void add_side_of_face(const verifier *f, uint32_t face, bool on_right, ui
 
 static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
 {
-    const scene_surface *surface = f->seen.scene->surface;
-    const scene_edge *e = scene_edge_stored(f->seen.scene, solid, index);
-    uint8_t is = surface->edge_is[index];
-    uint32_t of = f->seen.scene->solid[solid].face;
+    const roberts_scene *scene = f->seen.scene;
+    uint32_t room[2];
+    const uint32_t *face;
+    const uint32_t count = scene_faces_at(scene, solid, index, room, &face);
     edge_sides found = {0};
-    if (is & EDGE_MANY) {
-        const scene_many *many = scene_many_at(f->seen.scene, index);
-        const uint32_t *face = surface->many_face;
-        for (uint32_t k = many->first; k < many->end; k++)
-            add_side_of_face(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[many->first] & ~MANY_TURNED,
-                             &found);
-        return found;
-    }
-    for (int k = 0; k < 2; k++)
-        if (e->f[k] != ROBERTS_NONE)
-            add_side_of_face(f, of + e->f[k], is & (k ? EDGE_TURNED_1 : EDGE_TURNED_0), of + e->f[0], &found);
-    if (e->f[1] != ROBERTS_NONE) {
-        bool alike = !(is & EDGE_TURNED_0) == !(is & EDGE_TURNED_1);
-        const roberts_scene *scene = f->seen.scene;
-        const uint32_t p = of + e->f[0], q = of + e->f[1];
+    for (uint32_t k = 0; k < count; k++)
+        add_side_of_face(f, face[k] & ~MANY_TURNED, face[k] & MANY_TURNED, face[0] & ~MANY_TURNED, &found);
+    if (count == 2 && !(scene->surface->edge_is[index] & EDGE_MANY)) {
+        const bool alike = !((face[0] ^ face[1]) & MANY_TURNED);
+        const uint32_t p = face[0] & ~MANY_TURNED, q = face[1] & ~MANY_TURNED;
         found.bent = fmax(angle_between(scene_plane(scene, p), scene_plane(scene, q), alike),
                           angle_between(scene_whole_plane(scene, p), scene_whole_plane(scene, q), alike));
     }
