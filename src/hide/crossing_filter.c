@@ -101,9 +101,17 @@ typedef struct pair_search {
 
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
 {
+    const scene_solid *solid = &fronts->scene->solid[body];
     hide_bounds own = hide_no_bounds;
-    for (uint32_t v = fronts->scene->solid[body].vertex; v < fronts->scene->solid[body + 1].vertex; v++)
-        box_add(&own.low, &own.high, fronts->P[v]);
+    box_add_all(&own.low, &own.high, fronts->P + solid->vertex, solid[1].vertex - solid->vertex);
+    return hide_box_around(&own);
+}
+
+/* The box of pieces first .. end - 1. */
+static hide_box box_of_pieces(const hide_fronts *fronts, uint32_t first, uint32_t end)
+{
+    const uint32_t *start = fronts->scene->face_start;
+    const hide_bounds own = hide_bounds_of(fronts->P, fronts->scene->corner + start[first], start[end] - start[first]);
     return hide_box_around(&own);
 }
 
@@ -438,12 +446,11 @@ bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t cou
     return true;
 }
 
+/* The box of a piece along the axes of the model. */
 static hide_bounds box_of_piece(const roberts_scene *scene, uint32_t piece)
 {
-    hide_bounds box = hide_no_bounds;
-    for (uint32_t c = scene->face_start[piece]; c < scene->face_start[piece + 1]; c++)
-        box_add(&box.low, &box.high, scene->point[scene->corner[c]]);
-    return box;
+    const uint32_t *start = scene->face_start + piece;
+    return hide_bounds_of(scene->point, scene->corner + start[0], start[1] - start[0]);
 }
 
 bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)

@@ -57,21 +57,6 @@ static inline bool boxes_meet(const hide_box *a, const hide_box *b)
     return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
 }
 
-/* The box of pieces first .. end - 1. */
-static inline hide_box box_of_pieces(const hide_fronts *fronts, uint32_t first, uint32_t end)
-{
-    const roberts_scene *scene = fronts->scene;
-    hide_bounds own = hide_no_bounds;
-    for (uint32_t k = scene->face_start[first]; k < scene->face_start[end]; k++)
-        box_add(&own.low, &own.high, fronts->P[scene->corner[k]]);
-    return hide_box_around(&own);
-}
-
-static inline hide_box box_of_face(const hide_fronts *fronts, uint32_t piece)
-{
-    return box_of_pieces(fronts, piece, piece + 1);
-}
-
 /* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
 
 /* Gives all pairs of faces, by their first pieces, except those of one convex body. All bodies must be mapped. threads:

@@ -10,6 +10,7 @@
 #include "base/threads.h"
 #include "hide/crossing_filter.h"
 #include "hide/edge_crossings.h"
+#include "hide/front.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
 #define CELLS_AT_ONCE 64
@@ -137,7 +138,7 @@ static bool list_faces(const hide_fronts *fronts, const hide_front *front, const
     for (uint32_t f = first; f < end; f++) {
         if (!hide_is_face(front) && fronts->seen->facing[f] != VIEW_FRONT)
             continue;
-        boxed_face item = {box_of_face(fronts, f), f};
+        boxed_face item = {front_box_of_face(fronts, f), f};
         if (!boxes_meet(&item.box, box))
             continue;
         if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))

@@ -276,14 +276,6 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
     return found;
 }
 
-BITS_INLINE hide_bounds bounds_of(const hide_fronts *fronts, const uint32_t *corner, uint32_t count)
-{
-    hide_bounds own = hide_no_bounds;
-    for (uint32_t i = 0; i < count; i++)
-        box_add(&own.low, &own.high, fronts->P[corner[i]]);
-    return own;
-}
-
 /* Estimates how many cells of the lists a box meets along one axis. window: length of the window along that axis. */
 static double cells_along(const hide_fronts *fronts, double length, double window)
 {
@@ -302,7 +294,7 @@ static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const
     if (found->count > FACES_OF_A_CELL * cells)
         return true;
     for (uint32_t k = 0; k < found->count; k++) {
-        hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
+        hide_bounds own = hide_bounds_of(fronts->P, found->face[k].corner, found->face[k].count);
         area += (own.high.x - own.low.x) * (own.high.y - own.low.y);
     }
     return area > DEPTH_OF_BUNDLE * width * height;
@@ -319,7 +311,7 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     for (uint32_t k = 0; k < found->count; k++, piece++) {
         while (fronts->seen->facing[piece] != VIEW_FRONT)
             piece++;
-        hide_bounds own = bounds_of(fronts, found->face[k].corner, found->face[k].count);
+        hide_bounds own = hide_bounds_of(fronts->P, found->face[k].corner, found->face[k].count);
         tile->single_box[tile->single_count] = hide_box_around(&own);
         tile->single[tile->single_count++] =
             (hide_front){.solid = solid, .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};

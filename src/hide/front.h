@@ -19,7 +19,7 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
 /* Makes a face of a body that is not convex front number `to`. */
 void front_set_face(hide_fronts *fronts, uint32_t to, uint32_t body, uint32_t face);
 
-/* Returns the box of such a face. */
+/* Returns the box of a face. */
 hide_box front_box_of_face(const hide_fronts *fronts, uint32_t face);
 
 #endif

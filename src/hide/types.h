@@ -84,12 +84,21 @@ static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, dou
     return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
 }
 
-/* The exact bounding box of view points; low > high if there are none. */
+/* The exact bounding box of points; low > high if there are none. */
 typedef struct hide_bounds {
     roberts_vec3 low, high;
 } hide_bounds;
 
 static const hide_bounds hide_no_bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+/* The bounding box of the vertices `corner`, at the points P. */
+BITS_INLINE hide_bounds hide_bounds_of(const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+{
+    hide_bounds own = hide_no_bounds;
+    for (uint32_t i = 0; i < count; i++)
+        box_add(&own.low, &own.high, P[corner[i]]);
+    return own;
+}
 
 static inline hide_box hide_box_around(const hide_bounds *all)
 {
