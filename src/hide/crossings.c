@@ -299,20 +299,6 @@ static bool pack_cell(finder *t, const cell_list *c)
     return true;
 }
 
-/* How many entries of a list begin nearer than `least`? */
-static uint32_t count_seen(const finder *t, const objet_entry *list, uint32_t count, float least)
-{
-    uint32_t low = 0;
-    while (low < count) {
-        uint32_t middle = low + (count - low) / 2;
-        if (t->fronts->front_box[list[middle].front].z1 < least)
-            count = middle;
-        else
-            low = middle + 1;
-    }
-    return count;
-}
-
 /* Do covers hide all points that two boxes have in common? */
 static bool is_covered(const hide_fronts *fronts, const hide_box *p, const hide_box *q)
 {
@@ -445,7 +431,7 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     if (grid->apart && grid->apart[cell])
         return true;
     if (t->nearest)
-        c.count = count_seen(t, c.list, c.count, t->nearest[cell]);
+        c.count = objet_count_nearer(t->fronts, c.list, c.count, t->nearest[cell]);
     const bool solids = t->fronts->front_count == t->fronts->whole_count;
     if (t->filter->simple && filter_cell(t->filter, c.list, c.count))
         return true;

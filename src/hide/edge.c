@@ -372,19 +372,6 @@ BITS_INLINE bool meet_entry(hide_worker *w, const line_set *p, uint32_t front)
     return is_apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
-/* Finds the first entry, from k on and before `end`, whose front has no point nearer than z. */
-static uint32_t first_behind(const objet *grid, const hide_fronts *fronts, uint32_t k, uint32_t end, float z)
-{
-    while (k < end) {
-        uint32_t middle = k + (end - k) / 2;
-        if (fronts->front_box[grid->entry[middle].front].z1 < z)
-            end = middle;
-        else
-            k = middle + 1;
-    }
-    return k;
-}
-
 /* Tests the lines against the entries first .. end - 1, from the last to the first, four at a time. False: no
  * memory. */
 BITS_INLINE bool meet_backward(hide_worker *w, const line_set *p, uint32_t first, uint32_t end, uint32_t sides)
@@ -436,7 +423,7 @@ static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = p->alone && grid->next; /* in every cell, a line of a fan would go back over all faces of the fan */
     if (!alone && start[1] - start[0] > SHORT_LIST) {
-        k = first_behind(grid, w->fronts, k, start[1], p->box->z1);
+        k += objet_count_nearer(w->fronts, grid->entry + k, start[1] - k, p->box->z1);
         if (!meet_backward(w, p, start[0], k, sides))
             return false;
     }

@@ -121,6 +121,20 @@ static inline unsigned objet_near(const objet *grid, uint32_t k, uint32_t end, u
     return four_bytes_at_most((const uint32_t *)(grid->entry + k), most) & (end - k < 4 ? (1u << (end - k)) - 1 : 15u);
 }
 
+/* How many of the fronts in a list of `count` entries have a point as near as z? They come first. */
+static inline uint32_t objet_count_nearer(const hide_fronts *fronts, const objet_entry *list, uint32_t count, float z)
+{
+    uint32_t low = 0;
+    while (low < count) {
+        uint32_t middle = low + (count - low) / 2;
+        if (fronts->front_box[list[middle].front].z1 < z)
+            count = middle;
+        else
+            low = middle + 1;
+    }
+    return count;
+}
+
 /* Finds the cells that AB touches, column by column. False: no memory. */
 bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *walk);
 
