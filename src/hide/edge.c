@@ -651,12 +651,6 @@ BITS_PER_PROCESSOR bool hide_worker_run(hide_worker *w)
     return true;
 }
 
-static bool box_holds(const hide_fronts *fronts, const hide_box *box, double x, double y)
-{
-    double m = fronts->space.epsilon;
-    return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
-}
-
 /* A search for the solid seen at a point: the result so far. */
 typedef struct look {
     double x, y;
@@ -761,7 +755,7 @@ static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t ce
             if ((double)box->z1 + beyond < l->best)
                 return; /* all later fronts are farther too */
             bool asked = l->touching && (l->faces ? front->solid > l->solid : front->solid >= l->solid);
-            if (!asked && box_holds(fronts, box, l->x, l->y))
+            if (!asked && hide_box_holds(box, l->x, l->y, fronts->space.epsilon))
                 look_at_front(fronts, index, (double)box->z1, l);
         }
     }

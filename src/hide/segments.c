@@ -70,13 +70,6 @@ static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X
     return true;
 }
 
-static bool may_hide(const hide_fronts *fronts, const hide_box *box, roberts_vec3 X)
-{
-    double m = fronts->space.epsilon;
-    return X.x >= (double)box->x0 - m && X.x <= (double)box->x1 + m && X.y >= (double)box->y0 - m &&
-           X.y <= (double)box->y1 + m && (double)box->z1 >= X.z;
-}
-
 static int by_body(const void *a, const void *b)
 {
     const level_hit *p = a, *q = b;
@@ -112,7 +105,8 @@ static BITS_RARE bool level_at(hide_worker *w, const seen_line *line, roberts_ve
     for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
         const uint32_t index = w->grid->entry[k].front;
         const bool copied = fronts->next_copy && index < fronts->whole_count;
-        if (!may_hide(fronts, &fronts->front_box[index], X))
+        const hide_box *box = &fronts->front_box[index];
+        if (!hide_box_holds(box, X.x, X.y, fronts->space.epsilon) || (double)box->z1 < X.z)
             continue;
         for (uint32_t i = index; i != ROBERTS_NONE; i = copied ? fronts->next_copy[i] : ROBERTS_NONE)
             if (!seen_owns(fronts->scene, &line->own, hide_key(fronts, &fronts->front[i])) &&

@@ -27,6 +27,12 @@ static inline box3 hide_box3(const hide_box *box)
                   {(double)box->x1, (double)box->y1, (double)box->z1}};
 }
 
+/* Is (x, y) inside the box in the picture, or no farther outside than m? */
+static inline bool hide_box_holds(const hide_box *box, double x, double y, double m)
+{
+    return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
+}
+
 /* A front face, or the outline of several (F is not used then). Its sides run counter-clockwise in the picture. */
 typedef struct hide_face {
     plane F;                /* view space, inward: F(P) < 0 in front of it */
