@@ -485,12 +485,6 @@ static int compare_nodes(const void *pa, const void *pb)
     return order != 0 ? order : (a->node > b->node) - (a->node < b->node);
 }
 
-/* Puts nodes with one key, in single precision, in their true order. */
-static void sort_equal_keys(sweep_node *item, size_t count)
-{
-    SORT_LIST(sweep_node, item, count, compare_nodes(a, b) > 0, compare_nodes)
-}
-
 static bool sort_nodes(cell_sweep *s)
 {
     const planar_map *m = s->m;
@@ -512,7 +506,7 @@ static bool sort_nodes(cell_sweep *s)
     for (size_t i = 0, k; enough && i < s->count; i = k) {
         for (k = i + 1; k < s->count && key[order[k]] == key[order[i]];)
             k++;
-        sort_equal_keys(item + i, k - i);
+        SORT_LIST(sweep_node, item + i, k - i, compare_nodes(a, b) > 0, compare_nodes) /* keys are rounded to floats */
     }
     for (size_t i = 0; enough && i < s->count; i++)
         s->node[i] = item[i].node;

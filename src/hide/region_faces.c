@@ -206,17 +206,12 @@ roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright)
 /* The near plane is a plane of one depth in view space, and nothing is nearer. So the lines are the sides of faces with
  * both ends at the greatest depth of all. */
 
-static bool is_mapped(const hide_fronts *fronts, uint32_t body)
-{
-    return !fronts->culled[body];
-}
-
 static double greatest_depth(const hide_fronts *fronts)
 {
     const roberts_scene *scene = fronts->scene;
     double most = -INFINITY;
     for (uint32_t s = 0; s < scene->solid_count; s++)
-        for (uint32_t v = scene->solid[s].vertex; is_mapped(fronts, s) && v < scene->solid[s + 1].vertex; v++)
+        for (uint32_t v = scene->solid[s].vertex; !fronts->culled[s] && v < scene->solid[s + 1].vertex; v++)
             most = greater(most, fronts->P[v].z);
     return most;
 }
@@ -239,7 +234,7 @@ static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, d
             return false;
         to->line[to->count++] = (seen_line){.edge = ROBERTS_NONE,
                                             .v = {v[0], v[1]},
-                                            .own = {{seen_face_key(scene, body, face), ROBERTS_NONE}, NULL},
+                                            .own = seen_owns_one(seen_face_key(scene, body, face)),
                                             .t1 = 1.0,
                                             .class = ROBERTS_CREASE};
     }
@@ -256,7 +251,7 @@ bool cut_lines_find(const hide_fronts *fronts, seen_further *lines)
     for (uint32_t s = 0; enough && s < scene->solid_count; s++) {
         bool convex = scene_is_convex(scene, s);
         first[s] = (uint32_t)found.count;
-        for (uint32_t f = scene->solid[s].face; enough && is_mapped(fronts, s) && f < scene->solid[s + 1].face; f++)
+        for (uint32_t f = scene->solid[s].face; enough && !fronts->culled[s] && f < scene->solid[s + 1].face; f++)
             if (fronts->seen->facing[f] == VIEW_FRONT || (!convex && fronts->seen->facing[f] == VIEW_BACK))
                 enough = add_sides(fronts, s, f, least, &found);
     }
