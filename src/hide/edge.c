@@ -580,7 +580,7 @@ static bool run_together(hide_worker *w, uint32_t left, uint32_t right, uint32_t
 /* Finds the box of a group. The unused ones of the last four lanes get boxes that meet nothing. */
 static void box_lines(hide_worker *w)
 {
-    hide_box all = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+    hide_box all = hide_no_box;
     const hide_lanes *l = &w->lanes;
     for (size_t i = 0; i < w->line_count; i++) {
         all.x0 = l->x0[i] < all.x0 ? l->x0[i] : all.x0;

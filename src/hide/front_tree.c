@@ -198,8 +198,7 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
 static void bound(const building *of, front_node *n, int k, const uint32_t *place, uint32_t count)
 {
     const hide_fronts *fronts = of->fronts;
-    bounds b = {
-        .box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY}, .low = INFINITY, .high = -INFINITY};
+    bounds b = {.box = hide_no_box, .low = INFINITY, .high = -INFINITY};
     choose_directions(&b, of->item, place, count);
     for (uint32_t i = 0; i < count; i++) {
         const item *own = &of->item[place[i]];

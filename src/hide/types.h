@@ -21,6 +21,8 @@ typedef struct hide_box {
     float x0, x1, y0, y1, z0, z1;
 } hide_box;
 
+static const hide_box hide_no_box = {INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+
 static inline box3 hide_box3(const hide_box *box)
 {
     return (box3){{(double)box->x0, (double)box->y0, (double)box->z0},
@@ -109,7 +111,7 @@ BITS_INLINE hide_bounds hide_bounds_of(const roberts_vec3 *P, const uint32_t *co
 static inline hide_box hide_box_around(const hide_bounds *all)
 {
     if (all->low.x > all->high.x)
-        return (hide_box){INFINITY, -INFINITY, INFINITY, -INFINITY, INFINITY, -INFINITY};
+        return hide_no_box;
     return (hide_box){hide_float_below(all->low.x),  hide_float_above(all->high.x), hide_float_below(all->low.y),
                       hide_float_above(all->high.y), hide_float_below(all->low.z),  hide_float_above(all->high.z)};
 }
