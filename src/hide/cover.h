@@ -85,10 +85,4 @@ uint32_t cover_at(const cover *c, double x, double y, float z);
 /* Do covers certainly hide the whole edge AB? */
 bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts_vec3 B);
 
-/* Does one of two sets of covers? */
-static inline bool covers_hide_edge(const cover *c, const cover *d, roberts_vec3 A, roberts_vec3 B)
-{
-    return (c->depth && cover_hides_edge(c, A, B)) || (d->depth && cover_hides_edge(d, A, B));
-}
-
 #endif

@@ -69,7 +69,10 @@ static bool is_unseen(const void *context, roberts_vec3 A, roberts_vec3 B)
 {
     const finder *t = context;
     const view *v = &t->fronts->seen->view;
-    return covers_hide_edge(&t->fronts->cover, &t->grid->sheet, view_point(v, A), view_point(v, B));
+    const cover *covers = &t->fronts->cover, *sheets = &t->grid->sheet;
+    A = view_point(v, A);
+    B = view_point(v, B);
+    return (covers->depth && cover_hides_edge(covers, A, B)) || (sheets->depth && cover_hides_edge(sheets, A, B));
 }
 
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
