@@ -42,6 +42,17 @@ static inline double vec2_length(double x, double y)
     return sqrt(x * x + y * y);
 }
 
+/* Are two points the same? -0 equals +0. */
+static inline bool vec2_same(roberts_vec2 a, roberts_vec2 b)
+{
+    return a.x == b.x && a.y == b.y;
+}
+
+static inline bool vec3_same(roberts_vec3 a, roberts_vec3 b)
+{
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
 /* Orders points by x, then y: -1, 0 or 1; -0 equals +0. */
 static inline int vec2_compare(roberts_vec2 a, roberts_vec2 b)
 {

@@ -380,8 +380,8 @@ static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
         memcmp(&fronts->front_box[a], &fronts->front_box[b], sizeof(hide_box)) != 0)
         return false;
     for (uint32_t i = 0; i < f->corners; i++) {
-        roberts_vec3 p = fronts->P[fronts->outline[f->outline + i]], q = fronts->P[fronts->outline[g->outline + i]];
-        if (p.x != q.x || p.y != q.y || p.z != q.z)
+        const uint32_t p = fronts->outline[f->outline + i], q = fronts->outline[g->outline + i];
+        if (!vec3_same(fronts->P[p], fronts->P[q]))
             return false;
     }
     for (uint32_t i = 0; i < f->face_count; i++) {

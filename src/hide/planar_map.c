@@ -37,17 +37,12 @@ static size_t slot_of(roberts_vec2 p, size_t mask)
     return (size_t)(h ^ h >> 31) & mask;
 }
 
-static bool is_at(const planar_map *m, uint32_t node, roberts_vec2 p)
-{
-    return m->node[node].x == p.x && m->node[node].y == p.y;
-}
-
 /* Returns the slot of the node at p, or the free slot where it belongs. */
 static uint32_t *find_slot(const planar_map *m, roberts_vec2 p)
 {
     const size_t mask = m->slot_count - 1;
     size_t at = slot_of(p, mask);
-    while (m->slot[at] != 0 && !is_at(m, m->slot[at] - 1, p))
+    while (m->slot[at] != 0 && !vec2_same(m->node[m->slot[at] - 1], p))
         at = (at + 1) & mask;
     return &m->slot[at];
 }
@@ -81,13 +76,13 @@ static bool take_node(planar_map *m, roberts_vec2 p, uint32_t *node)
 
 bool planar_map_add(planar_map *m, roberts_vec2 a, roberts_vec2 b)
 {
-    if (a.x == b.x && a.y == b.y)
+    if (vec2_same(a, b))
         return true;
     if (!array_reserve(&m->line, &m->line_room, m->line_count + 1, sizeof *m->line))
         return false;
     uint32_t *line = m->line[m->line_count];
     const uint32_t *last = m->line_count > 0 ? m->line[m->line_count - 1] : NULL;
-    if (last && is_at(m, last[0], a)) /* edges are sorted: many begin where the last one does */
+    if (last && vec2_same(m->node[last[0]], a)) /* edges are sorted: many begin where the last one does */
         line[0] = last[0];
     else if (!take_node(m, a, &line[0]))
         return false;

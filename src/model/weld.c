@@ -19,8 +19,6 @@
 
 /* ---- equal positions ------------------------------------------------------------------------------------------- */
 
-enum { SHORT_BUCKET = 16 };
-
 typedef struct spot {
     roberts_vec3 at;
     uint32_t vertex;
@@ -48,15 +46,6 @@ static uint32_t bucket_of(roberts_vec3 p, uint32_t buckets)
     return (uint32_t)((mix(mix(mix(0, p.x), p.y), p.z) >> 32) * buckets >> 32);
 }
 
-static void sort_spots(spot *first, uint32_t count)
-{
-    if (count > SHORT_BUCKET) {
-        qsort(first, count, sizeof *first, compare_spots);
-        return;
-    }
-    SORT_FEW(spot, first, count, compare_spots(a, b) > 0)
-}
-
 /* Puts the vertices into buckets; end[b] becomes the end of bucket b. */
 static void fill_buckets(spot *sorted, uint32_t *end, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
 {
@@ -79,11 +68,12 @@ bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const
     bool enough = sorted && end;
     if (enough) {
         fill_buckets(sorted, end, listed, count, point);
-        for (uint32_t b = 0; b < count; b++)
-            sort_spots(sorted + (b ? end[b - 1] : 0), end[b] - (b ? end[b - 1] : 0));
+        for (uint32_t k = 0, first = 0; k < count; first = end[k++]) {
+            const uint32_t few = end[k] - first;
+            SORT_LIST(spot, sorted + first, few, compare_spots(a, b) > 0, compare_spots)
+        }
         for (uint32_t i = 0; i < count; i++) {
-            bool same = i > 0 && sorted[i].at.x == sorted[i - 1].at.x && sorted[i].at.y == sorted[i - 1].at.y &&
-                        sorted[i].at.z == sorted[i - 1].at.z;
+            const bool same = i > 0 && vec3_same(sorted[i].at, sorted[i - 1].at);
             name[sorted[i].vertex] = same ? name[sorted[i - 1].vertex] : sorted[i].vertex;
         }
     }
@@ -107,7 +97,7 @@ bool weld_any_equal(const uint32_t *listed, size_t count, const roberts_vec3 *po
         roberts_vec3 p = point[listed[i]], at = {p.x + 0.0, p.y + 0.0, p.z + 0.0}; /* -0 + 0 is +0 */
         size_t to = (size_t)(mix(mix(mix(0, at.x), at.y), at.z) >> 20) & (size - 1);
         for (; slot[to] != ROBERTS_NONE && !*equal; to = (to + 1) & (size - 1))
-            *equal = vec3_compare(point[slot[to]], at) == 0;
+            *equal = vec3_same(point[slot[to]], at);
         slot[to] = listed[i];
     }
     free(slot);

@@ -14,6 +14,7 @@
 
 #include "base/array.h"
 #include "base/bits.h"
+#include "base/vec.h"
 
 enum { FLOAT = 4, POINT = 3 * FLOAT, LEAST_CORNERS = 3, AT_ONCE = 32 };
 
@@ -44,16 +45,11 @@ static size_t home(const position_table *t, uint64_t hash)
     return (size_t)hash & (t->size - 1);
 }
 
-static bool same(roberts_vec3 a, roberts_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 /* Returns the slot that contains p, or the empty one where p belongs. */
 static size_t find_slot(const position_table *t, const roberts_mesh *mesh, roberts_vec3 p, uint64_t hash)
 {
     size_t i = home(t, hash);
-    while (t->slot[i] && !same(mesh->vertex[t->slot[i] - 1], p))
+    while (t->slot[i] && !vec3_same(mesh->vertex[t->slot[i] - 1], p))
         i = (i + 1) & (t->size - 1);
     return i;
 }
