@@ -75,7 +75,7 @@ static roberts_vec2 direction(const roberts_hatching *h, const roberts_slope *sl
     return (roberts_vec2){turn.x * right.x + turn.y * up.x, -(turn.x * right.y + turn.y * up.y)}; /* y down */
 }
 
-/* Lines for a tone. Those of a face that is nearly edge-on are level. */
+/* Lines for a tone. On a face that is nearly edge-on they are level. */
 static hatch_lines lines_for(const strokes *s, const page_region *on, double degrees, double tone)
 {
     const roberts_hatching *h = &s->options->hatching;

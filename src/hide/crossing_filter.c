@@ -282,7 +282,7 @@ static void mark_face(const crossing_filter *p, uint32_t face)
             mark(p, scene->corner[c], STAR_FOLD);
 }
 
-/* Of late faces, mark_late() marks all. Of bodies that do not cross themselves, no star is needed. */
+/* Leaves late faces to mark_late(). A body that does not cross itself needs no stars. */
 static void mark_front(const crossing_filter *p, const hide_front *front)
 {
     if (front->kind == HIDE_SURFACE_FACE && !filter_simple(p, front->solid) &&
@@ -359,7 +359,7 @@ static bool find_simple(void *context, size_t first, size_t end)
     return true;
 }
 
-/* Those of single faces: they follow the whole ones. */
+/* Marks the single faces, which follow the whole fronts. */
 static bool mark_fronts(void *context, size_t first, size_t end)
 {
     crossing_filter *p = context;

@@ -107,8 +107,8 @@ bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t cou
 /* Are two faces plainly apart, in the picture or in space? */
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
 
-/* Two triangles share corner f[i], and no other. Does a side at that corner separate them in the picture? So it is with
- * nearly all neighbours. */
+/* Two triangles share corner f[i], and no other. Does a side at that corner separate them in the picture? For
+ * nearly all neighbours, one does. */
 bool filter_fan(const hide_fronts *fronts, const uint32_t f[3], int i, const uint32_t g[3]);
 
 static inline bool filter_flat(const crossing_filter *p, uint32_t front)

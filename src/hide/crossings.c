@@ -54,14 +54,15 @@ typedef struct finder {
 
 /* Lines behind covers or sheets are not computed if hidden lines are not wanted and the view is parallel, and no more
  * oblique than this. Then a line that ends near A and B in the model is less than an epsilon from AB in view space:
- * (1 + OBLIQUE_MOST) CROSSING_NEAR < 1. cover_hides_edge() allows for hide_margin(), which is four times as much. */
-#define OBLIQUE_MOST 2.0
+ * (1 + OBLIQUE_FOR_COVERS) CROSSING_NEAR < 1. cover_hides_edge() allows for hide_margin(), which is four times as
+ * much. */
+#define OBLIQUE_FOR_COVERS 2.0
 
 static bool may_be_unseen(const seen *s)
 {
     const view *v = &s->view;
-    return !s->rules.hidden && !v->perspective && fabs(v->oblique.x) <= OBLIQUE_MOST &&
-           fabs(v->oblique.y) <= OBLIQUE_MOST;
+    return !s->rules.hidden && !v->perspective && fabs(v->oblique.x) <= OBLIQUE_FOR_COVERS &&
+           fabs(v->oblique.y) <= OBLIQUE_FOR_COVERS;
 }
 
 /* Do covers or sheets hide the line between two points of the model? */

@@ -64,13 +64,13 @@ typedef struct front_visit {
 } front_visit;
 
 /* Finds the children of a node that may hide or touch anything of the part t0 .. t1 of the line, and which part.
- * Returns their number. The longest part comes last; of equal ones, that of the child farther from the viewer, which is
- * mostly the nearest one in front of the line. */
+ * Returns their number. The longest part comes last. Of equal parts, the last is that of the child farther from the
+ * viewer, which is mostly the nearest one in front of the line. */
 uint32_t front_node_meets(const front_node *n, const front_line *line, float t0, float t1, front_visit found[4]);
 
 /* Children that a line has still to visit, in lists by the length of the part that each may hide: at least an eighth
- * of the line, at least a sixteenth of that, and so on. Those of the first list come first; of one list, the last one
- * added. So what hides much is met early, and children of like size are searched in depth. */
+ * of the line, at least a sixteenth of that, and so on. The first list that is not empty gives the next child: the one
+ * that it got last. So what hides much is met early, and children of like size are searched in depth. */
 #define FRONT_QUEUE 64
 #define FRONT_QUEUE_LISTS 8
 

@@ -386,7 +386,7 @@ typedef struct line_covers {
     uint32_t count;
 } line_covers;
 
-/* Those of all bodies, the sheets, and the body's own. None is asked if hidden lines are wanted. */
+/* Returns the covers of all bodies, the sheets, and the body's own covers; none if hidden lines are wanted. */
 BITS_INLINE line_covers covers_of(const hide_job *job, uint32_t body)
 {
     const cover *all[] = {&job->fronts.cover, &job->grid.sheet, hide_own_cover(&job->fronts, body)};

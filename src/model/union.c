@@ -102,7 +102,7 @@ static bool find_joined(const roberts_scene *scene, uint32_t s, uint32_t e, edge
 }
 
 /* Orients the faces of body s alike, if that is possible, and sets their windings. Face f counts twice: as node 2 f, as
- * it is, and as node 2 f + 1, turned over. Those of one orientation are joined. False: no memory. */
+ * it is, and as node 2 f + 1, turned over. Nodes of one orientation are joined. False: no memory. */
 static bool orient_body(union_bodies *all, uint32_t s)
 {
     const roberts_scene *scene = all->scene;
