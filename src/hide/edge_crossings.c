@@ -66,13 +66,6 @@ static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, cro
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
-static void ends_of(const roberts_scene *scene, uint32_t body, uint32_t edge, uint32_t v[2])
-{
-    const scene_edge *e = scene_edge_stored(scene, body, edge);
-    v[0] = scene->solid[body].vertex + e->v[0];
-    v[1] = scene->solid[body].vertex + e->v[1];
-}
-
 /* Records that the segments from `from` on lie on these edges. */
 static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second)
 {
@@ -86,12 +79,11 @@ static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_
 static bool find_inside(edge_finder *e, const touching_edge *t)
 {
     size_t from = e->out->count;
-    uint32_t v[2];
+    const scene_edge edge = scene_edge_at(e->fronts->scene, t->of.body[0], t->edge);
     crossing_face F, G = crossing_face_of(e->rules, t->of.body[1], t->of.face[1]);
     if (!first_across(e, t->of.body[0], t->edge, &G, &F))
         return true;
-    ends_of(e->fronts->scene, t->of.body[0], t->edge, v);
-    bool enough = crossing_find_in(e->rules, &F, v, &G, e->out);
+    bool enough = crossing_find_in(e->rules, &F, edge.v, &G, e->out);
     name_edges(e->out, from, t->edge, ROBERTS_NONE);
     return enough;
 }
@@ -100,14 +92,13 @@ static bool find_inside(edge_finder *e, const touching_edge *t)
 static bool find_common(edge_finder *e, const touching_edge *a, const touching_edge *b)
 {
     size_t from = e->out->count;
-    uint32_t v[2], u[2];
+    const scene_edge first = scene_edge_at(e->fronts->scene, a->of.body[0], a->edge);
+    const scene_edge second = scene_edge_at(e->fronts->scene, b->of.body[0], b->edge);
     crossing_face F, G = crossing_face_of(e->rules, b->of.body[0], b->of.face[0]);
     if (a->edge == b->edge || !first_across(e, a->of.body[0], a->edge, &G, &F) ||
         !first_across(e, b->of.body[0], b->edge, &F, &G))
         return true;
-    ends_of(e->fronts->scene, a->of.body[0], a->edge, v);
-    ends_of(e->fronts->scene, b->of.body[0], b->edge, u);
-    bool enough = crossing_find_common(e->rules, &F, v, &G, u, e->out);
+    bool enough = crossing_find_common(e->rules, &F, first.v, &G, second.v, e->out);
     name_edges(e->out, from, a->edge, b->edge);
     return enough;
 }

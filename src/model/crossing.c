@@ -541,6 +541,19 @@ static bool add_cuts(const pair *w, int i, face_spans *s)
     return true;
 }
 
+/* An edge of face[i] as a span. */
+static span edge_span(const pair *w, const uint32_t v[2])
+{
+    cut at[2] = {corner_cut(w, v[0]), corner_cut(w, v[1])};
+    bool back = at[0].s > at[1].s;
+    return (span){at[back], at[!back]};
+}
+
+static bool is_edge_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
+{
+    return height_of(rules, g, body, v[0]).sign == 0 && height_of(rules, g, body, v[1]).sign == 0;
+}
+
 /* Is the edge one of face f? */
 static bool is_edge_of(const roberts_scene *scene, uint32_t e, const crossing_face *f)
 {
@@ -562,15 +575,11 @@ static bool add_edges(const pair *w, int i, span_list *to)
     const crossing_face *f = w->face[i];
     const scene_solid *own = &scene->solid[f->body];
     for (uint32_t e = own->edge; e < own[1].edge; e++) {
-        const scene_edge *edge = scene_edge_stored(scene, f->body, e);
-        uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1];
+        const scene_edge edge = scene_edge_at(scene, f->body, e);
         if (scene->surface->edge_is[e] & EDGE_CUT || !is_edge_of(scene, e, f) ||
-            height_of(w->rules, w->face[1 - i], f->body, a).sign != 0 ||
-            height_of(w->rules, w->face[1 - i], f->body, b).sign != 0)
+            !is_edge_in_plane(w->rules, f->body, edge.v, w->face[1 - i]))
             continue;
-        cut at[2] = {corner_cut(w, a), corner_cut(w, b)};
-        bool back = at[0].s > at[1].s;
-        if (!add_span(w, i, to, (span){at[back], at[!back]}))
+        if (!add_span(w, i, to, edge_span(w, edge.v)))
             return false;
     }
     unite(w, to);
@@ -672,19 +681,6 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
 }
 
 /* ---- along edges ----------------------------------------------------------------------------------------------- */
-
-/* An edge of face[i] as a span. */
-static span edge_span(const pair *w, const uint32_t v[2])
-{
-    cut at[2] = {corner_cut(w, v[0]), corner_cut(w, v[1])};
-    bool back = at[0].s > at[1].s;
-    return (span){at[back], at[!back]};
-}
-
-static bool is_edge_in_plane(const crossing_rules *rules, uint32_t body, const uint32_t v[2], crossing_face *g)
-{
-    return height_of(rules, g, body, v[0]).sign == 0 && height_of(rules, g, body, v[1]).sign == 0;
-}
 
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                       crossing_list *out)

@@ -628,9 +628,9 @@ static bool find_line(const roberts_scene *scene, const roberts_drawing *drawing
     }
     if (!has_edge(scene, segment))
         return false;
-    const scene_edge *edge = scene_edge_stored(scene, body, e);
+    const scene_edge edge = scene_edge_at(scene, body, e);
     for (int i = 0; i < 2; i++)
-        known->end[i] = scene->point[scene->solid[body].vertex + edge->v[i]];
+        known->end[i] = scene->point[edge.v[i]];
     if (!scene_is_convex(scene, body) && scene->surface->edge_is[e] & EDGE_PART) {
         known->t0 = scene_part_at(scene, e)->t0;
         known->t1 = scene_part_at(scene, e)->t1;

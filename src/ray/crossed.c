@@ -158,15 +158,15 @@ static int sides_met(const crossed *c, const crossed_piece *of, roberts_vec3 X, 
 static uint32_t edge_at(const crossed *c, const crossed_piece *of, roberts_vec3 X)
 {
     const roberts_scene *scene = c->scene;
-    uint32_t key = seen_face_key(scene, of->body, of->face), vertex = scene->solid[of->body].vertex;
+    const uint32_t key = seen_face_key(scene, of->body, of->face);
     double touching = 2.0 * (c->touching + scene_deviation(scene, of->face));
     for (uint32_t k = first_piece(c, of->number); k < scene->face_count && c->piece[k].number == of->number; k++) {
         uint32_t f = c->piece[k].face;
         if (c->piece[k].body != of->body || seen_face_key(scene, of->body, f) != key)
             continue;
         for (uint32_t n = c->edge_start[f]; n < c->edge_start[f + 1]; n++) {
-            const scene_edge *e = scene_edge_stored(scene, of->body, c->edge[n]);
-            roberts_vec3 A = scene->point[vertex + e->v[0]], AB = vec3_sub(scene->point[vertex + e->v[1]], A);
+            const scene_edge e = scene_edge_at(scene, of->body, c->edge[n]);
+            roberts_vec3 A = scene->point[e.v[0]], AB = vec3_sub(scene->point[e.v[1]], A);
             double t = vec3_dot(AB, vec3_sub(X, A)) / vec3_dot(AB, AB);
             if (t > 0.0 && t < 1.0 && vec3_length(vec3_sub(X, vec3_add(A, vec3_scale(t, AB)))) <= touching)
                 return c->edge[n];

@@ -377,9 +377,8 @@ seen_name seen_edge_name(const roberts_scene *source, uint32_t body, uint32_t ed
         const scene_part *part = scene_part_at(source, edge);
         return (seen_name){{part->v[0], part->v[1]}, part->t0, part->t1};
     }
-    const scene_edge *e = scene_edge_stored(source, body, edge);
-    uint32_t v0 = source->solid[body].vertex + e->v[0], v1 = source->solid[body].vertex + e->v[1];
-    return (seen_name){{scene_vertex_number(source, v0), scene_vertex_number(source, v1)}, 0.0, 1.0};
+    const scene_edge e = scene_edge_at(source, body, edge);
+    return (seen_name){{scene_vertex_number(source, e.v[0]), scene_vertex_number(source, e.v[1])}, 0.0, 1.0};
 }
 
 seen_name seen_slow_name(const seen *s, uint32_t body, const seen_line *line)
