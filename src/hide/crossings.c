@@ -46,7 +46,7 @@ typedef struct finder {
     four_entries *four; /* the entries of this cell */
     size_t four_room;
     face_list list[2];
-    crossing_face last; /* the first face of the last pair */
+    crossing_kept last; /* the first face of the last pair */
     char apart[THREADS_APART];
 } finder;
 
@@ -115,10 +115,9 @@ static bool meet_faces(finder *t, crossing_face *f, crossing_face *g)
 /* Tests two faces, given by their first pieces. The first one is kept, for the next pair. */
 static bool meet_whole(finder *t, const uint32_t body[2], const uint32_t first[2])
 {
-    if (t->last.end == 0 || t->last.first != first[0])
-        t->last = crossing_face_of(&t->rules, body[0], first[0]);
+    crossing_face *f = crossing_keep(&t->last, &t->rules, body[0], first[0]);
     crossing_face other = crossing_face_of(&t->rules, body[1], first[1]);
-    return meet_faces(t, &t->last, &other);
+    return crossing_limit(&t->last, &t->rules, &other) && meet_faces(t, f, &other);
 }
 
 /* Tests the faces of two pieces. Nothing crosses a cap: everything ends at the near plane. */
@@ -265,8 +264,7 @@ static void pack_entry(const finder *t, const hide_box *cell, uint32_t front, ui
     to->y1[lane] = box->y1 < cell->y1 ? box->y1 : cell->y1;
     to->z0[lane] = box->z0;
     to->z1[lane] = box->z1;
-    const bool apart = f->kind == HIDE_SURFACE_FACE && !filter_simple(t->filter, f->solid);
-    to->kin[lane] = apart ? k : seen_body_key(f->solid);
+    to->kin[lane] = filter_simple(t->filter, f->solid) ? seen_body_key(f->solid) : hide_key(fronts, f);
     const uint32_t *start = fronts->scene->face_start + f->piece, *corner = fronts->scene->corner;
     atomic_uchar *star = t->filter->star;
     const bool triangle = f->kind == HIDE_SURFACE_FACE && start[1] - start[0] == 3;
@@ -345,10 +343,9 @@ BITS_INLINE unsigned drop_neighbours(const finder *t, const four_entries *own, u
     return near;
 }
 
-static bool may_cross(const finder *t, uint32_t i, uint32_t k)
+static inline bool are_kin(const finder *t, uint32_t i, uint32_t k)
 {
-    const four_entries *own = &t->four[i / 4], *e = &t->four[k / 4];
-    return own->kin[i % 4] != e->kin[k % 4] && drop_neighbours(t, own, i % 4, e, 1u << k % 4);
+    return t->four[i / 4].kin[i % 4] == t->four[k / 4].kin[k % 4];
 }
 
 /* Tests entry i with those that follow it. Fronts are listed nearest first, so the first front behind it ends the
@@ -416,8 +413,10 @@ static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, 
                 stack[depth++] = tree->node[k].child[bits_trailing_zeros(met)];
             continue;
         }
-        if (k <= i || k >= c->count || !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) ||
-            filter_apart(t->filter, c->list[i].front, c->list[k].front) || (packed && !may_cross(t, i, k)))
+        if (k <= i || k >= c->count || (packed && are_kin(t, i, k)) ||
+            !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) ||
+            filter_apart(t->filter, c->list[i].front, c->list[k].front) ||
+            (packed && !drop_neighbours(t, &t->four[i / 4], i % 4, &t->four[k / 4], 1u << k % 4)))
             continue;
         if (!meet_listed(t, c, i, k))
             return false;
@@ -700,6 +699,7 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
         crossing_list_free(&finders[i].found);
+        crossing_kept_free(&finders[i].last);
         free(finders[i].pair);
         free(finders[i].face);
         free(finders[i].four);

@@ -23,6 +23,7 @@ typedef struct edge_finder {
     unsigned char *touches; /* [face_count] by the face's first piece: is it face[0] of a touch? */
     touching_edge *found;
     size_t count, room;
+    crossing_kept touched; /* the second face of the last touch */
     crossing_list *out;
 } edge_finder;
 
@@ -80,10 +81,10 @@ static bool find_inside(edge_finder *e, const touching_edge *t)
 {
     size_t from = e->out->count;
     const scene_edge edge = scene_edge_at(e->fronts->scene, t->of.body[0], t->edge);
-    crossing_face F, G = crossing_face_of(e->rules, t->of.body[1], t->of.face[1]);
-    if (!first_across(e, t->of.body[0], t->edge, &G, &F))
+    crossing_face F, *G = crossing_keep(&e->touched, e->rules, t->of.body[1], t->of.face[1]);
+    if (!first_across(e, t->of.body[0], t->edge, G, &F))
         return true;
-    bool enough = crossing_find_in(e->rules, &F, edge.v, &G, e->out);
+    bool enough = crossing_limit(&e->touched, e->rules, &F) && crossing_find_in(e->rules, &F, edge.v, G, e->out);
     name_edges(e->out, from, t->edge, ROBERTS_NONE);
     return enough;
 }
@@ -94,9 +95,10 @@ static bool find_common(edge_finder *e, const touching_edge *a, const touching_e
     size_t from = e->out->count;
     const scene_edge first = scene_edge_at(e->fronts->scene, a->of.body[0], a->edge);
     const scene_edge second = scene_edge_at(e->fronts->scene, b->of.body[0], b->edge);
+    if (a->edge == b->edge || !crossing_may_have_common(e->rules, &a->of, first.v, second.v))
+        return true;
     crossing_face F, G = crossing_face_of(e->rules, b->of.body[0], b->of.face[0]);
-    if (a->edge == b->edge || !first_across(e, a->of.body[0], a->edge, &G, &F) ||
-        !first_across(e, b->of.body[0], b->edge, &F, &G))
+    if (!first_across(e, a->of.body[0], a->edge, &G, &F) || !first_across(e, b->of.body[0], b->edge, &F, &G))
         return true;
     bool enough = crossing_find_common(e->rules, &F, first.v, &G, second.v, e->out);
     name_edges(e->out, from, a->edge, b->edge);
@@ -235,5 +237,6 @@ bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules,
     enough = enough && find_lines(&e);
     free(e.touches);
     free(e.found);
+    crossing_kept_free(&e.touched);
     return enough;
 }

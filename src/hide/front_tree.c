@@ -24,6 +24,7 @@ typedef struct item {
     direction side[2]; /* of its longest side, and of the longest one aslant to it */
     roberts_vec3 up;   /* the outward normal of its largest face in the picture */
     double area;       /* of that face */
+    hide_bounds model; /* see model_bounds() */
 } item;
 
 typedef struct building {
@@ -78,9 +79,29 @@ static double picture_area(const roberts_vec3 *P, const hide_face *F)
     return 0.5 * fabs(twice);
 }
 
+/* Finds the box of a front along the axes of the model, wider by as much as what touches it may be away. If its corners
+ * are many, the box has no bounds. */
+static hide_bounds model_bounds(const hide_fronts *fronts, uint32_t front)
+{
+    const double m = (fronts->space.epsilon + hide_loose(fronts, front)) * fronts->scene->unit;
+    hide_single single = {.front = ROBERTS_NONE};
+    hide_bounds own = hide_no_bounds;
+    uint32_t faces, corners = 0;
+    const hide_face *face = hide_faces(fronts, front, &faces, &single);
+    for (uint32_t k = 0; k < faces; k++) {
+        corners += face[k].count;
+        if (corners > FRONT_TREE_CORNERS)
+            return (hide_bounds){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+        for (uint32_t i = 0; i < face[k].count; i++)
+            box_add(&own.low, &own.high, fronts->scene->point[face[k].corner[i]]);
+    }
+    const roberts_vec3 margin = {m, m, m};
+    return (hide_bounds){vec3_sub(own.low, margin), vec3_add(own.high, margin)};
+}
+
 static item measure_front(const hide_fronts *fronts, uint32_t front)
 {
-    item of = {.front = front, .up = {0, 0, 1}};
+    item of = {.front = front, .up = {0, 0, 1}, .model = model_bounds(fronts, front)};
     hide_single single = {.front = ROBERTS_NONE};
     uint32_t count;
     const hide_face *face = hide_faces(fronts, front, &count, &single);
@@ -123,6 +144,7 @@ typedef struct bounds {
     } strip[2];
     roberts_vec3 up;
     double low, high; /* along `up` */
+    hide_bounds model;
 } bounds;
 
 static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
@@ -198,13 +220,15 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
 static void bound(const building *of, front_node *n, int k, const uint32_t *place, uint32_t count)
 {
     const hide_fronts *fronts = of->fronts;
-    bounds b = {.box = hide_no_box, .low = INFINITY, .high = -INFINITY};
+    bounds b = {.box = hide_no_box, .low = INFINITY, .high = -INFINITY, .model = hide_no_bounds};
     choose_directions(&b, of->item, place, count);
     for (uint32_t i = 0; i < count; i++) {
         const item *own = &of->item[place[i]];
         add_box(&b.box, &fronts->front_box[own->front], (float)hide_loose(fronts, own->front));
         widen_strips(&b, fronts, own);
         widen_slab(&b, fronts, own);
+        box_add(&b.model.low, &b.model.high, own->model.low);
+        box_add(&b.model.low, &b.model.high, own->model.high);
     }
     n->x0[k] = b.box.x0;
     n->x1[k] = b.box.x1;
@@ -223,6 +247,12 @@ static void bound(const building *of, front_node *n, int k, const uint32_t *plac
     n->plane.z[k] = (float)b.up.z;
     n->plane.low[k] = hide_float_below(b.low);
     n->plane.high[k] = hide_float_above(b.high);
+    const double low[3] = {b.model.low.x, b.model.low.y, b.model.low.z};
+    const double high[3] = {b.model.high.x, b.model.high.y, b.model.high.z};
+    for (int i = 0; i < 3; i++) {
+        n->model[i].low[k] = hide_float_below(low[i]);
+        n->model[i].high[k] = hide_float_above(high[i]);
+    }
 }
 
 /* How far a front is turned in the picture, from 0 to 1. A half turn changes nothing; if its sides are about as long as
@@ -406,9 +436,38 @@ static inline unsigned pictures_touch(const front_node *n, const hide_box *b)
            four_at_most(four_load(n->y0), four_all(b->y1)) & four_at_most(four_all(b->y0), four_load(n->y1));
 }
 
+/* Which children have points between the least and the greatest of `at`, give or take m? */
+static inline unsigned between(const float *low, const float *high, const four at[2], four m)
+{
+    return four_at_most(four_load(low), four_add(at[1], m)) & four_at_most(four_sub(at[0], m), four_load(high));
+}
+
+static inline four size(four a)
+{
+    return four_greater(a, four_sub(four_all(0.0f), a));
+}
+
+/* Which children have a strip that the box meets in the picture? */
+static inline unsigned strips_touch(const front_node *n, const hide_box *b)
+{
+    const four x = four_all(0.5f * (b->x0 + b->x1)), y = four_all(0.5f * (b->y0 + b->y1));
+    const four wide = four_all(0.5f * (b->x1 - b->x0)), high = four_all(0.5f * (b->y1 - b->y0));
+    const four m = four_all((float)ROUNDINGS * (fabsf(b->x0) + fabsf(b->x1) + fabsf(b->y0) + fabsf(b->y1)));
+    unsigned met = 15;
+    for (int k = 0; k < 2; k++) {
+        const four dx = four_load(n->strip[k].x), dy = four_load(n->strip[k].y);
+        const four at = four_add(four_mul(dx, x), four_mul(dy, y));
+        const four half = four_add(four_mul(size(dx), wide), four_mul(size(dy), high));
+        met &= between(n->strip[k].low, n->strip[k].high, (four[2]){four_sub(at, half), four_add(at, half)}, m);
+    }
+    return met;
+}
+
 uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4])
 {
     unsigned met = pictures_touch(n, lines) & four_at_most(four_all(lines->z0), four_load(n->z1));
+    if (met)
+        met &= strips_touch(n, lines);
     uint32_t count = 0;
     float depth[4];
     for (; met; met &= met - 1) {
@@ -439,6 +498,12 @@ void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t fron
     }
     shape->margin = (float)(2.0 * margin + ROUNDINGS * most);
     shape->margin_plane = (float)(PLANE_MARGINS * margin + ROUNDINGS * most);
+    const hide_bounds model = model_bounds(fronts, front);
+    const double low[3] = {model.low.x, model.low.y, model.low.z}, high[3] = {model.high.x, model.high.y, model.high.z};
+    for (int i = 0; i < 3; i++) {
+        shape->low[i] = hide_float_below(low[i]);
+        shape->high[i] = hide_float_above(high[i]);
+    }
 }
 
 static inline unsigned boxes_touch(const front_node *n, const hide_box *b)
@@ -447,17 +512,14 @@ static inline unsigned boxes_touch(const front_node *n, const hide_box *b)
            four_at_most(four_all(b->z0), four_load(n->z1));
 }
 
-/* Which children have points between the least and the greatest of `at`, give or take m? */
-static inline unsigned between(const float *low, const float *high, const four at[2], four m)
-{
-    return four_at_most(four_load(low), four_add(at[1], m)) & four_at_most(four_sub(at[0], m), four_load(high));
-}
-
 unsigned front_node_touches(const front_node *n, const front_shape *shape, uint32_t place)
 {
     unsigned met = boxes_touch(n, shape->box);
     for (unsigned k = 0; k < 4; k++)
         met &= n->last[k] > place ? 15u : ~(1u << k);
+    for (int k = 0; k < 3 && met; k++)
+        met &= four_at_most(four_load(n->model[k].low), four_all(shape->high[k])) &
+               four_at_most(four_all(shape->low[k]), four_load(n->model[k].high));
     for (int k = 0; k < 2 && met; k++) {
         const four x = four_load(n->strip[k].x), y = four_load(n->strip[k].y);
         four range[2] = {four_all(INFINITY), four_all(-INFINITY)};

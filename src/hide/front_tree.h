@@ -3,7 +3,8 @@
  * Each node has up to four children: nodes, or fronts. A child is bounded by half-spaces: the box of its fronts; two
  * strips of the picture, along the longest sides of their outlines; and a plane in front of them, parallel to the
  * largest of their faces. So the tree separates oblique thin solids, and piles of sheets seen nearly edge-on, as well
- * as cubes. A line is clipped to the half-spaces. The fronts neither hide nor touch the rest of the line.
+ * as cubes. A line is clipped to the half-spaces. The fronts neither hide nor touch the rest of the line. To find
+ * fronts that touch one another, there is a box along the axes of the model, too.
  *
  * Fronts are divided at the median of their middles, along the axis of their greatest spread; if that is the depth, at
  * the median of their depths or of their turns in the picture. */
@@ -34,6 +35,9 @@ typedef struct front_node {
     struct {
         float x[4], y[4], z[4], low[4], high[4]; /* low <= x X.x + y X.y + z X.z <= high */
     } plane;
+    struct {
+        float low[4], high[4]; /* along an axis of the model, model units */
+    } model[3];
     uint32_t last[4];  /* the last place in the list below the child */
     uint32_t child[4]; /* a node, or the place of a front in the list and FRONT_TREE_LEAF */
 } front_node;
@@ -148,6 +152,7 @@ typedef struct front_shape {
     uint32_t count; /* of the corners of its faces, or of its box */
     float x[FRONT_TREE_CORNERS], y[FRONT_TREE_CORNERS], z[FRONT_TREE_CORNERS];
     float margin, margin_plane;
+    float low[3], high[3]; /* along the axes of the model, as in a node */
 } front_shape;
 
 void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t front);

@@ -9,6 +9,8 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/box.h"
+#include "base/sort.h"
 
 /* ---- planes and signs -------------------------------------------------------------------------------------------- */
 
@@ -111,12 +113,24 @@ static dd exact_height(const crossing_rules *rules, crossing_face *f, uint32_t v
     return dd_sub(dd3_dot(f->exact_n, exactly_seen_from(rules, v, f->origin, f->low)), f->exact_mean);
 }
 
+/* The pieces of a face that are looked at: all, or those of crossing_limit(). */
+static uint32_t piece_count(const crossing_face *f)
+{
+    return f->near ? f->near_count : f->end - f->first;
+}
+
+static uint32_t piece_at(const crossing_face *f, uint32_t k)
+{
+    return f->near ? f->near[k] : f->first + k;
+}
+
 static bool has_corner(const crossing_rules *rules, const crossing_face *f, uint32_t v)
 {
-    const roberts_scene *scene = rules->scene;
-    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end]; k++)
-        if (scene->corner[k] == v)
-            return true;
+    const uint32_t *start = rules->scene->face_start, *corner = rules->scene->corner;
+    for (uint32_t n = 0; n < piece_count(f); n++)
+        for (uint32_t k = start[piece_at(f, n)]; k < start[piece_at(f, n) + 1]; k++)
+            if (corner[k] == v)
+                return true;
     return false;
 }
 
@@ -161,31 +175,17 @@ static inline corner_height kept_height(const crossing_rules *rules, crossing_fa
     return keep->at[k];
 }
 
-/* Is corner k of f next to vertex q in its piece? */
-static bool is_next_to(const roberts_scene *scene, const crossing_face *f, uint32_t k, uint32_t q)
-{
-    uint32_t piece = f->first, end = f->end;
-    while (end - piece > 1) {
-        uint32_t middle = piece + (end - piece) / 2;
-        if (scene->face_start[middle] <= k)
-            piece = middle;
-        else
-            end = middle;
-    }
-    uint32_t first = scene->face_start[piece], last = scene->face_start[piece + 1] - 1;
-    return scene->corner[k == first ? last : k - 1] == q || scene->corner[k == last ? first : k + 1] == q;
-}
-
 /* Is pq, of `body`, a side of g, and no cut between its pieces? Both pieces at a cut have it as a side. */
 static bool is_side_of(const crossing_rules *rules, const crossing_face *g, uint32_t body, uint32_t p, uint32_t q)
 {
     const roberts_scene *scene = rules->scene;
     uint32_t count = 0;
-    if (body != g->body)
-        return false;
-    for (uint32_t k = scene->face_start[g->first], end = scene->face_start[g->end]; k < end; k++)
-        if (scene->corner[k] == p)
-            count += is_next_to(scene, g, k, q);
+    for (uint32_t n = 0; body == g->body && n < piece_count(g); n++) {
+        const uint32_t first = scene->face_start[piece_at(g, n)], end = scene->face_start[piece_at(g, n) + 1];
+        for (uint32_t k = first; k < end; k++)
+            count += scene->corner[k] == p && (scene->corner[k == first ? end - 1 : k - 1] == q ||
+                                               scene->corner[k + 1 == end ? first : k + 1] == q);
+    }
     return count == 1;
 }
 
@@ -213,8 +213,8 @@ static void add_lie(const crossing_rules *rules, const crossing_face *f, uint32_
 static crossing_lie lie_of(const crossing_rules *rules, const crossing_face *f, crossing_face *g, kept_heights *keep)
 {
     crossing_lie lie = {false, false, false};
-    for (uint32_t piece = f->first; piece < f->end; piece++)
-        add_lie(rules, f, piece, g, crossing_in_pieces(f) ? NULL : keep, &lie);
+    for (uint32_t k = 0; k < piece_count(f); k++)
+        add_lie(rules, f, piece_at(f, k), g, crossing_in_pieces(f) ? NULL : keep, &lie);
     return lie;
 }
 
@@ -590,8 +590,8 @@ static bool add_edges(const pair *w, int i, span_list *to)
 static bool find_spans(const pair *w, int i, face_spans *s)
 {
     const crossing_face *f = w->face[i];
-    for (uint32_t piece = f->first; piece < f->end; piece++) {
-        contact c = contact_of(w, i, piece, NULL);
+    for (uint32_t k = 0; k < piece_count(f); k++) {
+        contact c = contact_of(w, i, piece_at(f, k), NULL);
         bool flat = !c.over && !c.under;
         if (c.over && c.under) {
             if (!add_span(w, i, &s->inside, c.on))
@@ -642,6 +642,89 @@ static bool find_in_pieces(const pair *w, crossing_list *out)
     free_spans(&of[0]);
     free_spans(&of[1]);
     return enough;
+}
+
+/* ---- many pieces ----------------------------------------------------------------------------------------------- */
+
+/* A face of fewer pieces is looked at as a whole. */
+#define MANY_PIECES 8
+/* Touching distances: what is farther from a face than this, and than both depart from their planes, does not cross or
+ * touch it. They are many because planes may meet at a small angle. */
+#define NEAR_TOUCHES 1024.0
+
+/* Model units: how near two faces, given by their first pieces, must come to cross or touch. */
+static double near_margin(const crossing_rules *rules, uint32_t f, uint32_t g)
+{
+    return NEAR_TOUCHES * rules->touching + scene_deviation(rules->scene, f) + scene_deviation(rules->scene, g);
+}
+
+/* The box of pieces first .. end - 1, wider by m. */
+static box3 box_of_pieces(const roberts_scene *scene, uint32_t first, uint32_t end, double m)
+{
+    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t k = scene->face_start[first]; k < scene->face_start[end]; k++)
+        box_add(&box.lo, &box.hi, scene->point[scene->corner[k]]);
+    const roberts_vec3 margin = {m, m, m};
+    return (box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
+}
+
+crossing_face *crossing_keep(crossing_kept *kept, const crossing_rules *rules, uint32_t body, uint32_t piece)
+{
+    if (kept->face.end == 0 || kept->face.first != scene_first_piece(rules->scene, body, piece)) {
+        kept->face = crossing_face_of(rules, body, piece);
+        kept->tree.node_count = kept->tree.item_count = 0;
+    }
+    kept->face.near = NULL;
+    return &kept->face;
+}
+
+/* Makes the tree over the pieces of the face. False: no memory. */
+static bool add_tree(crossing_kept *kept, const roberts_scene *scene)
+{
+    const crossing_face *f = &kept->face;
+    uint32_t root;
+    box3 *box = alloc_array(f->end - f->first, sizeof *box);
+    for (uint32_t piece = f->first; box && piece < f->end; piece++)
+        box[piece - f->first] = box_of_pieces(scene, piece, piece + 1, 0.0);
+    const bool enough = box && box_tree_add(&kept->tree, box, f->end - f->first, f->first, &root) &&
+                        array_reserve(&kept->near, &kept->near_room, f->end - f->first, sizeof *kept->near);
+    free(box);
+    return enough;
+}
+
+bool crossing_limit(crossing_kept *kept, const crossing_rules *rules, const crossing_face *other)
+{
+    const roberts_scene *scene = rules->scene;
+    crossing_face *f = &kept->face;
+    const box_tree *tree = &kept->tree;
+    if (f->end - f->first < MANY_PIECES)
+        return true;
+    if (tree->node_count == 0 && !add_tree(kept, scene))
+        return false;
+    const box3 box = box_of_pieces(scene, other->first, other->end, near_margin(rules, f->first, other->first));
+    f->near_count = 0;
+    for (uint32_t i = 0; i < tree->node_count;) {
+        const box_tree_node *node = &tree->node[i];
+        const bool met = box3_meet(&node->box, &box);
+        for (uint32_t k = 0; met && k < node->count; k++) {
+            const uint32_t piece = tree->item[node->first + k];
+            const box3 own = box_of_pieces(scene, piece, piece + 1, 0.0);
+            if (box3_meet(&own, &box))
+                kept->near[f->near_count++] = piece;
+        }
+        i = met ? i + 1 : node->skip;
+    }
+    if (f->near_count > 1)
+        qsort(kept->near, f->near_count, sizeof *kept->near, compare_u32);
+    f->near = kept->near;
+    return true;
+}
+
+void crossing_kept_free(crossing_kept *kept)
+{
+    box_tree_free(&kept->tree);
+    free(kept->near);
+    *kept = (crossing_kept){0};
 }
 
 /* ---- two faces ------------------------------------------------------------------------------------------------- */
@@ -700,6 +783,16 @@ bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint3
         enough = add_common(&w, &edge, &of.inside.item[k], out);
     free_spans(&of);
     return enough;
+}
+
+bool crossing_may_have_common(const crossing_rules *rules, const crossing_touch *of, const uint32_t v[2],
+                              const uint32_t u[2])
+{
+    const roberts_vec3 *P = rules->scene->point, A = P[v[0]], B = P[v[1]], C = P[u[0]], D = P[u[1]];
+    const double m = near_margin(rules, of->face[0], of->face[1]);
+    return greater(A.x, B.x) + m >= lesser(C.x, D.x) && greater(C.x, D.x) + m >= lesser(A.x, B.x) &&
+           greater(A.y, B.y) + m >= lesser(C.y, D.y) && greater(C.y, D.y) + m >= lesser(A.y, B.y) &&
+           greater(A.z, B.z) + m >= lesser(C.z, D.z) && greater(C.z, D.z) + m >= lesser(A.z, B.z);
 }
 
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,

@@ -19,6 +19,7 @@
 #define ROBERTS_MODEL_CROSSING_H
 
 #include "base/dd.h"
+#include "base/search.h"
 #include "model/scene.h"
 
 /* What all faces share. */
@@ -49,7 +50,18 @@ typedef struct crossing_face {
     dd3 exact_n;              /* if `refined` */
     dd exact_mean;
     bool refined;
+    const uint32_t *near; /* [near_count] the pieces that crossing_limit() leaves, ascending; NULL: all */
+    uint32_t near_count;
 } crossing_face;
+
+/* A face that is compared with many others: it is computed once, and so is a tree over its pieces if they are many. All
+ * zeros: none. */
+typedef struct crossing_kept {
+    crossing_face face; /* face.end = 0: none */
+    box_tree tree;      /* empty: not made yet */
+    uint32_t *near;
+    size_t near_room;
+} crossing_kept;
 
 /* A computed point: the sum of both. */
 typedef struct crossing_point {
@@ -81,6 +93,16 @@ typedef struct crossing_list {
 /* The planar face that a piece of `body` belongs to. */
 crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece);
 
+/* The same, which is computed only if it is not the last one. It is valid until the next one is asked for, and has all
+ * its pieces. */
+crossing_face *crossing_keep(crossing_kept *kept, const crossing_rules *rules, uint32_t body, uint32_t piece);
+
+/* Leaves of the kept face the pieces that come near another face: only there may they cross or touch. False: no memory.
+ */
+bool crossing_limit(crossing_kept *kept, const crossing_rules *rules, const crossing_face *other);
+
+void crossing_kept_free(crossing_kept *kept);
+
 /* Does the face consist of several pieces? */
 static inline bool crossing_in_pieces(const crossing_face *f)
 {
@@ -111,6 +133,10 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
  * False: no memory. */
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                       crossing_list *out);
+
+/* May the next function find something for edges of two faces that touch? False: their boxes are apart. */
+bool crossing_may_have_common(const crossing_rules *rules, const crossing_touch *of, const uint32_t v[2],
+                              const uint32_t u[2]);
 
 /* Appends the overlap of an edge v of f and an edge u of g, if each lies in the plane of the other face. */
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
