@@ -502,12 +502,61 @@ static void nothing_crosses_a_cap(void **state)
     assert_true(lines > 1000);
 }
 
+/* Of a comb of many teeth, only the pieces near the other face are looked at. That changes no line. */
+static void pieces_far_away_change_nothing(void **state)
+{
+    enum { TEETH = 40, OTHERS = 400 };
+    roberts_mesh mesh = {0};
+    uint32_t corner[2 * TEETH + 2] = {0};
+    size_t lines = 0, touches = 0, left = 0, all = 0;
+    (void)state;
+    for (int k = 0; k < 2 * TEETH; k++)
+        corner[k] = mesh_vertex(&mesh, (roberts_vec3){k, k % 2 ? 3 + k % 7 : 0, 0});
+    corner[2 * TEETH] = mesh_vertex(&mesh, (roberts_vec3){2 * TEETH, -2, 0});
+    corner[2 * TEETH + 1] = mesh_vertex(&mesh, (roberts_vec3){-1, -2, 0});
+    mesh_face(&mesh, corner, 2 * TEETH + 2);
+    for (int k = 0; k < OTHERS; k++) { /* some stand on the comb, some lie on its slopes, most go through it */
+        const double x = k % 80, y = k % 11 - 3, low = k % 3 ? -1 : 0, wide = 1 + k % 5, turn = k % 4 - 1;
+        const roberts_vec3 P[4] = {
+            {x, y, low}, {x + wide, y + turn * wide, low}, {x + wide, y + turn * wide, 1}, {x, y, 1}};
+        uint32_t quad[4];
+        for (int i = 0; i < 4; i++)
+            quad[i] = mesh_vertex(&mesh, P[i]);
+        mesh_face(&mesh, quad, 4);
+    }
+    roberts_scene *scene = scene_of_mesh(&mesh, NULL);
+    const crossing_rules rules = {.scene = scene, .touching = 1e-9};
+    const crossing_face first = face_of(&rules, 0);
+    crossing_kept kept = {0};
+    for (uint32_t k = 1; k <= OTHERS; k++) {
+        crossing_face other = face_of(&rules, k), *comb = crossing_keep(&kept, &rules, first.body, first.first);
+        crossing_list wanted = {0}, found = {0};
+        assert_true(crossing_find(&rules, comb, &other, &wanted));
+        assert_true(crossing_limit(&kept, &rules, &other) && comb->near);
+        assert_true(crossing_find(&rules, comb, &other, &found));
+        assert_int_equal(found.count, wanted.count);
+        if (found.count > 0)
+            assert_memory_equal(found.item, wanted.item, found.count * sizeof *found.item);
+        lines += found.count;
+        touches += found.touch_count;
+        left += comb->near_count;
+        all += comb->end - comb->first;
+        crossing_list_free(&wanted);
+        crossing_list_free(&found);
+    }
+    assert_true(lines > 200 && touches > 40 && 4 * left < all);
+    crossing_kept_free(&kept);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pairs_cross_where_they_should),      cmocka_unit_test(triangles_cross_as_whole_numbers_say),
         cmocka_unit_test(ends_agree_on_both_sides_of_a_side), cmocka_unit_test(lines_do_not_depend_on_grid_and_threads),
         cmocka_unit_test(a_cell_without_edges_loses_no_line), cmocka_unit_test(nothing_crosses_a_cap),
+        cmocka_unit_test(pieces_far_away_change_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
