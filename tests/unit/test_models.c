@@ -614,6 +614,8 @@ static void families_have_the_number_of_solids_they_promise(void **state)
         {"speck 5000", 3, 10006},
         {"fans 3", 2, 8},
         {"fans 100", 2, 202},
+        {"layers 3", 10, 50},
+        {"layers 100", 10, 1020},
         {"gear 3", 1, 8},
         {"gear 100", 1, 202},
         {"sphere 8", 1, 8},

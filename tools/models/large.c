@@ -301,6 +301,36 @@ static void gear_solid(body *b, const plan *p, uint64_t index)
         b->vertex[v] = vec3(0.5 * b->vertex[v].x, 0.5 * b->vertex[v].y, b->vertex[v].z);
 }
 
+/* cos(order t), given x = cos t. */
+static double chebyshev(double x, int order)
+{
+    double before = 1, at = x;
+    for (int k = 1; k < order; k++) {
+        double next = 2 * x * at - before;
+        before = at;
+        at = next;
+    }
+    return at;
+}
+
+/* Ten boards over one another with a winding border, like the layers of a hill. */
+static uint64_t ten(uint64_t n)
+{
+    (void)n;
+    return 10;
+}
+
+static void layers_solid(body *b, const plan *p, uint64_t index)
+{
+    const double layer = (double)index, wide = 1 - 0.08 * layer;
+    column_make(b, (uint32_t)p->n, 1, 0.03125 * layer, 0.03125 * (layer + 1));
+    for (size_t v = 0; v < b->vertex_count; v++) {
+        const roberts_vec3 at = b->vertex[v];
+        const double far = wide * (1 + chebyshev(at.x, 5) / 8 + chebyshev(at.y, 13) / 16 + chebyshev(at.x, 27) / 32);
+        b->vertex[v] = vec3(far * at.x, far * at.y, at.z);
+    }
+}
+
 /* Two interpenetrating balls of about n faces, and a box that is larger in proportion to its distance, so that the
  * balls cover one spot of the picture. */
 static uint64_t three(uint64_t n)
@@ -425,6 +455,11 @@ static const struct {
      fans_solid,
      NULL},
     {{"gear", "N", "Wheel of N pointed teeth: a prism over a star.", 3, 100000, false}, single, gear_solid, NULL},
+    {{"layers", "N", "Ten boards over one another, smaller and smaller, each with a winding border of N corners.", 3,
+      100000, false},
+     ten,
+     layers_solid,
+     NULL},
     {{"speck", "N", "Two balls of about N faces each, one through the other, and a large box far away.", 8, 10000000,
       false},
      three,
