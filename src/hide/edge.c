@@ -740,40 +740,74 @@ static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, 
             look_at_face(fronts, front, &face[b->order[i]], z1, held, l);
 }
 
-/* Examines the fronts of one cell whose boxes can hold the point, four at a time. */
-static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, look *l)
+/* Looks at a front of a cell if it can matter. */
+static inline void look_at_entry(const hide_fronts *fronts, uint32_t index, look *l)
 {
-    double beyond = l->touching || l->faces ? fronts->thickest : 0.0;
-    if (l->faces)
-        beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);
+    const hide_front *front = &fronts->front[index];
+    const hide_box *box = &fronts->front_box[index];
+    bool asked = l->touching && (l->faces ? front->solid > l->solid : front->solid >= l->solid);
+    if (!asked && hide_box_holds(box, l->x, l->y, fronts->space.epsilon))
+        look_at_front(fronts, index, (double)box->z1, l);
+}
+
+/* Examines the fronts of one cell whose boxes can hold the point, four at a time. beyond: how much farther than the
+ * nearest depth a front is still examined. */
+static void look_at_cell(const hide_fronts *fronts, const objet *grid, size_t cell, uint32_t sides, double beyond,
+                         look *l)
+{
     for (uint32_t k = grid->start[cell], end = grid->start[cell + 1]; k < end; k += 4) {
         unsigned near = objet_near(grid, k, end, sides);
         for (; near; near &= near - 1) {
             uint32_t index = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
-            const hide_front *front = &fronts->front[index];
-            const hide_box *box = &fronts->front_box[index];
-            if ((double)box->z1 + beyond < l->best)
+            if ((double)fronts->front_box[index].z1 + beyond < l->best)
                 return; /* all later fronts are farther too */
-            bool asked = l->touching && (l->faces ? front->solid > l->solid : front->solid >= l->solid);
-            if (!asked && hide_box_holds(box, l->x, l->y, fronts->space.epsilon))
-                look_at_front(fronts, index, (double)box->z1, l);
+            look_at_entry(fronts, index, l);
         }
     }
+}
+
+/* The same for a cell with a tree. about: the point with its surroundings; its depth is set here. */
+static void look_by_tree(const hide_fronts *fronts, const objet *grid, size_t cell, hide_box *about, double beyond,
+                         look *l)
+{
+    const front_node *node = grid->tree[cell].node;
+    const objet_entry *list = grid->entry + grid->start[cell];
+    uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1, found[4];
+    while (depth > 0) {
+        const uint32_t which = stack[--depth], child = which & ~FRONT_TREE_LEAF;
+        if (child != which) {
+            look_at_entry(fronts, list[child].front, l);
+            continue;
+        }
+        about->z0 = hide_float_below(l->best - beyond);
+        for (uint32_t k = front_node_meets_box(&node[child], about, found); k > 0; k--)
+            stack[depth++] = found[k - 1]; /* the nearest one is next */
+    }
+}
+
+static void look_once(const hide_fronts *fronts, const objet *grid, hide_box *about, look *l)
+{
+    const uint32_t column = scan_column(&grid->frame, l->x), row = scan_row(&grid->frame, l->y);
+    const size_t cell = (size_t)column * grid->frame.ny + row;
+    double beyond = l->touching || l->faces ? fronts->thickest : 0.0;
+    if (l->faces)
+        beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);
+    if (grid->tree && grid->tree[cell].node)
+        look_by_tree(fronts, grid, cell, about, beyond, l);
+    else
+        look_at_cell(fronts, grid, cell, objet_most(objet_cut(objet_place(grid, about), column, row)), beyond, l);
 }
 
 /* Looks at (l->x, l->y). */
 static void look_there(const hide_fronts *fronts, const objet *grid, look *l)
 {
-    uint32_t column = scan_column(&grid->frame, l->x), row = scan_row(&grid->frame, l->y);
-    double m = fronts->space.epsilon;
+    const double m = fronts->space.epsilon;
     hide_box about = {.x0 = hide_float_below(l->x - m),
                       .x1 = hide_float_above(l->x + m),
                       .y0 = hide_float_below(l->y - m),
                       .y1 = hide_float_above(l->y + m)};
-    uint32_t sides = objet_most(objet_cut(objet_place(grid, &about), column, row));
-    size_t cell = (size_t)column * grid->frame.ny + row;
     l->again = !l->faces;
-    look_at_cell(fronts, grid, cell, sides, l);
+    look_once(fronts, grid, &about, l);
     if (!l->nearest)
         return;
     if (!l->again && fabs(plane_at(l->F, (roberts_vec3){l->x, l->y, l->best})) <= 2.0 * l->touch) {
@@ -782,7 +816,7 @@ static void look_there(const hide_fronts *fronts, const objet *grid, look *l)
         return;
     }
     l->touching = true;
-    look_at_cell(fronts, grid, cell, sides, l);
+    look_once(fronts, grid, &about, l);
 }
 
 uint32_t hide_seen_at(const hide_worker *w, double x, double y)

@@ -334,17 +334,22 @@ static roberts_vec2 side_point(const roberts_vec2 side[2], double t)
 static bool cut_side(const region_depths *d, const roberts_vec2 side[2], uint32_t piece, depth_part *part)
 {
     const hide_fronts *fronts = d->fronts;
-    uint32_t turned[SEEN_TURNED];
-    seen_face look;
+    uint32_t turned[SEEN_TURNED], count;
     *part = (depth_part){.t0 = 0.0, .t1 = 1.0};
     if (fronts->seen->facing[piece] == VIEW_EDGE_ON)
         return false;
-    seen_face_again(fronts->seen, piece, &look, turned);
-    for (uint32_t k = 0; k < look.count; k++) {
-        const roberts_vec3 C = fronts->P[look.corner[k]], D = fronts->P[look.corner[k + 1 < look.count ? k + 1 : 0]];
-        const double x = D.x - C.x, y = D.y - C.y, far = d->touching * hypot(x, y);
-        const double p = x * (side[0].y - C.y) - y * (side[0].x - C.x) + far;
-        const double q = x * (side[1].y - C.y) - y * (side[1].x - C.x) + far;
+    const uint32_t *corner = seen_corners(fronts->seen, piece, &count, turned);
+    for (uint32_t k = 0; k < count; k++) {
+        const roberts_vec3 C = fronts->P[corner[k]], D = fronts->P[corner[k + 1 < count ? k + 1 : 0]];
+        const double x = D.x - C.x, y = D.y - C.y, most = d->touching * (fabs(x) + fabs(y));
+        double p = x * (side[0].y - C.y) - y * (side[0].x - C.x), q = x * (side[1].y - C.y) - y * (side[1].x - C.x);
+        if (p < -most && q < -most)
+            return false;
+        if (p >= 0.0 && q >= 0.0)
+            continue;
+        const double far = d->touching * hypot(x, y);
+        p += far;
+        q += far;
         if (p < 0.0 && q < 0.0)
             return false;
         if (p < 0.0)
@@ -354,6 +359,8 @@ static bool cut_side(const region_depths *d, const roberts_vec2 side[2], uint32_
     }
     if (part->t0 > part->t1)
         return false;
+    seen_face look;
+    seen_face_again(fronts->seen, piece, &look, turned);
     part->z0 = region_depth_at(fronts, look.corner, look.count, look.F, side_point(side, part->t0));
     part->z1 = region_depth_at(fronts, look.corner, look.count, look.F, side_point(side, part->t1));
     return true;
