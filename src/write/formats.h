@@ -26,7 +26,8 @@ roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output 
 void tikz_text_write(output *out, const char *text);
 
 /* How many characters of the text are in neither of the two fonts that every reader of PDF has, Helvetica and Symbol.
- * They become question marks. (pdf.c) */
-size_t pdf_text_missing(const char *text);
+ * They become plain letters or question marks. `first`, unless NULL, receives the first of them; 0: a byte that is not
+ * UTF-8. (pdf.c) */
+size_t pdf_text_missing(const char *text, uint32_t *first);
 
 #endif

@@ -109,18 +109,22 @@ static glyph find_glyph(uint32_t code)
         g.byte[g.count++] = (unsigned char)plain[i];
         g.width += letter_width(plain[i]) / 1000.0;
     }
-    if (g.count == 0) {
+    if (g.count == 0)
         g = one_byte('?', letter_width('?'));
-        g.is_missing = true;
-    }
+    g.is_missing = code < 0x2000 || code > 0x206f || g.byte[0] == '?'; /* dashes and blanks lose nothing */
     return g;
 }
 
-size_t pdf_text_missing(const char *text)
+size_t pdf_text_missing(const char *text, uint32_t *first)
 {
     size_t missing = 0, length;
-    for (; *text; text += length)
-        missing += find_glyph(letters_decode(text, &length)).is_missing;
+    for (; *text; text += length) {
+        const uint32_t code = letters_decode(text, &length);
+        if (!find_glyph(code).is_missing)
+            continue;
+        if (missing++ == 0 && first)
+            *first = code;
+    }
     return missing;
 }
 

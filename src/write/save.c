@@ -219,20 +219,16 @@ static void tell_missing(const strokes *s)
     char text[160];
     for (size_t i = 0; i < s->notes.count; i++) {
         const char *line = notes_line(&s->notes, i).text;
-        missing += native && is_pdf ? pdf_text_missing(line) : letters_missing(line, missing ? NULL : &first);
+        missing += (native && is_pdf ? pdf_text_missing : letters_missing)(line, missing ? NULL : &first);
     }
     if (missing == 0 || !to->warn || (native && !is_pdf))
         return;
-    if (native)
-        snprintf(text, sizeof text, "the fonts of PDF lack %zu character%s: a question mark stands for each", missing,
-                 missing == 1 ? "" : "s");
-    else if (first)
-        snprintf(text, sizeof text, "the letters lack %zu character%s, the first of them U+%04X: a box stands for each",
-                 missing, missing == 1 ? "" : "s", (unsigned)first);
-    else
-        snprintf(text, sizeof text,
-                 "the letters lack %zu character%s, the first of them a byte that is not UTF-8: a box stands for each",
-                 missing, missing == 1 ? "" : "s");
+    char which[32] = "a byte that is not UTF-8";
+    if (first)
+        snprintf(which, sizeof which, "U+%04X", (unsigned)first);
+    snprintf(text, sizeof text, "the %s lack %zu character%s, the first of them %s: %s",
+             native ? "fonts of PDF" : "letters", missing, missing == 1 ? "" : "s", which,
+             native ? "they lose their accents, or become question marks" : "a box stands for each");
     to->warn(to->context, "", 0, text);
 }
 
