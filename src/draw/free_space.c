@@ -405,10 +405,22 @@ static void find_box(const roberts_region_list *list, const roberts_region *regi
     }
 }
 
-pole pole_find(const roberts_region_list *list, const roberts_region *region)
+/* How far p is within a box; < 0: outside. */
+static double depth_in_box(const space_box *box, roberts_vec2 p)
+{
+    return fmin(fmin(p.x - box->min.x, box->max.x - p.x), fmin(p.y - box->min.y, box->max.y - p.y));
+}
+
+pole pole_find(const roberts_region_list *list, const roberts_region *region, const space_box *within)
 {
     roberts_vec2 min, max;
     find_box(list, region, &min, &max);
+    if (within) {
+        min = (roberts_vec2){fmax(min.x, within->min.x), fmax(min.y, within->min.y)};
+        max = (roberts_vec2){fmin(max.x, within->max.x), fmin(max.y, within->max.y)};
+    }
+    if (!(min.x <= max.x && min.y <= max.y))
+        return (pole){min, 0.0};
     pole best = {{min.x / 2.0 + max.x / 2.0, min.y / 2.0 + max.y / 2.0}, -INFINITY};
     const roberts_vec2 middle = best.at;
     roberts_vec2 size = {max.x - min.x, max.y - min.y};
@@ -419,7 +431,7 @@ pole pole_find(const roberts_region_list *list, const roberts_region *region)
         for (int i = 0; i < GRID * GRID; i++) {
             const roberts_vec2 p = {from.x + (i % GRID + 0.5) / GRID * size.x,
                                     from.y + (i / GRID + 0.5) / GRID * size.y};
-            const double depth = depth_of(list, region, p);
+            const double deep = depth_of(list, region, p), depth = within ? fmin(deep, depth_in_box(within, p)) : deep;
             const double off = half > 0.0 ? vec2_length(p.x - middle.x, p.y - middle.y) / half : 0.0;
             const double worth = depth > 0.0 ? depth * (1.0 - off_middle * off) : depth;
             if (worth > most) {

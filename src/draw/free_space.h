@@ -77,7 +77,8 @@ typedef struct pole {
     double distance;
 } pole;
 
-/* The pole of inaccessibility, to about a hundredth of the region's size. */
-pole pole_find(const roberts_region_list *list, const roberts_region *region);
+/* The pole of inaccessibility, to about a hundredth of the region's size. within: only this box of the picture counts;
+ * NULL: all of it. A distance of 0: no point has been found. */
+pole pole_find(const roberts_region_list *list, const roberts_region *region, const space_box *within);
 
 #endif

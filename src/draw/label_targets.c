@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/box.h"
 #include "base/vec.h"
 #include "draw/free_space.h"
 
@@ -25,6 +26,15 @@ static bool add_target(targets *t, const target *one)
     return true;
 }
 
+/* Finds the part of the line from a to b that the frame shows. False: there is none. */
+static bool clip_to_frame(const strokes *s, const page_view *view, roberts_vec2 a, roberts_vec2 b, double *from,
+                          double *to)
+{
+    const roberts_vec2 *frame = s->frame_mm;
+    return !view->drawing->framed || (box_clip(a.x, b.x, frame[0].x, frame[1].x, from, to) &&
+                                      box_clip(a.y, b.y, frame[0].y, frame[1].y, from, to) && *from < *to);
+}
+
 static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *segment, unsigned kinds, targets *t)
 {
     const page_view *view = &s->view[v];
@@ -34,7 +44,6 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     if (segment->v0 == ROBERTS_NONE || !(length > 0.0))
         return true;
     const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};
-    const roberts_vec2 middle = {(a.x + b.x) / 2.0, (a.y + b.y) / 2.0};
     target one = {
         .kind = ROBERTS_LABEL_VERTICES, .view = v, .number = segment->v0, .is_back = is_back, .at = a, .along = along};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && strokes_is_in_frame(s, view, a) &&
@@ -46,32 +55,37 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && strokes_is_in_frame(s, view, b) &&
         !add_target(t, &one))
         return false;
+    double from = 0.0, to = 1.0;
+    if (!(kinds & ROBERTS_LABEL_EDGES) || !clip_to_frame(s, view, a, b, &from, &to))
+        return true;
+    const double middle = (from + to) / 2.0, part = (to - from) * length;
     one = (target){.kind = ROBERTS_LABEL_EDGES,
                    .view = v,
                    .number = segment->v0,
                    .other = segment->v1,
                    .is_back = is_back,
-                   .at = middle,
+                   .at = {a.x + middle * (b.x - a.x), a.y + middle * (b.y - a.y)},
                    .along = along,
-                   .reach = length / 2.0,
-                   .size = length};
-    return !(kinds & ROBERTS_LABEL_EDGES) || !strokes_is_in_frame(s, view, middle) || add_target(t, &one);
+                   .reach = part / 2.0,
+                   .size = part};
+    return add_target(t, &one);
 }
 
-/* A region whose middle the frame cuts off has no label. */
+/* Of a region that the frame cuts, only the part within it counts. */
 static bool add_region(const strokes *s, uint32_t v, const roberts_region *region, unsigned kinds, targets *t)
 {
     const page_view *view = &s->view[v];
     const roberts_region_list *list = view->drawing->regions;
     const double mm = page_scale(&view->map);
-    const pole middle = pole_find(list, region);
+    const space_box field = {view->low, view->high};
+    const pole middle = pole_find(list, region, view->drawing->framed ? &field : NULL);
     target one = {.view = v,
                   .kind = ROBERTS_LABEL_FACES,
                   .number = region->face,
                   .at = page_place(&view->map, middle.at),
                   .reach = middle.distance * mm,
                   .size = region->area};
-    if (!strokes_is_in_frame(s, view, one.at))
+    if (view->drawing->framed && !(middle.distance > 0.0))
         return true;
     if ((kinds & ROBERTS_LABEL_FACES) && region->face != ROBERTS_NONE && !add_target(t, &one))
         return false;

@@ -557,7 +557,8 @@ static void kinds_are_told_apart(void **state)
     free_cube(&c);
 }
 
-/* A narrow field of view about a corner shows neither the middle of the upper face nor that corner's neighbours. */
+/* A narrow field of view about a corner shows neither the middle of the face, nor those of its edges, nor that corner's
+ * neighbours. What it shows of the face and of two edges has labels there. */
 static void none_beyond_the_frame(void **state)
 {
     (void)state;
@@ -573,7 +574,8 @@ static void none_beyond_the_frame(void **state)
     camera.fov_degrees = 1.0;
     see_cube(&c, &camera);
     assert_true(c.drawing.framed);
-    assert_int_equal(labels_with(&c, ROBERTS_LABEL_FACES, 0), 0);
+    assert_int_equal(labels_with(&c, ROBERTS_LABEL_FACES, 0), 1);
+    assert_int_equal(labels_with(&c, ROBERTS_LABEL_EDGES, 0), 2);
     assert_int_equal(labels_with(&c, ROBERTS_LABEL_VERTICES, 0), 1);
     free_cube(&c);
 }
