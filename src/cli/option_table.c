@@ -215,13 +215,12 @@ static const option rows[] = {
      .brief = "draw all bodies as one",
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
-         "Draws all closed bodies as one. Parts that are flush show no seam. Nothing inside a body is drawn, "
-         "not even as a hidden line. A line where bodies meet has the class that it has in the whole: the foot of a "
-         "leg on a slab is a crease, and so is mostly a line in which faces cross. Open surfaces and wires are drawn "
-         "as without this option. Where edges of several bodies lie on one another, that of the body of smallest "
-         "number is drawn. --verify then checks what is drawn, and not what is left out, since a ray cannot tell a "
-         "seam "
-         "from a line.\n"
+         "Draws all closed bodies as one. Parts that are flush show no seam. Nothing inside another body is drawn, "
+         "not even as a hidden line; where one body crosses itself, its lines stay. A line where bodies meet has the "
+         "class that it has in the whole: the foot of a leg on a slab is a crease, and so is mostly a line in which "
+         "faces cross. Open surfaces and wires are drawn as without this option. Where edges of several bodies lie on "
+         "one another, that of the body of smallest number is drawn. --verify then checks what is drawn, and not what "
+         "is left out, since a ray cannot tell a seam from a line.\n"
          "Parts are flush if their faces lie in one plane to within the touching distance. Parts with small gaps or "
          "steps between them need --epsilon, of about twice the widest: 0.002 where gaps are up to 0.001. The same "
          "may hold for models that are rounded to six digits. --stats counts the edges that are left out."},
