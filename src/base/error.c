@@ -10,6 +10,7 @@ roberts_status error_set(roberts_error *error, roberts_status status, size_t lin
     if (error) {
         va_list arguments;
         error->status = status;
+        error->file[0] = '\0';
         error->line = line;
         va_start(arguments, format);
         vsnprintf(error->message, sizeof error->message, format, arguments);
@@ -27,6 +28,12 @@ void error_set_file(roberts_error *error, const char *file)
         memcpy(error->file, file, length + 1);
     else
         snprintf(error->file, sizeof error->file, "...%s", file + length - (sizeof error->file - 4));
+}
+
+roberts_status error_in(roberts_error *error, const char *file, roberts_status status)
+{
+    error_set_file(error, file);
+    return status;
 }
 
 roberts_status error_no_memory(roberts_error *error)

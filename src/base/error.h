@@ -10,13 +10,17 @@
 #define ROBERTS_PRINTF(text, first)
 #endif
 
-/* Fills `error` (unless NULL) and returns `status`, so that a caller can write `return error_set(...)`. Keeps a file
- * name set by error_set_file(). */
+/* Fills `error` (unless NULL), without a file, and returns `status`, so that a caller can write
+ * `return error_set(...)`. */
 roberts_status error_set(roberts_error *error, roberts_status status, size_t line, const char *format, ...)
     ROBERTS_PRINTF(4, 5);
 
-/* Sets the file that the error is about. If the name is too long, its end is kept. */
+/* Names the file of an error that error_set() has filled. If the name is too long, its end is kept. */
 void error_set_file(roberts_error *error, const char *file);
+
+/* Names the file and returns the error's `status`, so that a caller can write `return error_in(error, file,
+ * error_set(...))`. */
+roberts_status error_in(roberts_error *error, const char *file, roberts_status status);
 
 /* error_set() for exhausted memory. */
 roberts_status error_no_memory(roberts_error *error);

@@ -244,8 +244,8 @@ static const char *only_name(const roberts_mesh *mesh)
 
 static roberts_status refuse_empty(const roberts_mesh *mesh, roberts_error *error)
 {
-    error_set_file(error, only_name(mesh));
-    return error_set(error, ROBERTS_NOT_CLOSED, 0, "nothing to draw: there is no face with three different corners");
+    error_set(error, ROBERTS_NOT_CLOSED, 0, "nothing to draw: there is no face with three different corners");
+    return error_in(error, only_name(mesh), ROBERTS_NOT_CLOSED);
 }
 
 static void warn_repeated(size_t corners, const roberts_mesh *mesh, const roberts_warnings *warnings)

@@ -218,9 +218,9 @@ bool hull_bare_input(const roberts_mesh *mesh)
 
 static roberts_status refuse_few(const char *name, size_t points, roberts_error *error)
 {
-    error_set_file(error, name ? name : "");
-    return error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu",
-                     points == 1 ? "is" : "are", points);
+    error_set(error, ROBERTS_FLAT, 0, "a convex hull takes four points, but there %s %zu", points == 1 ? "is" : "are",
+              points);
+    return error_in(error, name ? name : "", ROBERTS_FLAT);
 }
 
 roberts_status hull_add_inputs(polygons *faces, const roberts_mesh *mesh, roberts_error *error)
@@ -287,10 +287,10 @@ static roberts_status hull_refuse(const roberts_scene *scene, uint32_t s, const 
                                   roberts_status status, const char *why, roberts_error *error)
 {
     solid_source at = source_of_points(scene, s, mesh);
-    error_set_file(error, at.file);
-    return error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
-                     scene->solid[s + 1].vertex - scene->solid[s].vertex,
-                     scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
+    error_set(error, status, 0, "the convex hull of solid %u, of %u points from vertex %u on, %s", s - at.solid,
+              scene->solid[s + 1].vertex - scene->solid[s].vertex,
+              scene_vertex_number(scene, scene->solid[s].vertex) - at.vertex, why);
+    return error_in(error, at.file, status);
 }
 
 static const char *name_input(const roberts_mesh *mesh, size_t input)

@@ -263,17 +263,17 @@ static roberts_status refuse_open(const regrouping *g, uint32_t s, solid_source 
             v1 = loose->number[edges->half[i] >> 32] - at.vertex;
             has = to - i;
         }
-    error_set_file(error, at.file);
     s -= at.solid;
     if (!has)
-        return error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
-    if (others > 1)
-        return error_set(error, ROBERTS_NOT_CLOSED, 0,
-                         "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2 (%u such edges in all)",
-                         s, v0, v1, has, has == 1 ? "" : "s", others);
-    return error_set(error, ROBERTS_NOT_CLOSED, 0,
-                     "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2", s, v0, v1, has,
-                     has == 1 ? "" : "s");
+        error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed", s);
+    else if (others > 1)
+        error_set(error, ROBERTS_NOT_CLOSED, 0,
+                  "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2 (%u such edges in all)", s, v0,
+                  v1, has, has == 1 ? "" : "s", others);
+    else
+        error_set(error, ROBERTS_NOT_CLOSED, 0, "solid %u is not closed: edge %u-%u belongs to %u face%s instead of 2",
+                  s, v0, v1, has, has == 1 ? "" : "s");
+    return error_in(error, at.file, ROBERTS_NOT_CLOSED);
 }
 
 /* Joins open groups that share a vertex. False: no memory. */

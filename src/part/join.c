@@ -32,8 +32,7 @@ typedef struct joiner {
 
 static roberts_status broken(const source *s, roberts_error *error)
 {
-    error_set_file(error, s->path);
-    return error_set(error, ROBERTS_BAD_SYNTAX, 0, "this part is broken; draw it again");
+    return error_in(error, s->path, error_set(error, ROBERTS_BAD_SYNTAX, 0, "this part is broken; draw it again"));
 }
 
 /* ---- opening ---------------------------------------------------------------------------------------------------- */
@@ -60,19 +59,16 @@ static roberts_status open_part(source *s, const char *path, roberts_error *erro
     struct stat found;
     bool is_part = false;
     *s = (source){.path = path, .file = fopen(path, "rb")};
-    if (!s->file || fstat(fileno(s->file), &found) != 0) {
-        error_set_file(error, path);
-        return output_error(error, "cannot read", errno);
-    }
+    if (!s->file || fstat(fileno(s->file), &found) != 0)
+        return error_in(error, path, output_error(error, "cannot read", errno));
     if (S_ISREG(found.st_mode) && read_frame(s, (uint64_t)found.st_size, &is_part)) {
         s->lines = s->end.lines;
         s->segments = s->end.segments;
         return ROBERTS_OK;
     }
-    error_set_file(error, path);
-    if (S_ISREG(found.st_mode) && is_part)
-        return error_set(error, ROBERTS_BAD_SYNTAX, 0, "this part is unfinished or broken; draw it again");
-    return error_set(error, ROBERTS_BAD_SYNTAX, 0, "this is no part of a drawing, as --part K/N writes it");
+    const char *why = S_ISREG(found.st_mode) && is_part ? "this part is unfinished or broken; draw it again"
+                                                        : "this is no part of a drawing, as --part K/N writes it";
+    return error_in(error, path, error_set(error, ROBERTS_BAD_SYNTAX, 0, "%s", why));
 }
 
 static int by_number(const void *a, const void *b)
@@ -95,20 +91,21 @@ static roberts_status check_parts(joiner *j, const roberts_task *task, roberts_e
             why = "of another number of parts";
         if (!why && memcmp(&stamp, &head->facts.stamp, sizeof stamp) == 0)
             continue;
-        error_set_file(error, j->part[i].path);
         if (why)
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u of %u is %s than %.100s", head->number, head->of,
-                             why, j->part[0].path);
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                         "part %u of %u was drawn with another view, or with other options for lines", head->number,
-                         head->of);
+            error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u of %u is %s than %.100s", head->number, head->of, why,
+                      j->part[0].path);
+        else
+            error_set(error, ROBERTS_BAD_ARGUMENT, 0,
+                      "part %u of %u was drawn with another view, or with other options for lines", head->number,
+                      head->of);
+        return error_in(error, j->part[i].path, ROBERTS_BAD_ARGUMENT);
     }
     qsort(j->part, j->count, sizeof *j->part, by_number);
     for (size_t i = 0; i < j->count; i++)
         if (i > 0 && j->part[i].head.number == j->part[i - 1].head.number) {
-            error_set_file(error, j->part[i].path);
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u is given twice: %.100s", j->part[i].head.number,
-                             j->part[i - 1].path);
+            error_set(error, ROBERTS_BAD_ARGUMENT, 0, "part %u is given twice: %.100s", j->part[i].head.number,
+                      j->part[i - 1].path);
+            return error_in(error, j->part[i].path, ROBERTS_BAD_ARGUMENT);
         }
     for (uint32_t i = 0; i < j->part[0].head.of; i++)
         if (i >= j->count || j->part[i].head.number != i + 1)

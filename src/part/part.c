@@ -539,9 +539,8 @@ static roberts_status open_plan(plan *p, const roberts_inputs *input, const robe
             if (input->count == 1)
                 return plan_open(p, input->name[0], error);
             *p = (plan){.file = -1};
-            error_set_file(error, input->name[i]);
-            return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-                             "a plan holds the whole scene; give no other file with it");
+            error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plan holds the whole scene; give no other file with it");
+            return error_in(error, input->name[i], ROBERTS_BAD_ARGUMENT);
         }
     return plan_make(p, input, task, path, error);
 }

@@ -623,10 +623,8 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
     p->file = open_nameless(path);
     if (p->file < 0 && errno == ENOMEM)
         return error_no_memory(error);
-    if (p->file < 0) {
-        error_set_file(error, path);
-        return output_error(error, "cannot write into its folder", errno);
-    }
+    if (p->file < 0)
+        return error_in(error, path, output_error(error, "cannot write into its folder", errno));
     pl.out = (plan_writer){.file = p->file, .bytes = malloc(PLAN_BUFFER)};
     roberts_status status = pl.out.bytes ? make(&pl, input, error) : error_no_memory(error);
     if (status == ROBERTS_IO && pl.out.reason)
@@ -656,20 +654,14 @@ roberts_status plan_open(plan *p, const char *path, roberts_error *error)
     const size_t size = sizeof p->facts;
     memset(p, 0, sizeof *p);
     p->file = open(path, O_RDONLY | O_CLOEXEC);
-    if (p->file < 0 || fstat(p->file, &found) != 0) {
-        error_set_file(error, path);
-        return output_error(error, "cannot read", errno);
-    }
+    if (p->file < 0 || fstat(p->file, &found) != 0)
+        return error_in(error, path, output_error(error, "cannot read", errno));
     const uint64_t end = (uint64_t)found.st_size;
     if (end < size || pread(p->file, &p->facts, size, (off_t)(end - size)) != (ssize_t)size ||
-        memcmp(p->facts.magic, magic, sizeof magic) != 0 || !is_sound(&p->facts, end - size)) {
-        error_set_file(error, path);
-        return error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is unfinished or broken");
-    }
+        memcmp(p->facts.magic, magic, sizeof magic) != 0 || !is_sound(&p->facts, end - size))
+        return error_in(error, path, error_set(error, ROBERTS_BAD_SYNTAX, 0, "the plan is unfinished or broken"));
     roberts_status status = read_names(p, end - size, error);
-    if (status != ROBERTS_OK)
-        error_set_file(error, path);
-    return status;
+    return status == ROBERTS_OK ? ROBERTS_OK : error_in(error, path, status);
 }
 
 bool plan_is(const char *path)

@@ -306,7 +306,6 @@ static roberts_status bad_mesh_corner(roberts_error *error, size_t face, uint32_
 
 roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position, uint32_t *index, roberts_error *error)
 {
-    error_set_file(error, "");
     if (!mesh_position(position))
         return bad_vertex(error, mesh->vertex_count);
     if (!mesh_vertex_room(mesh) || !(!mesh->vertex_color || fill_colors(&mesh->vertex_color, &mesh->vertex_color_room,
@@ -320,7 +319,6 @@ roberts_status roberts_mesh_add_vertex(roberts_mesh *mesh, roberts_vec3 position
 
 roberts_status roberts_mesh_add_face(roberts_mesh *mesh, const uint32_t *corners, size_t count, roberts_error *error)
 {
-    error_set_file(error, "");
     for (size_t i = 0; i < count; i++) {
         if (corners[i] >= mesh->vertex_count)
             return bad_mesh_corner(error, mesh->face_count, corners[i], mesh->vertex_count);
@@ -366,7 +364,6 @@ void roberts_mesh_stand_up(roberts_mesh *mesh)
 
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error)
 {
-    error_set_file(error, "");
     if (mesh->source_count || mesh->group_count)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "arrays have neither sources nor groups");
     if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count > UINT32_MAX)

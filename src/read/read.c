@@ -287,7 +287,6 @@ roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_sourc
                 .error = error,
                 .vertices_filled = mesh->vertex_color ? mesh->vertex_count : 0,
                 .faces_filled = mesh->face_color ? mesh->face_count : 0};
-    error_set_file(error, name);
     if (input_open(&r.in, source) && mesh_source(mesh, name))
         status = read_any(&r, division);
     if (status == ROBERTS_OK && source->to_end && !source->read_at)
@@ -299,9 +298,10 @@ roberts_status read_mesh(roberts_mesh *mesh, const char *name, const input_sourc
     if (status == ROBERTS_OK)
         read_warn_thin(warnings, name, r.thin_faces);
     input_close(&r.in);
-    if (status != ROBERTS_OK)
-        mesh_back(mesh, r.mark);
-    return status;
+    if (status == ROBERTS_OK)
+        return ROBERTS_OK;
+    mesh_back(mesh, r.mark);
+    return error_in(error, name, status);
 }
 
 static roberts_status read_source(roberts_mesh *mesh, const char *name, const input_source *source,
@@ -328,8 +328,7 @@ roberts_status roberts_mesh_read_file(roberts_mesh *mesh, const char *path, cons
         char reason[128];
         if (strerror_r(errno, reason, sizeof reason) != 0)
             snprintf(reason, sizeof reason, "it cannot be opened");
-        error_set_file(error, name);
-        return error_set(error, ROBERTS_IO, 0, "%s", reason);
+        return error_in(error, name, error_set(error, ROBERTS_IO, 0, "%s", reason));
     }
     input_source source = input_from_file(&f);
     source.path = standard ? NULL : path;

@@ -898,6 +898,36 @@ static void test_tree(void **state)
     check_tree(box, MANY, &r, 100, 5);
 }
 
+/* ---- what fails ------------------------------------------------------------------------------------------------ */
+
+/* An error of no file says so, whatever the caller's struct held before. */
+static void failures_name_no_file(void **state)
+{
+    const roberts_camera camera = {.projection = ROBERTS_PERSPECTIVE, .fov_degrees = -1.0};
+    roberts_scene *scene = brick_scene(1, 1, 1);
+    roberts_drawing drawing = {0};
+    roberts_region_list regions;
+    roberts_verification found;
+    roberts_picked picked;
+    roberts_vec2 low, high;
+    bool framed;
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        roberts_error error;
+        memset(&error, 'x', sizeof error);
+        roberts_status status = i == 0   ? roberts_hide(scene, &camera, NULL, &drawing, &error)
+                                : i == 1 ? roberts_hide_with_regions(scene, &camera, NULL, &drawing, &regions, &error)
+                                : i == 2 ? roberts_regions(scene, &camera, NULL, &regions, &error)
+                                : i == 3 ? roberts_window(scene, &camera, &low, &high, &framed, &error)
+                                : i == 4 ? roberts_pick(scene, &camera, 0.0, 0.0, &picked, &error)
+                                         : roberts_verify(scene, &camera, &drawing, NULL, &found, &error);
+        assert_int_equal(status, ROBERTS_BAD_VIEW);
+        assert_int_equal(error.status, ROBERTS_BAD_VIEW);
+        assert_string_equal(error.file, "");
+    }
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -921,6 +951,7 @@ int main(void)
         cmocka_unit_test(test_pick_ties),
         cmocka_unit_test(test_pick_agrees),
         cmocka_unit_test(test_tree),
+        cmocka_unit_test(failures_name_no_file),
     };
     return cmocka_run_group_tests_name("verify", tests, NULL, NULL);
 }
