@@ -223,10 +223,11 @@ typedef struct roberts_scene_options {
  * mesh     only read, and not needed afterwards
  * options  NULL for the defaults
  * scene    owned by the caller, released by roberts_scene_free(); NULL on failure
- * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (there is nothing to draw), _BAD_NUMBER or _BAD_ARGUMENT; with
- * options->solids also _NOT_CLOSED, _NOT_PLANAR, _NOT_CONVEX and _FLAT; with hulls _FLAT if there is nothing else. The
- * message names the solid, the vertex or the face, and the amount by which it fails. Its numbers count from 0 in the
- * file that error->file names, or in the whole mesh where it names none (a solid made of several files).
+ * Returns ROBERTS_OK, _NO_MEMORY, _NOT_CLOSED (there is nothing to draw), _BAD_NUMBER or _BAD_ARGUMENT; for arrays of
+ * your own that roberts_mesh_check() would refuse also _BAD_INDEX; with options->solids also _NOT_CLOSED, _NOT_PLANAR,
+ * _NOT_CONVEX and _FLAT; with hulls _FLAT if there is nothing else. The message names the solid, the vertex or the
+ * face, and the amount by which it fails. Its numbers count from 0 in the file that error->file names, or in the whole
+ * mesh where it names none (a solid made of several files).
  */
 roberts_status roberts_scene_build(const roberts_mesh *mesh, const roberts_scene_options *options,
                                    roberts_scene **scene, roberts_error *error);

@@ -456,6 +456,12 @@ static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
     return scene->group_count == mesh->group_count;
 }
 
+/* Is it unknown whether corners name vertices? Readers check that, and so do plans. */
+static bool is_made_by_hand(const roberts_mesh *mesh, const scene_whole *whole)
+{
+    return mesh->source_count == 0 && !whole;
+}
+
 /* whole: NULL, or what the mesh is a part of. */
 static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const roberts_scene_options *options,
                                   const scene_whole *whole, roberts_scene **scene, roberts_error *error)
@@ -472,6 +478,8 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
             error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);
     } else if (chosen.threads > ROBERTS_THREADS_MOST) {
         status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
+    } else if (is_made_by_hand(mesh, whole) && (status = mesh_check_arrays(mesh, &found)) != ROBERTS_OK) {
+        /* `found` has the reason */
     } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
         status = error_no_memory(&found);
     } else {

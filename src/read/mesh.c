@@ -362,10 +362,8 @@ void roberts_mesh_stand_up(roberts_mesh *mesh)
         mesh->vertex[v] = (roberts_vec3){mesh->vertex[v].x, 0.0 - mesh->vertex[v].z, mesh->vertex[v].y};
 }
 
-roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error)
+roberts_status mesh_check_arrays(const roberts_mesh *mesh, roberts_error *error)
 {
-    if (mesh->source_count || mesh->group_count)
-        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "arrays have neither sources nor groups");
     if (mesh->vertex_count >= ROBERTS_NONE || mesh->face_count >= ROBERTS_NONE || mesh->corner_count > UINT32_MAX)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "there are more vertices, faces or corners than 32 bits count");
@@ -375,14 +373,22 @@ roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error
         return bad_null(error, "face_start", mesh->face_count, "faces");
     if (mesh->corner_count && !mesh->corner)
         return bad_null(error, "corner", mesh->corner_count, "corners");
-    for (size_t v = 0; v < mesh->vertex_count; v++)
-        if (!mesh_position(mesh->vertex[v]))
-            return bad_vertex(error, v);
     roberts_status status = mesh->face_count ? check_starts(mesh, error) : ROBERTS_OK;
     for (size_t f = 0; f < mesh->face_count && status == ROBERTS_OK; f++)
         for (size_t i = mesh->face_start[f]; i < mesh->face_start[f + 1]; i++)
             if (mesh->corner[i] >= mesh->vertex_count)
                 return bad_mesh_corner(error, f, mesh->corner[i], mesh->vertex_count);
+    return status;
+}
+
+roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error)
+{
+    if (mesh->source_count || mesh->group_count)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "arrays have neither sources nor groups");
+    roberts_status status = mesh_check_arrays(mesh, error);
+    for (size_t v = 0; v < mesh->vertex_count && status == ROBERTS_OK; v++)
+        if (!mesh_position(mesh->vertex[v]))
+            return bad_vertex(error, v);
     return status;
 }
 

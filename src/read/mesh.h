@@ -94,6 +94,9 @@ bool mesh_color_rest(roberts_mesh *mesh, size_t vertices_filled, size_t faces_fi
 /* Starts an input called `name` (copied). */
 bool mesh_source(roberts_mesh *mesh, const char *name);
 
+/* What roberts_mesh_check() checks, except coordinates, sources and groups. */
+roberts_status mesh_check_arrays(const roberts_mesh *mesh, roberts_error *error);
+
 /* Marks the current input as storing coordinates in 32-bit floats. */
 void mesh_float32(roberts_mesh *mesh);
 

@@ -165,6 +165,7 @@ static void refuses_bad_arrays(void **state)
         {ROBERTS_NONE, vertex, start, corner, ROBERTS_BAD_ARGUMENT,
          "there are more vertices, faces or corners than 32 bits count"},
     };
+    roberts_scene *scene;
     roberts_error error;
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
@@ -175,8 +176,12 @@ static void refuses_bad_arrays(void **state)
                                    .corner_count = rows[i].start ? 3 : 0,
                                    .corner = rows[i].corner};
         assert_int_equal(roberts_mesh_check(&mesh, &error), rows[i].status);
-        if (rows[i].message)
-            assert_string_equal(error.message, rows[i].message);
+        if (!rows[i].message)
+            continue;
+        assert_string_equal(error.message, rows[i].message);
+        assert_int_equal(roberts_scene_build(&mesh, NULL, &scene, &error), rows[i].status);
+        assert_null(scene);
+        assert_true(rows[i].status == ROBERTS_BAD_NUMBER || strcmp(error.message, rows[i].message) == 0);
     }
     assert_int_equal(roberts_mesh_check(&(roberts_mesh){.source_count = 1}, &error), ROBERTS_BAD_ARGUMENT);
     assert_string_equal(error.message, "arrays have neither sources nor groups");
