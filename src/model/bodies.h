@@ -6,10 +6,10 @@
 
 /* What was left out or cannot be right, for warnings. */
 typedef struct bodies_notes {
-    size_t repeated; /* corners that repeat another of their face: any in convex solids, only adjacent ones elsewhere */
-    size_t bent;     /* faces that cross or touch themselves and are not planar; they count as planar */
-    size_t uncut;    /* faces that cross themselves too often to be cut; their sides become wires */
-    size_t copies;   /* faces that have the same corners as an earlier one; left out */
+    size_t repeated;    /* corners that repeat another of their face: in convex solids any, elsewhere adjacent ones */
+    noted_faces bent;   /* cross or touch themselves and are not planar; they count as planar */
+    noted_faces uncut;  /* cross themselves too often to be cut; their sides become wires */
+    noted_faces copies; /* have the same corners as an earlier one; left out */
 } bodies_notes;
 
 /* Builds `scene`, which is empty: convex solids as usual, all other faces as closed and open bodies in convex pieces.

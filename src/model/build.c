@@ -256,25 +256,29 @@ static void warn_repeated(size_t corners, const roberts_mesh *mesh, const robert
                      corners == 1 ? "" : "s", corners == 1 ? "s" : "");
 }
 
-static void warn_copies(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+static void warn_copies(noted_faces noted, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
+    const size_t faces = noted.count;
     if (faces > 0)
-        warning_send(warnings, only_name(mesh), 0, "%zu face%s an earlier one, and %s", faces,
+        warning_send(warnings, source_of_noted(mesh, noted), 0, "%zu face%s an earlier one, and %s", faces,
                      faces == 1 ? " repeats" : "s repeat", faces == 1 ? "does not count" : "do not count");
 }
 
-static void warn_bent(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+static void warn_bent(noted_faces noted, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
+    const size_t faces = noted.count;
     if (faces > 0)
-        warning_send(warnings, only_name(mesh), 0, "%zu face%s and %s not planar: lines on %s may be wrong", faces,
+        warning_send(warnings, source_of_noted(mesh, noted), 0,
+                     "%zu face%s and %s not planar: lines on %s may be wrong", faces,
                      faces == 1 ? " crosses or touches itself" : "s cross or touch themselves",
                      faces == 1 ? "is" : "are", faces == 1 ? "it" : "them");
 }
 
-static void warn_uncut(size_t faces, const roberts_mesh *mesh, const roberts_warnings *warnings)
+static void warn_uncut(noted_faces noted, const roberts_mesh *mesh, const roberts_warnings *warnings)
 {
+    const size_t faces = noted.count;
     if (faces > 0)
-        warning_send(warnings, only_name(mesh), 0, "%zu face%s too often to be cut: %s nothing", faces,
+        warning_send(warnings, source_of_noted(mesh, noted), 0, "%zu face%s too often to be cut: %s nothing", faces,
                      faces == 1 ? " crosses itself" : "s cross themselves", faces == 1 ? "it hides" : "they hide");
 }
 

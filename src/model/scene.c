@@ -494,6 +494,12 @@ solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_
     return (solid_source){mesh->source[i].name, 0, mesh->source[i].first_face, mesh->source[i].first_vertex};
 }
 
+const char *source_of_noted(const roberts_mesh *mesh, noted_faces faces)
+{
+    const uint32_t v0 = mesh->corner[mesh->face_start[faces.first]], v1 = mesh->corner[mesh->face_start[faces.last]];
+    return source_find(mesh, v0, v1, faces.first, faces.last).file;
+}
+
 /* Sets the number of the file's first solid. The first vertices of solids ascend. */
 static solid_source count_solids(const roberts_scene *scene, uint32_t s, solid_source at)
 {

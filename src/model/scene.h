@@ -379,6 +379,15 @@ typedef struct solid_source {
     uint32_t solid, face, vertex; /* the file's first of each, to be subtracted from numbers over all files */
 } solid_source;
 
+/* Faces that a warning counts; `first` and `last` as numbered in the mesh. */
+typedef struct noted_faces {
+    size_t count;
+    uint32_t first, last;
+} noted_faces;
+
+/* Returns the name of the file that has them all, or "". */
+const char *source_of_noted(const roberts_mesh *mesh, noted_faces faces);
+
 /* Returns the file that contains all of vertices v_least .. v_most and faces f_least .. f_most, numbered as in the
  * mesh; `solid` is 0. */
 solid_source source_find(const roberts_mesh *mesh, uint32_t v_least, uint32_t v_most, uint32_t f_least,

@@ -206,6 +206,13 @@ static bool take_wires(surface *s, const uint32_t *corner, uint32_t count)
     return true;
 }
 
+static void note(noted_faces *faces, uint32_t face)
+{
+    if (faces->count++ == 0)
+        faces->first = face;
+    faces->last = face;
+}
+
 static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint32_t face, const uint32_t *corner,
                       uint32_t count)
 {
@@ -213,8 +220,10 @@ static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint3
         return count < 2 || take_wires(s, corner, count);
     if (!face_pieces_cut(p, rules, corner, count))
         return false;
-    s->bent += p->bent;
-    s->uncut += p->uncut;
+    if (p->bent)
+        note(&s->bent, face);
+    if (p->uncut)
+        note(&s->uncut, face);
     return p->piece_count > 0 ? take_pieces(s, p, face, corner, count) : take_wires(s, corner, count);
 }
 
@@ -263,7 +272,8 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rul
             break;
         take_corners(s, f, corner);
         enough = enter_face(&set, s, f, corner, n, &repeats);
-        s->repeated += repeats;
+        if (repeats)
+            note(&s->repeated, f);
         enough = enough && (repeats || take_face(s, &pieces, rules, f, corner, n));
         wires = wires || n == 2;
     }

@@ -72,10 +72,10 @@ typedef struct surface {
     size_t corner_count, fit_count, wound_count, side_count, part_count, edge_count, many_count, edge_part_count;
     size_t start_room, corner_room, face_room, plane_room, fit_room, wound_room, side_room, part_room, edge_room,
         many_room, edge_part_room, point_room, low_room;
-    size_t repeated;  /* number of faces left out as copies of earlier ones */
-    size_t bent;      /* number of faces that cross or touch themselves and are not planar; they count as planar */
-    size_t uncut;     /* number of faces whose borders cross themselves too often: their sides became wires */
-    bool whole_sides; /* some side may end at a point that is not a corner of its piece */
+    noted_faces repeated; /* left out as copies of earlier ones */
+    noted_faces bent;     /* cross or touch themselves and are not planar; they count as planar */
+    noted_faces uncut;    /* their borders cross themselves too often: their sides became wires */
+    bool whole_sides;     /* some side may end at a point that is not a corner of its piece */
 } surface;
 
 /* Returns the group of a piece; the surface has groups. */

@@ -72,6 +72,22 @@ static void messages_name_the_file(void **state)
                 "convex hull of points)\n");
 }
 
+/* Faces that a warning counts are those of one file or of several. */
+static void warnings_name_the_file(void **state)
+{
+    (void)state;
+    put("twist.off", "OFF\n4 1 0\n9 0 .5\n12 3 0\n12 0 0\n9 3 0\n4 0 1 2 3\n");
+    assert_int_equal(run("-f null models/platonic/cube.off twist.off"), 0);
+    assert_string_equal(last.err, "roberts: twist.off: warning: 1 face crosses or touches itself and is not planar: "
+                                  "lines on it may be wrong\n");
+    put("twice.off", "OFF\n3 2 0\n0 0 5\n3 0 5\n0 3 5\n3 0 1 2\n3 0 1 2\n");
+    assert_int_equal(run("-f null twice.off models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "roberts: twice.off: warning: 1 face repeats an earlier one, and does not count\n");
+    put("again.off", "OFF\n3 2 0\n0 0 9\n3 0 9\n0 3 9\n3 0 1 2\n3 0 1 2\n");
+    assert_int_equal(run("-f null twice.off models/platonic/cube.off again.off"), 0);
+    assert_string_equal(last.err, "roberts: warning: 2 faces repeat an earlier one, and do not count\n");
+}
+
 /* As by cat, also from standard input: the first one is drawn. */
 static void one_model_after_another(void **state)
 {
@@ -1143,6 +1159,7 @@ int main(void)
         return 1;
     const struct CMUnitTest tests[] = {
         IN_FOLDER(messages_name_the_file),
+        IN_FOLDER(warnings_name_the_file),
         IN_FOLDER(one_model_after_another),
         IN_FOLDER(one_model_after_another_in_a_pipe),
         IN_FOLDER(numbers_that_are_missing),
