@@ -221,6 +221,9 @@ void hint_memory(const cli_options *options, roberts_error *error)
 /* As many as a box has edges. */
 enum { FEW_LINES = 12 };
 
+/* Of the scene's diameter; a page shows a millionth at best. */
+static const double longest_point = 1e-11;
+
 /* Cuts [*t0, *t1] to where a + t (b - a) >= low; false if nothing is left. */
 static bool clip(double a, double b, double low, double *t0, double *t1)
 {
@@ -264,8 +267,15 @@ static size_t class_of(const roberts_segment *s)
 /* What a drawing shows, on the page if there is one. */
 typedef struct glance {
     bool any_seen, any_inside; /* a segment in front of the eye; one in the field of view */
-    size_t drawn;              /* segments whose pen is on */
+    bool any_long;             /* one in the field of view that is not a point in the picture */
+    size_t drawn;              /* of these, segments whose pen is on */
 } glance;
+
+/* Is a segment a point in the picture, as one along the line of sight? Rounding may leave it some length. */
+static bool is_point(const roberts_drawing *d, const roberts_segment *s)
+{
+    return hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y) <= longest_point * d->scene_diameter;
+}
 
 /* Examines segments until `enough` of them are known to be drawn. */
 static glance look(const cli_options *options, const roberts_drawing *drawing, size_t views, size_t enough)
@@ -283,6 +293,9 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
             if (d->framed && page && !is_in_window(min, max, s))
                 continue;
             g.any_inside = true;
+            if (page && is_point(d, s))
+                continue;
+            g.any_long = true;
             g.drawn += !page || !values_pen(&options->draw, class_of(s))->off;
         }
     }
@@ -316,6 +329,8 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
         return NULL;
     if (g.any_inside && shows_text(&options->draw))
         return NULL;
+    if (g.any_inside && !g.any_long)
+        return "all lines that could be seen are points from there; --view and --dir look from elsewhere";
     if (g.any_inside)
         return "--style has turned off all lines that could be seen";
     if (g.any_seen)

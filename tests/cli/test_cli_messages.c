@@ -1028,6 +1028,16 @@ static void empty_drawings_are_warned_of(void **state)
     }
     assert_int_equal(run("--eye 20,10,500 --look-at 200,200,490 --fov 10 models/table.off -o in/a.png"), 0);
     assert_said("roberts: in/a.png: warning: the drawing is empty: ");
+    put("in/wire.off", "OFF\n2 1 0\n1 2 3\n2 3 4\n2 0 1\n");
+    assert_int_equal(run("--dir 1,1,1 in/wire.off -o in/a.svg"), 0);
+    assert_string_equal(last.err, "roberts: in/a.svg: warning: the drawing is empty: all lines that could be seen are "
+                                  "points from there; --view and --dir look from elsewhere\n");
+    assert_int_equal(run("--dir 1,1,1 --label vertices in/wire.off -o in/a.svg"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--dir 1,1,1 in/wire.off -o in/a.csv"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--view top in/wire.off -o in/a.svg"), 0);
+    assert_string_equal(last.err, "");
     assert_int_equal(run("--eye 70,-60,60 --look-at 500,-500,500 models/table.off"), 1);
     assert_said("roberts: models/table.off: nothing of the scene lies in front of the eye, beyond the near plane at a "
                 "distance of ");
