@@ -536,7 +536,7 @@ static void explain(const batch *b, const worker_outcome *outcome, char *text, s
 {
     const int status = outcome->status;
     if (outcome->end == WORKER_LATE)
-        snprintf(text, size, "it takes more than %.10g s: --limit-seconds", b->options->limit_seconds);
+        snprintf(text, size, "it takes too long: --limit-seconds allows %.10g s", b->options->limit_seconds);
     else if (outcome->end == WORKER_UNSTARTED)
         snprintf(text, size, "cannot start a process: %s", strerror(status));
     else if (outcome->end != WORKER_DIED)

@@ -426,11 +426,11 @@ static void late_files_are_given_up(void **state)
         snprintf(line, sizeof line, "%s --threads %d", late_line, threads);
         unlink("rows");
         assert_int_equal(run(line), 1);
-        assert_string_equal(last.err, "roberts: pipe: it takes more than 0.4 s: --limit-seconds\n"
+        assert_string_equal(last.err, "roberts: pipe: it takes too long: --limit-seconds allows 0.4 s\n"
                                       "roberts: 1 of 3 models was not drawn\n");
         assert_int_equal(entries("in", true), 2);
         assert_int_equal(rows_with("\"error\":null"), 2);
-        assert_int_equal(rows_with("\"error\":\"it takes more than 0.4 s: --limit-seconds\",\"seconds\":0.4"), 1);
+        assert_int_equal(rows_with("\"error\":\"it takes too long: --limit-seconds allows 0.4 s\",\"seconds\":0.4"), 1);
     }
 }
 
