@@ -418,9 +418,14 @@ static void warn_format(const cli_options *options)
 /* Regions are JSON, unless the name ends in .csv. */
 static void warn_regions(const cli_options *options)
 {
+    const char *name = options->regions, *slash = name ? strrchr(name, '/') : NULL;
     roberts_format told;
-    if (options->regions && !(roberts_format_by_path(options->regions, &told) && values_is_table(told)))
-        warn_ending(options->regions, "regions are written as json");
+    if (!name || (roberts_format_by_path(name, &told) && values_is_table(told)))
+        return;
+    if (roberts_format_by_path(name, &told) || ends_like_model(name))
+        warn_ending(name, "regions are written as json");
+    else if (strchr(slash ? slash : name, '.'))
+        message_warning(stderr, name, 0, "no format has this ending; regions are written as json");
 }
 
 /* Warns of --merge-regions if nothing shows its regions. Plain fills of a class are joined by colour anyway, but with

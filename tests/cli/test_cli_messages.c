@@ -812,7 +812,12 @@ static void endings_that_mislead_are_warned_of(void **state)
     assert_string_equal(last.err, "");
     assert_int_equal(run("-f null --regions in/a.svg models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "roberts: in/a.svg: warning: its ending says svg, but regions are written as json\n");
+    assert_int_equal(run("-f null --regions in/a.xyz models/platonic/cube.off"), 0);
+    assert_string_equal(last.err,
+                        "roberts: in/a.xyz: warning: no format has this ending; regions are written as json\n");
     assert_int_equal(run("-f null --regions in/a.json models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("-f null --regions ./a models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
     assert_int_equal(run("-f null --regions in/a.csv models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
