@@ -13,7 +13,8 @@
  *
  * Every function that can fail returns a roberts_status, and fills `error` unless that is NULL. Nothing here prints,
  * exits or keeps global state; no result depends on the locale. A zeroed struct is a valid empty one, and every
- * *_free() takes an empty one and NULL. */
+ * *_free() takes an empty one and NULL. A result (a drawing, regions, what is picked) is overwritten: what it held
+ * before is not released. */
 #ifndef ROBERTS_H
 #define ROBERTS_H
 
@@ -492,7 +493,7 @@ uint32_t roberts_processor_count(void);
 /**
  * Removes the hidden lines of `scene` seen by `camera`.
  * options  NULL for the defaults
- * drawing  owned by the caller, released by roberts_drawing_free(); empty on failure
+ * drawing  owned by the caller, released by roberts_drawing_free(), also before it is filled again; empty on failure
  * A point of a line is hidden if some face that is not edge-on holds a point strictly nearer to the viewer on the same
  * line of sight. Faces are closed in projection and hide from both sides; positions within epsilon count as touching.
  * Faces in which a line lies do not hide it: an edge's own faces, or both faces of an intersection. The result does not
