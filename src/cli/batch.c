@@ -29,6 +29,7 @@ typedef struct batch_file {
     char *input;         /* of argv, or of the list */
     char *output, *text; /* owned; the text of its messages */
     bool done;
+    bool again; /* an earlier file has the same name */
 } batch_file;
 
 typedef struct batch_files {
@@ -108,10 +109,13 @@ static char *output_name(const cli_options *options, const char *kept)
     return output;
 }
 
+/* By output, by input, and then as they are named. */
 static int by_output(const void *a, const void *b)
 {
     const batch_file *const *f = a, *const *g = b;
-    return strcmp((*f)->output, (*g)->output);
+    int order = strcmp((*f)->output, (*g)->output);
+    order = order ? order : strcmp((*f)->input, (*g)->input);
+    return order ? order : (*f > *g) - (*f < *g);
 }
 
 static bool in_one_folder(const char *a, const char *b)
@@ -120,10 +124,33 @@ static bool in_one_folder(const char *a, const char *b)
     return length == folder_length(b) && strncmp(a, b, length) == 0;
 }
 
-/* No two drawings may have the same name. */
-static int check_names(const batch_files *b)
+/* Keeps the wanted files, and drops the others. Returns how many are dropped. */
+static size_t keep(batch_files *b, bool (*wanted)(size_t, const void *), const void *context)
+{
+    const size_t all = b->count;
+    b->count = 0;
+    for (size_t i = 0; i < all; i++) {
+        const batch_file file = b->file[i];
+        const bool is_wanted = wanted(i, context);
+        b->file[i] = (batch_file){0};
+        if (is_wanted)
+            b->file[b->count++] = file;
+        else
+            free(file.output);
+    }
+    return all - b->count;
+}
+
+static bool is_first(size_t i, const void *context)
+{
+    return !((const batch_files *)context)->file[i].again;
+}
+
+/* No two drawings may have the same name, but a file that is named again is drawn once: globs overlap. */
+static int check_names(batch_files *b)
 {
     int result = EXIT_DONE;
+    const char *again = NULL; /* the first such file, which is named for all */
     /* an array of pointers: the check takes sizeof a pointer for a slip */
     batch_file **order = malloc(b->count * sizeof *order); /* NOLINT(bugprone-sizeof-expression) */
     if (!order)
@@ -131,14 +158,24 @@ static int check_names(const batch_files *b)
     for (size_t i = 0; i < b->count; i++)
         order[i] = &b->file[i];
     qsort(order, b->count, sizeof *order, by_output); /* NOLINT(bugprone-sizeof-expression) */
-    for (size_t i = 1; i < b->count && result == EXIT_DONE; i++)
-        if (strcmp(order[i - 1]->output, order[i]->output) == 0)
-            result = message_misuse("--batch: %s and %s would both be drawn to %s%s", order[i - 1]->input,
-                                    order[i]->input, order[i]->output,
-                                    b->options->root || in_one_folder(order[i - 1]->input, order[i]->input)
-                                        ? ""
-                                        : "; with --root FOLDER drawings keep their folders below FOLDER");
+    for (size_t i = 1; i < b->count && result == EXIT_DONE; i++) {
+        const batch_file *one = order[i - 1] < order[i] ? order[i - 1] : order[i];
+        const batch_file *other = one == order[i] ? order[i - 1] : order[i];
+        order[i]->again = strcmp(one->input, other->input) == 0;
+        if (!order[i]->again && strcmp(one->output, other->output) == 0)
+            result =
+                message_misuse("--batch: %s and %s would both be drawn to %s%s", one->input, other->input, one->output,
+                               b->options->root || in_one_folder(one->input, other->input)
+                                   ? ""
+                                   : "; with --root FOLDER drawings keep their folders below FOLDER");
+    }
     free(order);
+    for (size_t i = 0; i < b->count && result == EXIT_DONE && !again; i++)
+        again = b->file[i].again ? b->file[i].input : NULL;
+    if (again && !b->options->quiet)
+        message_warning(stderr, again, 0, "this file is named twice, and is drawn once");
+    if (again)
+        (void)keep(b, is_first, b);
     return result;
 }
 
@@ -207,22 +244,6 @@ static const char *batch_files_command(const batch_files *b, const batch_file *f
     *command = b->options->description;
     description_word(command, file->input);
     return command->text;
-}
-
-/* Keeps the wanted files, and drops the others. Returns how many are dropped. */
-static size_t keep(batch_files *b, bool (*wanted)(size_t, const void *), const void *context)
-{
-    const size_t all = b->count;
-    b->count = 0;
-    for (size_t i = 0; i < all; i++) {
-        const batch_file file = b->file[i];
-        b->file[i] = (batch_file){0};
-        if (wanted(i, context))
-            b->file[b->count++] = file;
-        else
-            free(file.output);
-    }
-    return all - b->count;
 }
 
 /* Takes every n-th file: large ones are often neighbours in a list. */

@@ -531,7 +531,7 @@ static int by_file(const void *a, const void *b)
 }
 
 /* Warns if two names lead to one file: each of its bodies would be drawn twice, in the same place. Only the first such
- * file is named. */
+ * file is named. --batch itself warns of a name that is there twice. */
 static void warn_twice(const cli_options *options)
 {
     input_identity *list = options->input_count > 1 ? calloc(options->input_count, sizeof *list) : NULL;
@@ -545,8 +545,10 @@ static void warn_twice(const cli_options *options)
             count++;
     }
     qsort(list, count, sizeof *list, by_file);
+    const bool told = options->batch && options->draw.format != ROBERTS_NULL;
     for (size_t i = 1; i < count && !twice; i++)
-        if (file_identity_order(&list[i - 1].file, &list[i].file) == 0)
+        if (file_identity_order(&list[i - 1].file, &list[i].file) == 0 &&
+            !(told && strcmp(options->input[list[i - 1].index], options->input[list[i].index]) == 0))
             twice = options->input[list[i].index];
     if (twice)
         message_warning(stderr, twice, 0,

@@ -118,6 +118,24 @@ static void lists_can_be_wrong(void **state)
                 "models/table.off would take its place");
 }
 
+/* Globs overlap, and lists repeat. */
+static void a_name_given_twice_is_drawn_once(void **state)
+{
+    static const char list[] = "b.off\na.off\n";
+    (void)state;
+    put_cube("a.off");
+    put_cube("b.off");
+    assert_int_equal(run("--batch in --manifest rows b.off a.off b.off models/table.off a.off b.off"), 0);
+    assert_string_equal(last.err, "roberts: b.off: warning: this file is named twice, and is drawn once\n");
+    assert_int_equal(entries("in", false), 3);
+    assert_int_equal(rows_with("\"error\":null"), 3);
+    assert_int_equal(run_list("--batch in --list - -q a.off", list, strlen(list)), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--batch in --shard 2/2 -v a.off a.off b.off"), 0); /* shards count each once */
+    assert_said("roberts: b.off: 1 body");
+    assert_said("roberts: 1 file drawn, 0 up to date, 0 failed; ");
+}
+
 static const char *const wrong_shares[] = {"0/3", "4/3", "1/0",   "0/0",  "1",     "/",
                                            "1/",  "/2",  "1/2/3", "-1/2", "1.5/2", ""};
 
@@ -641,6 +659,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(lists_name_files),
         IN_FOLDER(lists_can_be_wrong),
+        IN_FOLDER(a_name_given_twice_is_drawn_once),
         IN_FOLDER(shards_draw_each_file_once),
         IN_FOLDER(drawings_keep_their_folders),
         IN_FOLDER(rows_tell),
