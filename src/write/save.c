@@ -228,7 +228,7 @@ static void tell_missing(const strokes *s)
         snprintf(which, sizeof which, "U+%04X", (unsigned)first);
     snprintf(text, sizeof text, "the %s lack %zu character%s, the first of them %s: %s",
              native ? "fonts of PDF" : "letters", missing, missing == 1 ? "" : "s", which,
-             native ? "they lose their accents, or become question marks" : "a box stands for each");
+             native ? "a plain letter or a question mark stands for each" : "a box stands for each");
     to->warn(to->context, "", 0, text);
 }
 

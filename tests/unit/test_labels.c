@@ -339,13 +339,13 @@ static void hidden_and_named(void **state)
     options.format = ROBERTS_PDF;
     options.lettering.native = true;
     write_drawing(&drawing, &options);
-    assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters, the first of them U+4E00: they lose their "
-                                       "accents, or become question marks");
+    assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters, the first of them U+4E00: a plain letter "
+                                       "or a question mark stands for each");
     const roberts_name author = {ROBERTS_LABEL_VERTICES, 5, 0, "k\u016f\u0148 \u2010 \u017e\u00e9"};
     options.lettering.name = &author;
     write_drawing(&drawing, &options);
-    assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters, the first of them U+016F: they lose their "
-                                       "accents, or become question marks");
+    assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters, the first of them U+016F: a plain letter "
+                                       "or a question mark stands for each");
 }
 
 /* The same strokes again; with native text there are no strokes of letters, but the same notes. */

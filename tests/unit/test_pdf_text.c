@@ -22,12 +22,17 @@ static void characters_that_the_fonts_lack(void **state)
     static const struct {
         const char *text;
         size_t missing;
-    } cases[] = {{"A 1-2, b.", 0}, {"Größe", 0},         {"βΩ", 0}, {"10 € – “x”", 0}, {"√2 ½", 0},
-                 {"A₁²", 0},       {"\u4e00b\u4e8c", 2}, {"", 0}};
+        uint32_t first;
+    } cases[] = {{"A 1-2, b.", 0, 0}, {"Größe", 0, 0},   {"βΩ", 0, 0},    {"10 € – “x”", 0, 0},         {"√2 ½", 0, 0},
+                 {"A₁²", 1, 0x2081},  {"ů ň", 2, 0x16f}, {"1‐2 3", 0, 0}, {"\u4e00b\u4e8c", 2, 0x4e00}, {"b\xff", 1, 0},
+                 {"", 0, 0}};
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++)
-        if (pdf_text_missing(cases[i].text) != cases[i].missing)
-            fail_msg("\"%s\": %zu missing", cases[i].text, pdf_text_missing(cases[i].text));
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        uint32_t first = 0;
+        const size_t missing = pdf_text_missing(cases[i].text, &first);
+        if (missing != cases[i].missing || first != cases[i].first)
+            fail_msg("\"%s\": %zu missing, the first U+%04X", cases[i].text, missing, (unsigned)first);
+    }
 }
 
 /* An edge with this name, and the options to draw it. */
