@@ -28,6 +28,7 @@
 typedef struct batch_file {
     char *input;         /* of argv, or of the list */
     char *output, *text; /* owned; the text of its messages */
+    size_t folder;       /* the length of DIR, with which the output begins */
     bool done;
     bool again; /* an earlier file has the same name */
 } batch_file;
@@ -216,6 +217,7 @@ static int name_drawings(batch_files *b)
         if (!kept)
             return message_misuse("--root: %s is not in the folder %s", file->input, b->options->root);
         file->output = output_name(b->options, kept);
+        file->folder = strlen(b->options->batch);
         if (!file->output)
             return no_memory();
     }
@@ -485,7 +487,7 @@ static void begin(void *context)
 static void make_folders(void *context, const char *path)
 {
     const batch_file *file = context;
-    for (char *slash = file->output; path && (slash = strchr(slash + 1, '/'));) {
+    for (char *slash = file->output + file->folder; path && (slash = strchr(slash + 1, '/'));) {
         *slash = '\0';
         (void)mkdir(file->output, 0777);
         *slash = '/';

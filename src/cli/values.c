@@ -246,7 +246,7 @@ int values_set_page(const option *o, const char *value, cli_options *options)
         page->height_mm = sizes[i][1];
         return EXIT_DONE;
     }
-    if (*point_meant(word))
+    if (strchr(word, 'x') && *point_meant(word))
         return message_misuse("--page: \"%s\" is not like 210x297 or 8.5x11in%s", value, point_meant(word));
     if (value[length] || !parse_lengths(word, 'x', &width, &height))
         return hint_unknown("--page", value, o->words, "or WxH in mm, as 210x297, or 8.5x11in");

@@ -23,7 +23,7 @@ typedef struct edge_finder {
     unsigned char *touches; /* [face_count] by the face's first piece: is it face[0] of a touch? */
     touching_edge *found;
     size_t count, room;
-    crossing_kept touched; /* the second face of the last touch */
+    crossing_kept touching, touched; /* the faces of the last touch */
     crossing_list *out;
 } edge_finder;
 
@@ -95,12 +95,12 @@ static bool find_common(edge_finder *e, const touching_edge *a, const touching_e
     size_t from = e->out->count;
     const scene_edge first = scene_edge_at(e->fronts->scene, a->of.body[0], a->edge);
     const scene_edge second = scene_edge_at(e->fronts->scene, b->of.body[0], b->edge);
-    if (a->edge == b->edge || !crossing_may_have_common(e->rules, &a->of, first.v, second.v))
+    const crossing_face *own = crossing_keep(&e->touching, e->rules, a->of.body[0], a->of.face[0]);
+    crossing_face F, H, *G = crossing_keep(&e->touched, e->rules, a->of.body[1], a->of.face[1]);
+    if (a->edge == b->edge || !crossing_may_have_common(e->rules, own, first.v, G, second.v) ||
+        !first_across(e, a->of.body[0], a->edge, G, &F) || !first_across(e, b->of.body[0], b->edge, &F, &H))
         return true;
-    crossing_face F, G = crossing_face_of(e->rules, b->of.body[0], b->of.face[0]);
-    if (!first_across(e, a->of.body[0], a->edge, &G, &F) || !first_across(e, b->of.body[0], b->edge, &F, &G))
-        return true;
-    bool enough = crossing_find_common(e->rules, &F, first.v, &G, second.v, e->out);
+    bool enough = crossing_find_common(e->rules, &F, first.v, &H, second.v, e->out);
     name_edges(e->out, from, a->edge, b->edge);
     return enough;
 }
@@ -237,6 +237,7 @@ bool edge_crossings_find(const hide_fronts *fronts, const crossing_rules *rules,
     enough = enough && find_lines(&e);
     free(e.touches);
     free(e.found);
+    crossing_kept_free(&e.touching);
     crossing_kept_free(&e.touched);
     return enough;
 }

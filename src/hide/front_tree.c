@@ -79,11 +79,24 @@ static double picture_area(const roberts_vec3 *P, const hide_face *F)
     return 0.5 * fabs(twice);
 }
 
-/* Finds the box of a front along the axes of the model, wider by as much as what touches it may be away. If its corners
- * are many, the box has no bounds. */
+/* How far faces of a front may be from the plane of another face and yet touch it, model units: the touching distance
+ * and the greatest departure of a face of its body. Doubled, for rounding. */
+static double touching_margin(const hide_fronts *fronts, uint32_t front)
+{
+    const roberts_scene *scene = fronts->scene;
+    const hide_front *f = &fronts->front[front];
+    const scene_solid *own = &scene->solid[f->solid];
+    const bool is_face = hide_is_face(f);
+    double departure = 0.0;
+    for (uint32_t k = is_face ? f->piece : own->face; k < (is_face ? f->piece + 1 : own[1].face); k++)
+        departure = greater(departure, scene_deviation(scene, k));
+    return 2.0 * (fronts->space.epsilon * scene->unit + departure);
+}
+
+/* Finds the box of a front along the axes of the model, with that margin. If its corners are many, the box has no
+ * bounds. */
 static hide_bounds model_bounds(const hide_fronts *fronts, uint32_t front)
 {
-    const double m = (fronts->space.epsilon + hide_loose(fronts, front)) * fronts->scene->unit;
     hide_single single = {.front = ROBERTS_NONE};
     hide_bounds own = hide_no_bounds;
     uint32_t faces, corners = 0;
@@ -95,6 +108,7 @@ static hide_bounds model_bounds(const hide_fronts *fronts, uint32_t front)
         for (uint32_t i = 0; i < face[k].count; i++)
             box_add(&own.low, &own.high, fronts->scene->point[face[k].corner[i]]);
     }
+    const double m = touching_margin(fronts, front);
     const roberts_vec3 margin = {m, m, m};
     return (hide_bounds){vec3_sub(own.low, margin), vec3_add(own.high, margin)};
 }
@@ -280,7 +294,8 @@ static void set_pile(building *b, uint32_t count)
     }
 }
 
-/* Divides a pile of fronts by turn and by depth in turn: the strips of fronts that lie alike are narrow. */
+/* Divides fronts by their places; in a pile, by their turns or their depths, whichever are spread more: the strips of
+ * fronts that are turned alike are narrow. */
 static void halve(const building *b, uint32_t *first, uint32_t count, uint32_t half)
 {
     const bool is_pile = box_longest_axis(b->box, first, count) == 2;
@@ -442,7 +457,7 @@ static inline unsigned between(const float *low, const float *high, const four a
     return four_at_most(four_load(low), four_add(at[1], m)) & four_at_most(four_sub(at[0], m), four_load(high));
 }
 
-static inline four size(four a)
+static inline four absolute(four a)
 {
     return four_greater(a, four_sub(four_all(0.0f), a));
 }
@@ -457,17 +472,17 @@ static inline unsigned strips_touch(const front_node *n, const hide_box *b)
     for (int k = 0; k < 2; k++) {
         const four dx = four_load(n->strip[k].x), dy = four_load(n->strip[k].y);
         const four at = four_add(four_mul(dx, x), four_mul(dy, y));
-        const four half = four_add(four_mul(size(dx), wide), four_mul(size(dy), high));
+        const four half = four_add(four_mul(absolute(dx), wide), four_mul(absolute(dy), high));
         met &= between(n->strip[k].low, n->strip[k].high, (four[2]){four_sub(at, half), four_add(at, half)}, m);
     }
     return met;
 }
 
-uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4])
+uint32_t front_node_meets_box(const front_node *n, const hide_box *box, uint32_t found[4])
 {
-    unsigned met = pictures_touch(n, lines) & four_at_most(four_all(lines->z0), four_load(n->z1));
+    unsigned met = pictures_touch(n, box) & four_at_most(four_all(box->z0), four_load(n->z1));
     if (met)
-        met &= strips_touch(n, lines);
+        met &= strips_touch(n, box);
     uint32_t count = 0;
     float depth[4];
     for (; met; met &= met - 1) {

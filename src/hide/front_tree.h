@@ -142,9 +142,9 @@ static inline bool front_queue_next(front_queue *q, const front_visit *found, ui
     return true;
 }
 
-/* Finds the children of a node that may hide anything of the lines in a box: their numbers, the farthest child from the
- * viewer last. Returns how many they are. */
-uint32_t front_node_meets_box(const front_node *n, const hide_box *lines, uint32_t found[4]);
+/* Finds the children of a node that may hide or hold anything in a box, which the caller has widened by its margin:
+ * their numbers, the farthest child from the viewer last. Returns how many they are. */
+uint32_t front_node_meets_box(const front_node *n, const hide_box *box, uint32_t found[4]);
 
 /* A front for the tree. */
 typedef struct front_shape {

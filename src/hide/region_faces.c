@@ -341,9 +341,9 @@ static bool cut_side(const region_depths *d, const roberts_vec2 side[2], uint32_
     const uint32_t *corner = seen_corners(fronts->seen, piece, &count, turned);
     for (uint32_t k = 0; k < count; k++) {
         const roberts_vec3 C = fronts->P[corner[k]], D = fronts->P[corner[k + 1 < count ? k + 1 : 0]];
-        const double x = D.x - C.x, y = D.y - C.y, most = d->touching * (fabs(x) + fabs(y));
+        const double x = D.x - C.x, y = D.y - C.y, more = d->touching * (fabs(x) + fabs(y)); /* than `far` */
         double p = x * (side[0].y - C.y) - y * (side[0].x - C.x), q = x * (side[1].y - C.y) - y * (side[1].x - C.x);
-        if (p < -most && q < -most)
+        if (p < -more && q < -more)
             return false;
         if (p >= 0.0 && q >= 0.0)
             continue;

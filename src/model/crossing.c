@@ -648,14 +648,20 @@ static bool find_in_pieces(const pair *w, crossing_list *out)
 
 /* A face of fewer pieces is looked at as a whole. */
 #define MANY_PIECES 8
-/* Touching distances: what is farther from a face than this, and than both depart from their planes, does not cross or
- * touch it. They are many because planes may meet at a small angle. */
-#define NEAR_TOUCHES 1024.0
+/* Planes count as parallel if the sine of their angle is less than this. */
+#define PARALLEL 1e-6
 
-/* Model units: how near two faces, given by their first pieces, must come to cross or touch. */
-static double near_margin(const crossing_rules *rules, uint32_t f, uint32_t g)
+/* Model units: how far apart points of two faces may be where the faces cross or touch. INFINITY: there is no bound.
+ *
+ * Such a point is in one plane, and within both touching distances of the other. So it is no farther from the line of
+ * both planes than their sum over the sine of their angle. Two points belong together if they agree in the coordinate
+ * in which that line is longest, which is at least 1 / sqrt(3) of its length. So they are less than 2 (1 + sqrt(3))
+ * times as far apart. The rest is for rounding. */
+static double near_margin(const crossing_rules *rules, const crossing_face *f, const crossing_face *g)
 {
-    return NEAR_TOUCHES * rules->touching + scene_deviation(rules->scene, f) + scene_deviation(rules->scene, g);
+    const double sine = vec3_length(vec3_cross(f->n, g->n)) / (f->length * g->length);
+    const double touch = (f->touch / f->length + g->touch / g->length) * rules->scene->unit;
+    return sine > PARALLEL ? 8.0 * touch / sine : INFINITY;
 }
 
 /* The box of pieces first .. end - 1, wider by m. */
@@ -701,7 +707,7 @@ bool crossing_limit(crossing_kept *kept, const crossing_rules *rules, const cros
         return true;
     if (tree->node_count == 0 && !add_tree(kept, scene))
         return false;
-    const box3 box = box_of_pieces(scene, other->first, other->end, near_margin(rules, f->first, other->first));
+    const box3 box = box_of_pieces(scene, other->first, other->end, near_margin(rules, f, other));
     f->near_count = 0;
     for (uint32_t i = 0; i < tree->node_count;) {
         const box_tree_node *node = &tree->node[i];
@@ -785,11 +791,11 @@ bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint3
     return enough;
 }
 
-bool crossing_may_have_common(const crossing_rules *rules, const crossing_touch *of, const uint32_t v[2],
-                              const uint32_t u[2])
+bool crossing_may_have_common(const crossing_rules *rules, const crossing_face *f, const uint32_t v[2],
+                              const crossing_face *g, const uint32_t u[2])
 {
     const roberts_vec3 *P = rules->scene->point, A = P[v[0]], B = P[v[1]], C = P[u[0]], D = P[u[1]];
-    const double m = near_margin(rules, of->face[0], of->face[1]);
+    const double m = near_margin(rules, f, g);
     return greater(A.x, B.x) + m >= lesser(C.x, D.x) && greater(C.x, D.x) + m >= lesser(A.x, B.x) &&
            greater(A.y, B.y) + m >= lesser(C.y, D.y) && greater(C.y, D.y) + m >= lesser(A.y, B.y) &&
            greater(A.z, B.z) + m >= lesser(C.z, D.z) && greater(C.z, D.z) + m >= lesser(A.z, B.z);

@@ -97,8 +97,8 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
  * its pieces. */
 crossing_face *crossing_keep(crossing_kept *kept, const crossing_rules *rules, uint32_t body, uint32_t piece);
 
-/* Leaves of the kept face the pieces that come near another face: only there may they cross or touch. False: no memory.
- */
+/* Leaves of the kept face the pieces that come near another face, until crossing_keep() is called again. Only there may
+ * the faces cross or touch. If its pieces are few, all are left. False: no memory. */
 bool crossing_limit(crossing_kept *kept, const crossing_rules *rules, const crossing_face *other);
 
 void crossing_kept_free(crossing_kept *kept);
@@ -134,9 +134,10 @@ bool crossing_find(const crossing_rules *rules, crossing_face *f, crossing_face 
 bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
                       crossing_list *out);
 
-/* May the next function find something for edges of two faces that touch? False: their boxes are apart. */
-bool crossing_may_have_common(const crossing_rules *rules, const crossing_touch *of, const uint32_t v[2],
-                              const uint32_t u[2]);
+/* May an edge v of f and an edge u of g, each in the plane of the other face, have a part in common? False: their boxes
+ * are too far apart. */
+bool crossing_may_have_common(const crossing_rules *rules, const crossing_face *f, const uint32_t v[2],
+                              const crossing_face *g, const uint32_t u[2]);
 
 /* Appends the overlap of an edge v of f and an edge u of g, if each lies in the plane of the other face. */
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,

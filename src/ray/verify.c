@@ -150,7 +150,7 @@ static bool is_surely_line(const verifier *f, uint32_t solid, uint32_t index)
     const scene_surface *surface = f->seen.scene->surface;
     const scene_edge *e = scene_edge_stored(f->seen.scene, solid, index);
     double crease = f->options.crease_degrees;
-    bool cut = surface->edge_is[index] & EDGE_CUT;
+    bool cut = (surface->edge_is[index] & (EDGE_CUT | EDGE_MANY)) == EDGE_CUT; /* of one face */
     if (e->f[1] == ROBERTS_NONE)
         return !cut; /* a border or a wire */
     if (surface->smooth[solid] && f->options.crease_auto)

@@ -137,11 +137,11 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     line->class = ROBERTS_WIRE;
     if (edge->f[0] == ROBERTS_NONE)
         return !s->rules.rest;
-    if (is & EDGE_CUT) { /* what several faces are cut along is a line like the edge of several faces */
+    if (is & EDGE_CUT) {
         const bool folded = is_folded_cut(w, scene, e);
-        line->class = folded ? ROBERTS_OUTLINE : ROBERTS_CREASE;
-        return !s->rules.rest &&
-               (folded || (is & EDGE_MANY && !faces_of_many(s, scene, scene_many_at(scene, e), crease).flat));
+        line->class = ROBERTS_OUTLINE;
+        if (folded || !(is & EDGE_MANY)) /* else several faces are cut along it: it is an edge of several faces */
+            return folded && !s->rules.rest;
     }
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
                                       : faces_of_edge(w, scene, edge, e, crease);

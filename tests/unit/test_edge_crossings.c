@@ -129,6 +129,15 @@ static const edge_case cases[] = {
      {1, 3},
      {0, 3},
      VIEW},
+    {"two sheets of two tiles, at so small an angle that their edges are apart by much more than they touch",
+     "OFF\n12 4 0\n1 1 -.0001\n3 1 -.0001\n3 2 0\n1 2 0\n3 3 .0001\n1 3 .0001\n"
+     "1 1.0000001 .0001\n3 1.0000001 .0001\n3 2.0000001 0\n1 2.0000001 0\n3 3.0000001 -.0001\n1 3.0000001 -.0001\n"
+     "4 0 1 2 3\n4 3 2 4 5\n4 6 7 8 9\n4 9 8 10 11\n",
+     0.1,
+     false,
+     {1, 3},
+     {0, 2},
+     VIEW},
     {"a wall that is edge-on",
      "OFF\n10 3 0\n" FLOOR WALL "1 2 -1\n3 2 -1\n4 0 1 2 3\n4 4 5 6 7\n4 4 5 9 8\n",
      0.1,

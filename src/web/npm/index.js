@@ -60,7 +60,7 @@ export function toArguments(options = {}) {
 
 export async function save(bytes, format, options = {}) {
   for (const [option, why] of Object.entries(notHere))
-    if (values(option, options[option]).some((value) => option !== "output" || !String(value).includes("%")))
+    if (values(option, options[option]).some((value) => option !== "output" || !/%(0?\d*d|s)/.test(value)))
       throw new TypeError(`${option} is no option here: ${why}`);
   const name = options.name ?? "model";
   if (name === "-") throw new TypeError('name: "-" would be standard input, which is empty');
