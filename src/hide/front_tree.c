@@ -230,6 +230,13 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
     all->z1 = box->z1 > all->z1 ? box->z1 : all->z1;
 }
 
+/* Bounds a box along one axis by floats. */
+static void round_outward(const hide_bounds *box, int axis, float *low, float *high)
+{
+    *low = hide_float_below(axis == 0 ? box->low.x : axis == 1 ? box->low.y : box->low.z);
+    *high = hide_float_above(axis == 0 ? box->high.x : axis == 1 ? box->high.y : box->high.z);
+}
+
 /* Sets the bounds of child k. */
 static void bound(const building *of, front_node *n, int k, const uint32_t *place, uint32_t count)
 {
@@ -261,12 +268,8 @@ static void bound(const building *of, front_node *n, int k, const uint32_t *plac
     n->plane.z[k] = (float)b.up.z;
     n->plane.low[k] = hide_float_below(b.low);
     n->plane.high[k] = hide_float_above(b.high);
-    const double low[3] = {b.model.low.x, b.model.low.y, b.model.low.z};
-    const double high[3] = {b.model.high.x, b.model.high.y, b.model.high.z};
-    for (int i = 0; i < 3; i++) {
-        n->model[i].low[k] = hide_float_below(low[i]);
-        n->model[i].high[k] = hide_float_above(high[i]);
-    }
+    for (int i = 0; i < 3; i++)
+        round_outward(&b.model, i, &n->model[i].low[k], &n->model[i].high[k]);
 }
 
 /* How far a front is turned in the picture, from 0 to 1. A half turn changes nothing; if its sides are about as long as
@@ -514,11 +517,8 @@ void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t fron
     shape->margin = (float)(2.0 * margin + ROUNDINGS * most);
     shape->margin_plane = (float)(PLANE_MARGINS * margin + ROUNDINGS * most);
     const hide_bounds model = model_bounds(fronts, front);
-    const double low[3] = {model.low.x, model.low.y, model.low.z}, high[3] = {model.high.x, model.high.y, model.high.z};
-    for (int i = 0; i < 3; i++) {
-        shape->low[i] = hide_float_below(low[i]);
-        shape->high[i] = hide_float_above(high[i]);
-    }
+    for (int i = 0; i < 3; i++)
+        round_outward(&model, i, &shape->low[i], &shape->high[i]);
 }
 
 static inline unsigned boxes_touch(const front_node *n, const hide_box *b)

@@ -664,14 +664,21 @@ static double near_margin(const crossing_rules *rules, const crossing_face *f, c
     return sine > PARALLEL ? 8.0 * touch / sine : INFINITY;
 }
 
+/* The box of vertices, wider by m. */
+static box3 box_around(const roberts_scene *scene, const uint32_t *vertex, uint32_t count, double m)
+{
+    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (uint32_t k = 0; k < count; k++)
+        box_add(&box.lo, &box.hi, scene->point[vertex[k]]);
+    const roberts_vec3 margin = {m, m, m};
+    return (box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
+}
+
 /* The box of pieces first .. end - 1, wider by m. */
 static box3 box_of_pieces(const roberts_scene *scene, uint32_t first, uint32_t end, double m)
 {
-    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (uint32_t k = scene->face_start[first]; k < scene->face_start[end]; k++)
-        box_add(&box.lo, &box.hi, scene->point[scene->corner[k]]);
-    const roberts_vec3 margin = {m, m, m};
-    return (box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
+    const uint32_t *start = scene->face_start;
+    return box_around(scene, scene->corner + start[first], start[end] - start[first], m);
 }
 
 crossing_face *crossing_keep(crossing_kept *kept, const crossing_rules *rules, uint32_t body, uint32_t piece)
@@ -794,11 +801,8 @@ bool crossing_find_in(const crossing_rules *rules, crossing_face *f, const uint3
 bool crossing_may_have_common(const crossing_rules *rules, const crossing_face *f, const uint32_t v[2],
                               const crossing_face *g, const uint32_t u[2])
 {
-    const roberts_vec3 *P = rules->scene->point, A = P[v[0]], B = P[v[1]], C = P[u[0]], D = P[u[1]];
-    const double m = near_margin(rules, f, g);
-    return greater(A.x, B.x) + m >= lesser(C.x, D.x) && greater(C.x, D.x) + m >= lesser(A.x, B.x) &&
-           greater(A.y, B.y) + m >= lesser(C.y, D.y) && greater(C.y, D.y) + m >= lesser(A.y, B.y) &&
-           greater(A.z, B.z) + m >= lesser(C.z, D.z) && greater(C.z, D.z) + m >= lesser(A.z, B.z);
+    const box3 a = box_around(rules->scene, v, 2, near_margin(rules, f, g)), b = box_around(rules->scene, u, 2, 0.0);
+    return box3_meet(&a, &b);
 }
 
 bool crossing_find_common(const crossing_rules *rules, crossing_face *f, const uint32_t v[2], crossing_face *g,
