@@ -19,11 +19,6 @@
 
 enum { NAME_SIZE = 4096, LIST_SIZE = 512 };
 
-static bool has_page(roberts_format format)
-{
-    return !values_is_table(format) && format != ROBERTS_NULL;
-}
-
 /* ---- misuse ---- */
 
 static int check_margin(const cli_options *options)
@@ -434,10 +429,10 @@ static void warn_merged(const cli_options *options)
 {
     const roberts_draw_options *draw = &options->draw;
     const bool labels = options->names || (draw->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
-    const bool fills = has_page(draw->format) && draw->fill != ROBERTS_FILL_NONE;
+    const bool fills = values_has_page(draw->format) && draw->fill != ROBERTS_FILL_NONE;
     const bool grouped = draw->format == ROBERTS_SVG && draw->grouping != ROBERTS_GROUP_CLASS;
     const bool bodies = options->hide.unite && draw->fill == ROBERTS_FILL_BODY;
-    if (options->regions || (has_page(draw->format) && (labels || values_hatches(draw))) ||
+    if (options->regions || (values_has_page(draw->format) && (labels || values_hatches(draw))) ||
         (fills && (grouped || bodies || draw->shaded)))
         return;
     warn("--merge-regions", fills ? "fills of one colour are joined anyway"
@@ -577,7 +572,7 @@ void check_warn(const cli_options *options, const options_given *given)
     warn_twice(options);
     if (options_is_given(given, "up"))
         warn_up(options);
-    if (has_page(options->draw.format)) {
+    if (values_has_page(options->draw.format)) {
         warn_pages(options, given);
         warn_wide(options);
         warn_dense(options);

@@ -289,18 +289,24 @@ static bool is_counted_only(const cli_options *options)
            !page->crease.off && !page->intersection.off && !page->wire.off && !page->back.off;
 }
 
+/* What has labels. */
+static unsigned label_kinds(const roberts_draw_options *page)
+{
+    unsigned kinds = page->lettering.labels;
+    for (size_t i = 0; i < page->lettering.name_count; i++)
+        kinds |= (unsigned)page->lettering.name[i].of;
+    return values_has_page(page->format) ? kinds : 0;
+}
+
 /* Whether the drawing needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
     const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
                        page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
-    const bool strokes = page->format != ROBERTS_NULL && !values_is_table(page->format);
-    unsigned kinds = page->lettering.labels;
-    for (size_t i = 0; i < page->lettering.name_count; i++)
-        kinds |= (unsigned)page->lettering.name[i].of;
-    const bool labels = kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
-    return (strokes && labels) || (fills && page->fill != ROBERTS_FILL_NONE) || (strokes && values_hatches(page));
+    const bool labels = label_kinds(page) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    return labels || (fills && page->fill != ROBERTS_FILL_NONE) ||
+           (values_has_page(page->format) && values_hatches(page));
 }
 
 /* regions: filled if they are needed, and attached to the drawing. */
@@ -434,7 +440,7 @@ static bool is_idle_rounded(const cli_options *options, const roberts_drawing *d
 static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const run_stats *run)
 {
     char text[256];
-    const bool page = options->draw.format != ROBERTS_NULL && !values_is_table(options->draw.format);
+    const bool page = values_has_page(options->draw.format);
     if (options->quiet || options->turntable > 0)
         return;
     tell_rounded(options, &v->drawing[0], run);
@@ -585,6 +591,17 @@ static roberts_status save_regions(const cli_options *options, const views *v, r
     return status;
 }
 
+/* Gives the picture of a turntable the window that all of them share. NULL: it has its own. */
+static void set_window(roberts_drawing *drawing, const picture_window *window)
+{
+    if (!window)
+        return;
+    drawing->framed = window->framed;
+    drawing->windowed = true;
+    drawing->window_min = window->min;
+    drawing->window_max = window->max;
+}
+
 /* Makes one picture. Before the last one is written the scene is released, unless the file needs it. Returns the exit
  * status. */
 static int draw(const cli_options *options, roberts_scene **scene, bool last, const picture_window *window,
@@ -603,12 +620,8 @@ static int draw(const cli_options *options, roberts_scene **scene, bool last, co
         roberts_scene_free(*scene);
         *scene = NULL;
     }
-    if (status == ROBERTS_OK && window) {
-        v.drawing[0].framed = window->framed;
-        v.drawing[0].windowed = true;
-        v.drawing[0].window_min = window->min;
-        v.drawing[0].window_max = window->max;
-    }
+    if (status == ROBERTS_OK)
+        set_window(&v.drawing[0], window);
     if (status == ROBERTS_OK)
         status = save(options, *scene, &v, &run, &error);
     run.total = report_since(run.begin);
@@ -673,16 +686,56 @@ static roberts_status find_window(const cli_options *options, const roberts_scen
     return status;
 }
 
+static bool discard(void *context, const void *bytes, size_t size)
+{
+    (void)context, (void)bytes, (void)size;
+    return true;
+}
+
+/* Finds the height of letters that labels get in the picture with the least room for them. All pictures of a turntable
+ * get it: letters that change from picture to picture would flicker. */
+static roberts_status find_letters(const cli_options *options, const roberts_scene *scene, const picture_window *window,
+                                   double *least, roberts_error *error)
+{
+    roberts_ink ink = {0};
+    roberts_draw_options page = options->draw;
+    roberts_status status = ROBERTS_OK;
+    page.format = ROBERTS_SVG; /* the fastest; letters have the same places in all formats */
+    page.order = ROBERTS_ORDER_NONE;
+    page.fill = ROBERTS_FILL_NONE;
+    page.hatch.off = true;
+    page.ink = &ink;
+    page.scene = scene;
+    for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
+        cli_options one = *options;
+        views v = {.count = 1};
+        run_stats run = {0};
+        one.camera = turned(options, scene, i);
+        status = hide_and_count(&one, scene, &v.drawing[0], &v.regions[0], &run, error);
+        set_window(&v.drawing[0], window);
+        if (status == ROBERTS_OK)
+            status = roberts_drawing_write(&v.drawing[0], &page, discard, NULL, error);
+        if (ink.label_mm > 0.0 && (*least == 0.0 || ink.label_mm < *least))
+            *least = ink.label_mm;
+        free_views(&v);
+    }
+    return status;
+}
+
 static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)
 {
     char name[NAME_SIZE];
     picture_window window;
     roberts_error error = {0};
+    double label_mm = options->draw.lettering.height_mm;
     int status = EXIT_DONE;
-    if (find_window(options, *scene, &window, &error) != ROBERTS_OK)
+    if (find_window(options, *scene, &window, &error) != ROBERTS_OK ||
+        (label_kinds(&options->draw) != 0 && label_mm == 0.0 &&
+         find_letters(options, *scene, &window, &label_mm, &error) != ROBERTS_OK))
         return fail(options, &error, result);
     for (uint32_t i = 0; i < options->turntable && status == EXIT_DONE; i++) {
         cli_options one = *options;
+        one.draw.lettering.height_mm = label_mm;
         one.camera = turned(options, *scene, i);
         one.label = name;
         if (parse_numbered(options->output, i, name, sizeof name))

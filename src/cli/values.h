@@ -60,6 +60,11 @@ static inline bool values_is_table(roberts_format format)
     return format == ROBERTS_CSV || format == ROBERTS_JSON;
 }
 
+static inline bool values_has_page(roberts_format format)
+{
+    return !values_is_table(format) && format != ROBERTS_NULL;
+}
+
 /* For any option: the row says where the value goes (o->field) and what it may be. */
 option_set values_set_flag;      /* bool */
 option_set values_set_text;      /* const char *, not empty */

@@ -391,6 +391,7 @@ bool labels_add(strokes *s, free_space *r)
         tell_dropped(lettering, list, count);
     for (size_t i = 0; i < count && done; i++)
         done = list[i].is_dropped || add_note(s, &list[i], p.height);
+    s->label_mm = count > 0 ? p.height : 0.0;
     space_free(p.vertices);
     free(list);
     free(t.item);

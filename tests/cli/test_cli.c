@@ -739,6 +739,24 @@ static void turntable_keeps_scale_and_centre(void **state)
     assert_int_equal(access("in/u0", F_OK) + access("in/u2", F_OK), 0);
 }
 
+/* In one of these pictures, labels find room only with smaller letters. All of them get these. */
+static void turntable_has_letters_of_one_size(void **state)
+{
+    static const char size[] = "font-size=\"3.492\"";
+    static char text[TEXT];
+    (void)state;
+    assert_int_equal(run("--elevation 20 --turntable 8 --label vertices --text native --page 50x50 --margin 4 "
+                         "models/cube-behind-cube.off -o in/t-%d.svg"),
+                     0);
+    for (int i = 0; i < 8; i++) {
+        char name[64];
+        snprintf(name, sizeof name, "in/t-%d.svg", i);
+        read_text(name, text);
+        assert_true(count_of(text, size) > 0);
+        assert_int_equal(count_of(text, "font-size"), count_of(text, size));
+    }
+}
+
 static void batch_draws_each_file(void **state)
 {
     static char text[TEXT];
@@ -1278,6 +1296,7 @@ int main(void)
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
         IN_FOLDER(turntable_keeps_scale_and_centre),
+        IN_FOLDER(turntable_has_letters_of_one_size),
         IN_FOLDER(batch_draws_each_file),
         IN_FOLDER(verbose_tells),
         IN_FOLDER(progress_is_for_terminals),
