@@ -329,7 +329,8 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
  * Finds the window that roberts_hide() would give the drawing of `scene` seen by `camera`, but much faster. `framed`,
  * unless NULL, is filled as in the drawing.
  * To draw pictures from several sides at one scale, set window_min and window_max of every drawing to the box of all
- * their windows, `windowed` to true, and `framed` to true if one of them is framed.
+ * their windows, `windowed` to true, and `framed` to true if one of them is framed. For labels of one size, write all
+ * of them once, and set lettering.height_mm to the least roberts_ink.label_mm.
  * Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW.
  */
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,

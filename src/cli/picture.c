@@ -1,7 +1,7 @@
 /* picture.c - from the input files to the output.
  *
  * The pictures of a turntable share one window, the box of the windows of all sides, so that they have one scale and
- * nothing jumps. */
+ * nothing jumps. The letters of their labels have one size, too. */
 #include "cli/picture.h"
 
 #include <math.h>
@@ -704,6 +704,7 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
     page.order = ROBERTS_ORDER_NONE;
     page.fill = ROBERTS_FILL_NONE;
     page.hatch.off = true;
+    page.real_dashes = false;
     page.ink = &ink;
     page.scene = scene;
     for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
