@@ -426,7 +426,7 @@ typedef enum roberts_epsilon_reason {
  * t0. Statistics of the run come with them. */
 typedef struct roberts_drawing {
     size_t count;
-    roberts_segment *segment; /**< [count] */
+    roberts_segment *segment; /**< [count + cut_count] */
     size_t crossing_count;
     roberts_crossing *crossing; /**< [crossing_count] sorted by face[0], face[1], end[0]; with hidden lines, of all
                                      faces that are not edge-on */
@@ -457,6 +457,8 @@ typedef struct roberts_drawing {
     roberts_time region_time; /**< of visible regions, with hiding the edges that only they need; 0: none are wanted */
     size_t known_edge_count;  /**< only in a joined drawing: there, `edge` of a segment is an index here */
     roberts_known_edge *known_edge; /**< [known_edge_count] */
+    size_t cut_count; /**< the segments from `count` on: where the near plane cuts bodies. Pages show them as outlines;
+                           they are in no table, and have no v0, v1 and edge */
 } roberts_drawing;
 
 typedef struct roberts_hide_options {

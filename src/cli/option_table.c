@@ -873,8 +873,9 @@ static const option rows[] = {
      .manual =
          "Cuts off everything nearer to the eye than this, measured along the axis of sight. Default: a thousandth of "
          "the way to the look-at point, or 1e-5 of the scene's diameter if that is more. The least value that has an "
-         "effect is 1e-6 of the diameter. Where it cuts a solid, the section is closed: it hides what lies behind it, "
-         "and is filled. No line is drawn round it."},
+         "effect is 1e-6 of the diameter. Where it cuts a closed body, the section hides what lies behind it, and is "
+         "filled. An outline is drawn round sections, and along the cuts of open bodies; with --union, round all "
+         "sections together. These lines are in no table."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,

@@ -146,6 +146,12 @@ static bool draws_hatching(const roberts_draw_options *options)
     return options->hatching.on && !options->hatch.off;
 }
 
+/* With those along which the near plane cuts bodies. */
+static size_t count_segments(const roberts_drawing *drawing)
+{
+    return drawing->count + drawing->cut_count;
+}
+
 /* The box of all lines that have a place, or the drawing's window. No region reaches farther. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
@@ -158,7 +164,7 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
         *max = drawing->window_max;
         return;
     }
-    for (size_t i = 0; i < drawing->count; i++) {
+    for (size_t i = 0; i < count_segments(drawing); i++) {
         const roberts_segment *segment = &drawing->segment[i];
         if (strokes_has_place(options, segment, &line)) {
             enlarge_box(min, max, segment->p0);
@@ -186,7 +192,7 @@ static roberts_vec2 place_on_page(const strokes *s, const page_map *map, roberts
  * has room for all segments. */
 static void collect(const strokes *s, const page_view *view, size_t number, pieces *p)
 {
-    for (size_t i = 0; i < view->drawing->count; i++) {
+    for (size_t i = 0; i < count_segments(view->drawing); i++) {
         const roberts_segment *segment = &view->drawing->segment[i];
         roberts_line line;
         double t[2];
@@ -369,7 +375,7 @@ static uint32_t *groups_parts(const strokes *s, size_t count)
     for (size_t v = 0; part && v < s->views; v++) {
         const roberts_drawing *d = s->view[v].drawing;
         uint32_t most = 0;
-        for (size_t i = 0; i < d->count; i++) {
+        for (size_t i = 0; i < count_segments(d); i++) {
             const roberts_segment *own = &d->segment[i];
             if (by_body) {
                 most = own->solid > most ? own->solid : most;
@@ -523,13 +529,13 @@ static roberts_status draw(strokes *s, roberts_error *error)
                          "fills, hatching, and labels of faces and bodies need the regions of each drawing, as "
                          "roberts_hide_with_regions() gives them");
     for (size_t i = 0; i < s->views; i++) {
-        room += view[i].drawing->count;
+        room += count_segments(view[i].drawing);
         epsilon = fmax(epsilon, view[i].drawing->epsilon);
     }
     p.item = room <= INT32_MAX ? alloc_array(room, sizeof *p.item) : NULL;
     if (!p.item)
         return error_no_memory(error);
-    for (size_t i = 0; i < s->views; number += view[i++].drawing->count) {
+    for (size_t i = 0; i < s->views; number += count_segments(view[i++].drawing)) {
         s->view[i].first = (uint32_t)number;
         collect(s, &view[i], number, &p);
     }
@@ -704,7 +710,7 @@ static roberts_status try_distances(const roberts_sheet *sheet, const roberts_dr
     size_t segments = 0;
     roberts_status status = lay_sheet(&s, sheet, options, reach, error);
     for (size_t i = 0; i < s.views; i++)
-        segments += s.view[i].drawing->count;
+        segments += count_segments(s.view[i].drawing);
     if (status == ROBERTS_OK && (p.item = alloc_array(segments, sizeof *p.item)) != NULL) {
         for (size_t i = 0; i < s.views; i++)
             collect(&s, &s.view[i], 0, &p);

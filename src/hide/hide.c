@@ -19,6 +19,7 @@
 #include "base/error.h"
 #include "base/threads.h"
 #include "hide/cells.h"
+#include "hide/cuts.h"
 #include "hide/region_faces.h"
 #include "hide/segments.h"
 
@@ -270,19 +271,25 @@ done:
     return status;
 }
 
+/* Finds the lines along which the near plane cuts bodies, and draws them. A receiver gets no such lines. False: no
+ * memory. */
+static bool find_cuts(const hide_job *job, seen_further *cuts, roberts_drawing *drawing)
+{
+    return cuts_find(&job->fronts, cuts) && (job->to || cuts_draw(&job->fronts, cuts, job->options->unite, drawing));
+}
+
 /* ---- visible regions ---- */
 
 /* Finds the regions, after the lines. Their borders are the lines, the edges that are left out because they are flat,
  * and the cuts of the near plane. */
-static roberts_status find_regions(hide_job *job, const roberts_drawing *drawing)
+static roberts_status find_regions(hide_job *job, const seen_further *cuts, const roberts_drawing *drawing)
 {
     roberts_status status = ROBERTS_OK;
     roberts_drawing rest = {0};
     region_lines lines = {.drawing = drawing, .per_unit = job->seen.view.per_unit};
     const roberts_receiver take = {region_lines_take, &lines};
     bool clipped = job->seen.clip.clipped;
-    if (clipped && !cut_lines_find(&job->fronts, &job->seen.further))
-        return ROBERTS_NO_MEMORY;
+    job->seen.further = *cuts;
     /* of bodies that are not convex, the edges that are left out are not counted */
     if (clipped || drawing->surviving_edges != drawing->drawn_edges ||
         (job->seen.scene->surface && !job->options->all_edges)) {
@@ -351,6 +358,7 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
     roberts_hide_options defaults = roberts_hide_options_default();
     job->options = job->options ? job->options : &defaults;
     *drawing = (roberts_drawing){0};
+    seen_further cuts = {0};
     roberts_status status = check_options(job->options, error);
     roberts_time clock = now();
     if (status == ROBERTS_OK) {
@@ -369,12 +377,13 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
         status = do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
+    if (status == ROBERTS_OK && job->seen.clip.clipped && !find_cuts(job, &cuts, drawing))
+        status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && job->regions) {
-        status = find_regions(job, drawing);
+        status = find_regions(job, &cuts, drawing);
         drawing->region_time = lap(&clock);
     }
-    if (job->regions)
-        cut_lines_free(&job->seen.further);
+    cuts_free(&cuts);
     crossings_free(&job->crossings);
     picture_order_free(&job->order);
     objet_free(&job->grid);

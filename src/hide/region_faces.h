@@ -1,5 +1,5 @@
-/* region_faces.h - what regions take from their faces: colours, directions, depths, which neighbours lie in one plane,
- * and where the near plane cuts. */
+/* region_faces.h - what regions take from their faces: colours, directions, depths, and which neighbours lie in one
+ * plane. */
 #ifndef ROBERTS_HIDE_REGION_FACES_H
 #define ROBERTS_HIDE_REGION_FACES_H
 
@@ -30,15 +30,6 @@ roberts_vec3 region_normal(const seen *s, uint32_t face);
 /* Finds directions in the plane of scene face `face`. upright: a unit vector. Faces in one plane that are seen from the
  * same side get the same values, except for rounding. */
 roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright);
-
-/* ---- where the near plane cuts ---- */
-
-/* Finds the lines along which the near plane cuts faces, as lines that are no edges. They are not drawn, but the
- * visible part of a face ends there. */
-
-/* Sets the further lines of what is seen; call cut_lines_free() in any case. False: no memory. */
-bool cut_lines_find(const hide_fronts *fronts, seen_further *lines);
-void cut_lines_free(seen_further *lines);
 
 /* ---- depths of faces of several pieces ---- */
 

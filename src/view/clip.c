@@ -1,7 +1,7 @@
 /* clip.c - clipping by the near plane. See clip.h. Each face, or convex piece of one, is clipped separately (I. E.
  * Sutherland, G. W. Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974). The cuts of a solid's faces form the
- * outline of its cap. The cap of a closed body that is not convex is cut into convex pieces. The edges of caps are not
- * drawn. An open body stays open, and its inside can be seen. */
+ * outline of its cap. The cap of a closed body that is not convex is cut into convex pieces. The edges of caps are no
+ * lines here (see hide/cuts.h). An open body stays open, and its inside can be seen. */
 #include "view/clip.h"
 
 #include <float.h>

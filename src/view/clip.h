@@ -2,9 +2,9 @@
  * handle.
  *
  * A solid that the near plane passes through is cut along the plane and closed by a cap. It stays a closed convex
- * solid, so later stages need no special case. The cap hides, since nobody looks into a solid, but its edges are not
- * drawn. The parts of edges on the eye's side are clipped. A solid completely on that side keeps its number and has no
- * vertices. */
+ * solid, so later stages need no special case. The cap hides, since nobody looks into a solid. Its outline is found
+ * later (hide/cuts.h). The parts of edges on the eye's side are clipped. A solid completely on that side keeps its
+ * number and has no vertices. */
 #ifndef ROBERTS_VIEW_CLIP_H
 #define ROBERTS_VIEW_CLIP_H
 

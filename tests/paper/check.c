@@ -57,7 +57,7 @@ static bool add_rows(row_list *r, const roberts_drawing *d, const roberts_draw_o
                      roberts_vec2 low, roberts_vec2 high)
 {
     r->epsilon = fmax(r->epsilon, d->epsilon);
-    for (size_t i = 0; i < d->count; i++) {
+    for (size_t i = 0; i < d->count + d->cut_count; i++) {
         const roberts_segment *s = &d->segment[i];
         double t0 = 0.0, t1 = 1.0, x = s->p1.x - s->p0.x, y = s->p1.y - s->p0.y, z = s->z1 - s->z0;
         if (!is_drawn(s, options) || (d->framed && !(box_clip(s->p0.x, s->p1.x, low.x, high.x, &t0, &t1) &&
@@ -81,7 +81,7 @@ static void find_box(const roberts_drawing *d, const roberts_draw_options *optio
 {
     *low = (roberts_vec2){INFINITY, INFINITY};
     *high = (roberts_vec2){-INFINITY, -INFINITY};
-    for (size_t i = 0; i < d->count; i++)
+    for (size_t i = 0; i < d->count + d->cut_count; i++)
         for (int k = 0; k < 2 && is_drawn(&d->segment[i], options); k++) {
             roberts_vec2 p = k ? d->segment[i].p1 : d->segment[i].p0;
             *low = (roberts_vec2){fmin(low->x, p.x), fmin(low->y, p.y)};

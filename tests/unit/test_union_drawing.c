@@ -108,13 +108,19 @@ typedef struct likeness {
     bool in_class; /* ... if they are of one class */
 } likeness;
 
+/* With the lines along which the near plane cuts bodies. */
+static size_t segments_of(const roberts_drawing *d)
+{
+    return d->count + d->cut_count;
+}
+
 /* How much of a segment no visible segment like it in `other` covers. */
 static double uncovered(const roberts_segment *s, const roberts_drawing *other, const likeness *how, part *found)
 {
     double x = s->p1.x - s->p0.x, y = s->p1.y - s->p0.y, length = hypot(x, y), at = 0.0, bare = 0.0;
     double slack = how->slack;
     size_t count = 0;
-    for (size_t i = 0; i < other->count; i++) {
+    for (size_t i = 0; i < segments_of(other); i++) {
         const roberts_segment *o = &other->segment[i];
         double ax = o->p0.x - s->p0.x, ay = o->p0.y - s->p0.y, bx = o->p1.x - s->p0.x, by = o->p1.y - s->p0.y;
         if (o->state != ROBERTS_VISIBLE || (how->in_class && o->line != s->line) ||
@@ -135,9 +141,9 @@ static double uncovered(const roberts_segment *s, const roberts_drawing *other, 
 static void check_covered(const roberts_drawing *of, const roberts_drawing *by, const likeness *how, const char *name)
 {
     double slack = how->slack;
-    part *found = malloc((by->count + 1) * sizeof *found);
+    part *found = malloc((segments_of(by) + 1) * sizeof *found);
     assert_non_null(found);
-    for (size_t i = 0; i < of->count; i++) {
+    for (size_t i = 0; i < segments_of(of); i++) {
         const roberts_segment *s = &of->segment[i];
         double length = hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
         if (s->state != ROBERTS_VISIBLE || length < 4 * slack)

@@ -98,7 +98,8 @@ class drawing(Structure):
                 ("culled_solids", c_size_t), ("front_faces", c_size_t), ("back_faces", c_size_t),
                 ("edge_on_faces", c_size_t), ("edges", c_size_t), ("surviving_edges", c_size_t), ("seams", c_size_t),
                 ("drawn_edges", c_size_t), ("tally", tally), ("view_time", time), ("grid_time", time),
-                ("hide_time", time), ("region_time", time), ("known_edge_count", c_size_t), ("known_edge", c_void_p)]
+                ("hide_time", time), ("region_time", time), ("known_edge_count", c_size_t), ("known_edge", c_void_p),
+                ("cut_count", c_size_t)]
 
 
 class hide_options(Structure):

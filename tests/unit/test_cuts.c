@@ -1,0 +1,141 @@
+/* test_cuts.c - the lines along which the near plane cuts bodies. The plane is z = 0, and lengths are true in it. */
+#include <stdio.h>
+
+#include "build_scene.h"
+#include "scenes.h"
+
+static const roberts_camera eye = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true, .near_distance = 10};
+
+/* Are the lines closed? Then as many of them begin as end at each point. */
+static bool are_closed(const roberts_drawing *d)
+{
+    bool closed = true;
+    for (size_t i = d->count; i < d->count + d->cut_count; i++) {
+        int balance = 0;
+        for (size_t k = d->count; k < d->count + d->cut_count; k++) {
+            const roberts_segment *s = &d->segment[k];
+            const roberts_vec2 p = d->segment[i].p1;
+            balance += (hypot(s->p0.x - p.x, s->p0.y - p.y) < 1e-9) - (hypot(s->p1.x - p.x, s->p1.y - p.y) < 1e-9);
+        }
+        closed = closed && balance == 0;
+    }
+    return closed;
+}
+
+/* The cuts of a scene: how many, their length, and the area to their left. */
+static void expect_cuts(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool unite,
+                        size_t count, double length, double area)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    options.unite = unite;
+    roberts_drawing d = drawing_of(scene, camera, &options);
+    double sum = 0.0, inside = 0.0;
+    for (size_t i = d.count; i < d.count + d.cut_count; i++) {
+        const roberts_segment *s = &d.segment[i];
+        assert_true(s->state == ROBERTS_VISIBLE && s->line == ROBERTS_OUTLINE && s->v0 == ROBERTS_NONE);
+        sum += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
+        inside += 0.5 * (s->p0.x * s->p1.y - s->p0.y * s->p1.x);
+    }
+    if (d.cut_count != count || fabs(sum - length) > 1e-9)
+        fail_msg("%s: %zu cuts, %.12g long, in place of %zu, %.12g", name, d.cut_count, sum, count, length);
+    if (area > 0.0 && (fabs(inside - area) > 1e-9 || !are_closed(&d)))
+        fail_msg("%s: the cuts go round %.12g in place of %.12g, or are open", name, inside, area);
+    roberts_drawing_free(&d);
+}
+
+/* Boxes from z = -1 to 1: the corners of their bases. */
+static const struct {
+    const char *name;
+    int boxes;
+    double box[3][4];
+    size_t count;
+    double length, area;
+    size_t united;
+    double united_length, united_area;
+} rows[] = {
+    {"one", 1, {{-1, -1, 1, 1}}, 4, 8, 4, 4, 8, 4},
+    {"apart", 2, {{-1, -1, 1, 1}, {2, 0, 3, 1}}, 8, 12, 5, 8, 12, 5},
+    {"flush", 2, {{0, 0, 1, 1}, {1, 0, 3, 1}}, 8, 10, 3, 6, 8, 3},
+    {"flush in part", 2, {{0, 0, 1, 3}, {1, 1, 3, 2}}, 8, 14, 5, 8, 12, 5},
+    {"through one another", 2, {{0, 0, 2, 2}, {1, 1, 3, 3}}, 8, 16, 8, 8, 12, 7},
+    {"one in the other", 2, {{0, 0, 3, 3}, {1, 1, 2, 2}}, 8, 16, 10, 4, 12, 9},
+    {"one in the other, flush", 2, {{0, 0, 3, 3}, {0, 1, 2, 2}}, 8, 18, 11, 4, 12, 9},
+    {"the same place", 2, {{0, 0, 3, 3}, {0, 0, 3, 3}}, 8, 24, 18, 4, 12, 9},
+    {"corner at corner", 2, {{0, 0, 1, 1}, {1, 1, 2, 2}}, 8, 8, 2, 8, 8, 2},
+    {"three in a row", 3, {{0, 0, 1, 1}, {1, 0, 2, 1}, {2, 0, 3, 1}}, 12, 12, 3, 8, 8, 3},
+};
+
+static void boxes_are_cut(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        model m = {0};
+        for (int k = 0; k < rows[i].boxes; k++)
+            model_box(&m, (roberts_vec3){rows[i].box[k][0], rows[i].box[k][1], -1},
+                      (roberts_vec3){rows[i].box[k][2], rows[i].box[k][3], 1});
+        roberts_scene *scene = model_build(&m);
+        expect_cuts(rows[i].name, scene, &eye, false, rows[i].count, rows[i].length, rows[i].area);
+        expect_cuts(rows[i].name, scene, &eye, true, rows[i].united, rows[i].united_length, rows[i].united_area);
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
+/* An L-block is one body that is not convex. The sides between the pieces of its cap are no lines. Without one of its
+ * walls it is open, and the cut has a gap. */
+static void other_bodies_are_cut(void **state)
+{
+    static const char *const walls[] = {"4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n", "4 5 0 6 11\n"};
+    (void)state;
+    for (int open = 0; open < 2; open++) {
+        char text[600];
+        size_t n = (size_t)sprintf(text, "OFF\n12 %d 0\n", 8 - open);
+        for (int z = -1; z <= 1; z += 2)
+            n += (size_t)sprintf(text + n, "0 0 %d\n3 0 %d\n3 1 %d\n1 1 %d\n1 2 %d\n0 2 %d\n", z, z, z, z, z, z);
+        sprintf(text + n, "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n%s%s", walls[0], open ? "" : walls[1]);
+        roberts_scene *scene = scene_of_text(text);
+        expect_cuts(open ? "open" : "L", scene, &eye, false, open ? 5 : 6, open ? 8 : 10, open ? 0 : 4);
+        expect_cuts(open ? "open" : "L", scene, &eye, true, open ? 5 : 6, open ? 8 : 10, open ? 0 : 4);
+        roberts_scene_free(scene);
+    }
+}
+
+/* The plane through the middle of a cube, across a diagonal, cuts it in a regular hexagon. */
+static void cube_is_cut_in_a_hexagon(void **state)
+{
+    const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {9, 9, 9}, .has_look_at = true,
+                                   .near_distance = 9 * sqrt(3)};
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    expect_cuts("hexagon", scene, &camera, false, 6, 6 * sqrt(2), 3 * sqrt(3));
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+/* A body that the plane does not cut has no cuts, even if one of its faces lies in it; nor has a view from afar. */
+static void what_is_whole_has_no_cuts(void **state)
+{
+    const roberts_camera far_away = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true};
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -1, -1}, (roberts_vec3){1, 1, 0});
+    model_box(&m, (roberts_vec3){2, -1, -1}, (roberts_vec3){3, 1, 1});
+    roberts_scene *scene = model_build(&m);
+    expect_cuts("face in the plane", scene, &eye, false, 4, 6, 2);
+    expect_cuts("far away", scene, &far_away, false, 0, 0, 0);
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(boxes_are_cut),
+        cmocka_unit_test(other_bodies_are_cut),
+        cmocka_unit_test(cube_is_cut_in_a_hexagon),
+        cmocka_unit_test(what_is_whole_has_no_cuts),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
