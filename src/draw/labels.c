@@ -37,8 +37,8 @@ static const double apart_heights = 0.75;
 
 /* Heights of letters (ISO 3098) that are tried if the usual height leaves too little room. */
 static const double smaller_mm[] = {2.5, 1.8};
-/* The largest fraction of the labels that may lie on lines before smaller letters are tried. */
-static const double most_on_lines = 0.05;
+/* The largest fraction of the labels that may be misplaced before smaller letters are tried. */
+static const double most_misplaced = 0.05;
 
 /* ---- where it goes ---- */
 
@@ -256,17 +256,23 @@ static size_t count_dropped(const label *l, size_t count)
     return dropped;
 }
 
-/* Is there room for all labels, and do nearly all of them lie on no line? */
-static bool have_room(const label *l, size_t count, const free_space *r)
+/* Does a label lie on a line, or seem to belong elsewhere? What is hidden is behind lines anyway. */
+static bool is_misplaced(const placing *p, const label *l)
 {
-    size_t on_lines = 0;
+    const space_box box = label_box(l, l->middle);
+    return space_load_of(p->room, &box, l->box, 0, ANYTHING).mm > 0.0 ||
+           (!l->of->is_back && is_elsewhere(p, l, &box, l->middle));
+}
+
+/* Is there room for all labels, and are nearly all of them in good places? */
+static bool have_room(const placing *p, const label *l, size_t count)
+{
+    size_t misplaced = 0;
     if (count_dropped(l, count) > 0)
         return false;
-    for (size_t i = 0; i < count; i++) {
-        const space_box box = label_box(&l[i], l[i].middle);
-        on_lines += space_load_of(r, &box, l[i].box, 0, ANYTHING).mm > 0.0;
-    }
-    return (double)on_lines <= most_on_lines * (double)count;
+    for (size_t i = 0; i < count; i++)
+        misplaced += is_misplaced(p, &l[i]);
+    return (double)misplaced <= most_misplaced * (double)count;
 }
 
 static void tell_dropped(const roberts_lettering *lettering, const label *l, size_t count)
@@ -383,7 +389,7 @@ bool labels_add(strokes *s, free_space *r)
     bool done = targets_find(s, targets_kinds(lettering), &t) && enter_vertices(&p, s, &t) &&
                 (list = alloc_array(t.count, sizeof *list)) != NULL &&
                 try_height(&p, strokes_text_height(s->options), s, &t, list, &count);
-    for (size_t i = 0; done && i < sizes && !have_room(list, count, r); i++) {
+    for (size_t i = 0; done && i < sizes && !have_room(&p, list, count); i++) {
         take_off(list, count, r);
         done = try_height(&p, smaller_mm[i], s, &t, list, &count);
     }
