@@ -152,8 +152,13 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"^view: {name}: a vector has three numbers, not 2$"):
                 roberts.view(**{"eye": (1, 2, 3)} if name == "look_at" else {}, **{name: (1, 2)})
         for name, value in (("light", (1, 2)), ("fill", (1, 2)), ("background", (0, 0, 256)), ("page", (1, 2, 3, 4)),
-                            ("pens", {"outline": {"color": (0.5, -1, 0)}}), ("id_prefix", "1"), ("id_prefix", "")):
+                            ("pens", {"outline": {"color": (0.5, -1, 0)}}), ("id_prefix", "1"), ("id_prefix", ""),
+                            ("background", "red")):
             with self.assertRaisesRegex(ValueError, f"^{name}: "):
+                scene.hide().svg(**{name: value})
+        for name, value in (("page", "a4"), ("scale", "1:2"), ("dpi", "fine"), ("light", "top"),
+                            ("pens", {"outline": {"width": "1 mm"}}), ("hatch", {"spacing_mm": "1"})):
+            with self.assertRaisesRegex(TypeError, f"^{name}: .*number"):
                 scene.hide().svg(**{name: value})
         self.assertIn('id="_a.1-', scene.hide().svg(id_prefix="_a.1-"))
         for odd in ({"fill": (256, 0, 0)}, {"background": (0, 0)}, {"pens": {"outline": {"color": (0, -1, 0)}}},

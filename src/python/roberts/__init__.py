@@ -99,31 +99,41 @@ class _Warned:
             _warnings.warn(message, RobertsWarning, stacklevel=4)
 
 
+def _set(struct: Any, name: str, value: Any, what: str) -> None:
+    """Sets a field; ctypes would not say which one has a wrong type."""
+    try:
+        setattr(struct, name, value)
+    except TypeError as why:
+        raise TypeError(f"{what}: {why}") from None
+
+
 def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
     """Sets fields of a struct by name."""
     names = {name for name, *_ in struct._fields_}
     for name, value in values.items():
         if name not in names:
             raise TypeError(f"{what}: there is no {name!r}")
-        setattr(struct, name, value)
+        _set(struct, name, value, f"{what}: {name}")
         if isinstance(value, int) and getattr(struct, name) != value:  # ctypes keeps the lowest bits
             raise ValueError(f"{what}: {name} is out of range")
 
 
 def _vector(values: Sequence[float], what: str) -> c.vec3:
     """Three numbers; ctypes would take fewer."""
-    part = [*values]
+    part, vector = [*values], c.vec3()
     if len(part) != 3:
         raise ValueError(f"{what}: a vector has three numbers, not {len(part)}")
-    return c.vec3(*part)
+    for name, value in zip("xyz", part):
+        _set(vector, name, value, what)
+    return vector
 
 
 def _color(values: Sequence[int], what: str) -> tuple[int, int, int]:
-    """Red, green and blue; ctypes would keep the lowest bits of numbers beyond 255."""
-    part = [*values]
-    if len(part) != 3 or not all(0 <= one <= 255 for one in part):
-        raise ValueError(f"{what}: a colour has three numbers from 0 to 255")
-    red, green, blue = bytes(part)
+    """Red, green and blue, as bytes: ctypes would keep the lowest bits of numbers beyond 255."""
+    try:
+        red, green, blue = bytes([*values])
+    except (TypeError, ValueError):
+        raise ValueError(f"{what}: a colour has three numbers from 0 to 255") from None
     return red, green, blue
 
 
@@ -581,7 +591,7 @@ class _Page:
             o.column[i] = _choice(_COLUMNS, name, "columns")
         for name in ("dpi", "real_dashes", "number_layers"):
             if name in given:
-                setattr(o, name, given.pop(name))
+                _set(o, name, given.pop(name), name)
         if given:
             raise TypeError(f"there is no option {next(iter(given))!r}")
 
@@ -600,9 +610,10 @@ class _Page:
             page = [*given.pop("page")]
             if not 2 <= len(page) <= 3:
                 raise ValueError("page: it is (width, height) or (width, height, margin)")
-            o.page = c.page(*[*page, o.page.margin_mm][:3])
+            for name, value in zip(("width_mm", "height_mm", "margin_mm"), page):
+                _set(o.page, name, value, "page")
         if "scale" in given:
-            o.placement.scale = given.pop("scale")
+            _set(o.placement, "scale", given.pop("scale"), "scale")
         for name, values in given.pop("pens", {}).items():
             pen = getattr(o, _choice(_PENS, name, "pens"))
             values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
