@@ -757,11 +757,12 @@ static const option rows[] = {
      TO(draw.lettering.height_mm),
      RANGE(0.5, 100),
      .brief = "height of capitals",
-     .help = "height of the capitals (default: 3.5; labels 2.5 or 1.8 where they would lie on lines or on one another)",
+     .help = "height of the capitals (default: 3.5; labels 2.5 or 1.8 where there is little room)",
      .manual =
          "How high capitals are. Default: 3.5, which goes with the pen of 0.25 mm (ISO 3098, type A). Labels are "
-         "2.5 or 1.8 high if this size leaves no room for all of them, or if more than one in twenty would lie on "
-         "a line, nearer to another vertex or behind another line."},
+         "2.5 or 1.8 high if the drawing would lose a quarter of its size to them, if there is no room for all of "
+         "them, or if more than one in twenty would lie on a line, nearer to another vertex or behind another "
+         "line."},
     {.group = GROUP_TEXT,
      .name = "text",
      .flags = OPTION_DRAWS | OPTION_PAPER,

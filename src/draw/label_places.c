@@ -27,10 +27,19 @@ void placing_set_height(placing *p, const strokes *s, double height)
     p->gap = text_gap(s, height);
 }
 
+double label_smaller_height(const roberts_draw_options *options, double height)
+{
+    static const double smaller_mm[] = {2.5, 1.8};
+    for (size_t i = 0; i < sizeof smaller_mm / sizeof smaller_mm[0] && options->lettering.height_mm == 0.0; i++)
+        if (smaller_mm[i] < height)
+            return smaller_mm[i];
+    return 0.0;
+}
+
 placing placing_of(const strokes *s)
 {
     placing p = {0};
-    placing_set_height(&p, s, strokes_text_height(s->options));
+    placing_set_height(&p, s, s->label_mm);
     for (int i = 0; i < VERTEX_SIDES; i++)
         p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);
     return p;
@@ -244,52 +253,64 @@ static void ends_within(const extent *e, size_t count, double part, double room,
     ends[1] = high + kept * (ends[1] - high);
 }
 
-/* Widens the box by the labels. `map` is that of the drawing without them. */
-static void widen_box(extent *along[2], size_t count, const strokes *s, const roberts_page *page, roberts_vec2 *min,
-                      roberts_vec2 *max)
+/* The extents of a drawing, and of its labels with letters of p->height; along both axes. Returns how many. */
+static size_t find_extents(extent *along[2], const placing *p, const strokes *s, const targets *t, label *list,
+                           const roberts_vec2 box[2])
 {
     const page_map *map = &s->view[0].map;
-    const double scale = page_scale(map), wide = page->width_mm - 2.0 * page->margin_mm,
-                 high = page->height_mm - 2.0 * page->margin_mm;
+    const roberts_vec2 a = page_place(map, box[0]), b = page_place(map, box[1]);
+    along[0][0] = (extent){a.x - map->page_mm.x, 0.0, 0.0};
+    along[0][1] = (extent){b.x - map->page_mm.x, 0.0, 0.0};
+    along[1][0] = (extent){b.y - map->page_mm.y, 0.0, 0.0}; /* y is down on the page */
+    along[1][1] = (extent){a.y - map->page_mm.y, 0.0, 0.0};
+    size_t count = 2;
+    for (size_t i = 0, labels = labels_make(p, s, t, list); i < labels; i++)
+        add_extents(along, &count, p, &list[i], map->page_mm);
+    return count;
+}
+
+/* Widens the box by the labels, so that a drawing of `part` of its size fits into `room`. */
+static void widen_box(extent *along[2], size_t count, const page_map *map, double part, roberts_vec2 room,
+                      roberts_vec2 *min, roberts_vec2 *max)
+{
     double x[2], y[2];
-    const double wanted = page_wanted_scale(&s->options->placement, scale);
-    /* labels are not worth a step of the standard scales */
-    const double part =
-        wanted > 0.0 ? wanted / scale : largest_part(along[1], count, largest_part(along[0], count, 1.0, wide), high);
-    ends_within(along[0], count, part, wide, x);
-    ends_within(along[1], count, part, high, y);
+    ends_within(along[0], count, part, room.x, x);
+    ends_within(along[1], count, part, room.y, y);
     const double unit = map->half / (part * map->half_mm); /* model units per mm */
     *min = (roberts_vec2){map->centre.x + x[0] * unit, map->centre.y - y[1] * unit};
     *max = (roberts_vec2){map->centre.x + x[1] * unit, map->centre.y - y[0] * unit};
 }
 
 bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
-                      roberts_vec2 *min, roberts_vec2 *max)
+                      roberts_vec2 *min, roberts_vec2 *max, double *height)
 {
     const unsigned kinds = targets_kinds(&options->lettering) & beside_kinds;
-    strokes s = {.options = options, .views = 1};
+    const roberts_vec2 box[2] = {*min, *max},
+                       room = {page->width_mm - 2.0 * page->margin_mm, page->height_mm - 2.0 * page->margin_mm};
+    strokes s = {.options = options, .views = 1, .label_mm = *height};
     targets t = {0};
     if (!kinds)
         return true;
     s.view[0] = (page_view){.drawing = drawing, .map = page_fit(page, *min, *max)};
-    const page_map *map = &s.view[0].map;
+    const double scale = page_scale(&s.view[0].map), wanted = page_wanted_scale(&options->placement, scale);
     placing p = placing_of(&s);
     bool done = targets_find(&s, kinds, &t);
     label *list = done ? alloc_array(t.count, sizeof *list) : NULL;
     extent *e = done ? alloc_array(4 * (t.count + 1), sizeof *e) : NULL; /* two places at most, along two axes */
-    if (list && e) {
-        extent *along[2] = {e, e + 2 * (t.count + 1)};
-        const roberts_vec2 a = page_place(map, *min), b = page_place(map, *max);
-        along[0][0] = (extent){a.x - map->page_mm.x, 0.0, 0.0};
-        along[0][1] = (extent){b.x - map->page_mm.x, 0.0, 0.0};
-        along[1][0] = (extent){b.y - map->page_mm.y, 0.0, 0.0}; /* y is down on the page */
-        along[1][1] = (extent){a.y - map->page_mm.y, 0.0, 0.0};
-        size_t count = 2;
-        for (size_t i = 0, labels = labels_make(&p, &s, &t, list); i < labels; i++)
-            add_extents(along, &count, &p, &list[i], map->page_mm);
-        widen_box(along, count, &s, page, min, max);
-    }
+    double next = *height;
     done = list && e;
+    while (done && next > 0.0) {
+        extent *along[2] = {e, e + 2 * (t.count + 1)};
+        *height = next;
+        placing_set_height(&p, &s, *height);
+        const size_t count = find_extents(along, &p, &s, &t, list, box);
+        /* labels are not worth a step of the standard scales */
+        const double part = wanted > 0.0
+                                ? wanted / scale
+                                : largest_part(along[1], count, largest_part(along[0], count, 1.0, room.x), room.y);
+        widen_box(along, count, &s.view[0].map, part, room, min, max);
+        next = wanted > 0.0 || part >= labels_roomy ? 0.0 : label_smaller_height(options, *height);
+    }
     free(list);
     free(e);
     free(t.item);

@@ -36,7 +36,10 @@ typedef struct placing {
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;
 
-/* Data for letters of the usual height; `room` and `vertices` are not set. placing_set_height() changes the height. */
+/* The next smaller height of letters (ISO 3098) to try, mm; 0: there is none, or the options give the height. */
+double label_smaller_height(const roberts_draw_options *options, double height);
+
+/* Data for letters of s->label_mm; `room` and `vertices` are not set. placing_set_height() changes the height. */
 placing placing_of(const strokes *s);
 void placing_set_height(placing *p, const strokes *s, double height);
 
@@ -65,14 +68,17 @@ roberts_vec2 label_leader_place(const placing *p, const label *l, size_t i, robe
 /* Whether there are labels of vertices or edges, which stand beside these. */
 bool labels_stand_beside(const roberts_draw_options *options);
 
-/* Makes room for labels beside a drawing that is to be fitted into the margins of `page`: widens its box from `min` to
- * `max` so that, once this box is fitted, labels of vertices and edges have room in their best places. False: no
- * memory. */
-bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
-                      roberts_vec2 *min, roberts_vec2 *max);
+/* Letters are made smaller before labels make a drawing smaller than this part of its size without them. */
+static const double labels_roomy = 0.75;
 
-/* Enlarges `reach` by the labels of vertices and edges in their best places, on a sheet that has been laid out. False:
- * no memory. */
+/* Makes room for labels beside a drawing that is to be fitted into the margins of `page`: widens its box from `min` to
+ * `max` so that, once this box is fitted, labels of vertices and edges have room in their best places. `*height` is
+ * that of the letters, mm, and is made smaller if the drawing would be too small. False: no memory. */
+bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
+                      roberts_vec2 *min, roberts_vec2 *max, double *height);
+
+/* Enlarges `reach` by the labels of vertices and edges in their best places, with letters of s->label_mm, on a sheet
+ * that has been laid out. False: no memory. */
 bool labels_add_reach(const strokes *s, sheet_reach *reach);
 
 /* How far from the window of a drawing labels may reach where all pictures of a series have one window, mm; 0: there

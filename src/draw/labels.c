@@ -35,8 +35,6 @@ static const double on_label = 20.0; /* for a place on another label: then one o
 /* Heights of letters: places whose boxes are no farther apart read like two lines of one text, or like two words. */
 static const double apart_heights = 0.75;
 
-/* Heights of letters (ISO 3098) that are tried if the usual height leaves too little room. */
-static const double smaller_mm[] = {2.5, 1.8};
 /* The largest fraction of the labels that may be misplaced before smaller letters are tried. */
 static const double most_misplaced = 0.05;
 
@@ -380,18 +378,18 @@ static bool enter_vertices(placing *p, const strokes *s, targets *t)
 bool labels_add(strokes *s, free_space *r)
 {
     const roberts_lettering *lettering = &s->options->lettering;
-    const size_t sizes = lettering->height_mm > 0.0 ? 0 : sizeof smaller_mm / sizeof smaller_mm[0];
     placing p = placing_of(s);
     targets t = {0};
     label *list = NULL;
     size_t count = 0;
     p.room = r;
     bool done = targets_find(s, targets_kinds(lettering), &t) && enter_vertices(&p, s, &t) &&
-                (list = alloc_array(t.count, sizeof *list)) != NULL &&
-                try_height(&p, strokes_text_height(s->options), s, &t, list, &count);
-    for (size_t i = 0; done && i < sizes && !have_room(&p, list, count); i++) {
+                (list = alloc_array(t.count, sizeof *list)) != NULL && try_height(&p, s->label_mm, s, &t, list, &count);
+    double smaller = label_smaller_height(s->options, s->label_mm);
+    while (done && smaller > 0.0 && !have_room(&p, list, count)) {
         take_off(list, count, r);
-        done = try_height(&p, smaller_mm[i], s, &t, list, &count);
+        done = try_height(&p, smaller, s, &t, list, &count);
+        smaller = label_smaller_height(s->options, smaller);
     }
     if (done)
         tell_dropped(lettering, list, count);

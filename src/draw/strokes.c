@@ -573,6 +573,7 @@ static strokes nothing_drawn(const roberts_draw_options *options)
     return (strokes){.options = options,
                      .units_per_mm = units_per_mm,
                      .thousandths = (int32_t)(1000.0 / units_per_mm + 0.5),
+                     .label_mm = targets_kinds(&options->lettering) ? strokes_text_height(options) : 0.0,
                      .frame_mm = {{page->margin_mm, page->margin_mm},
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
@@ -662,7 +663,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         roberts_page_shape(&page, &shaped.window_min, &shaped.window_max);
     find_box(&shaped, options, &min, &max);
     if (!drawing->framed && !drawing->windowed && options->placement.scale == 0.0 &&
-        !labels_make_room(drawing, options, &page, &min, &max))
+        !labels_make_room(drawing, options, &page, &min, &max, &s->label_mm))
         return error_no_memory(error);
     if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
@@ -777,40 +778,67 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
     return status;
 }
 
-/* Enlarges the reach by labels that belong beside their vertices and edges, if there is room for that. */
-static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts_draw_options *options,
-                                       sheet_reach *reach, roberts_error *error)
+/* Tries labels that belong beside their vertices and edges, with letters of that height. `*part` is the part of its
+ * size that the sheet would have with the reach that is `wanted` then; 0: it would have no room. */
+static roberts_status try_label_reach(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                      const sheet_reach *reach, double height, sheet_reach *wanted, double *part,
+                                      roberts_error *error)
 {
-    roberts_draw_options quiet = *options;
-    sheet_reach wanted = *reach;
     strokes s;
-    quiet.lettering.warnings = (roberts_warnings){0};
-    roberts_status status = lay_sheet(&s, sheet, &quiet, reach, error);
+    roberts_status status = lay_sheet(&s, sheet, options, reach, error);
     const double scale = status == ROBERTS_OK ? page_scale(&s.map) : 0.0;
-    if (status == ROBERTS_OK && !labels_add_reach(&s, &wanted))
+    *wanted = *reach;
+    *part = 0.0;
+    s.label_mm = height;
+    if (status == ROBERTS_OK && !labels_add_reach(&s, wanted))
         status = error_no_memory(error);
     strokes_free(&s);
     if (status != ROBERTS_OK)
         return status;
-    status = lay_sheet(&s, sheet, &quiet, &wanted, NULL);
-    if (status == ROBERTS_OK && page_scale(&s.map) > (1.0 + 1e-9) * least_for_labels * scale)
-        *reach = wanted;
+    status = lay_sheet(&s, sheet, options, wanted, NULL);
+    if (status == ROBERTS_OK)
+        *part = page_scale(&s.map) / scale;
     strokes_free(&s);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : ROBERTS_OK;
+}
+
+/* Enlarges the reach by labels that belong beside their vertices and edges, if there is room for that; with smaller
+ * letters if that leaves the views much larger. */
+static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts_draw_options *options,
+                                       sheet_reach *reach, double *height, roberts_error *error)
+{
+    roberts_draw_options quiet = *options;
+    const sheet_reach without = *reach;
+    double part = 0.0, next = *height;
+    roberts_status status = ROBERTS_OK;
+    quiet.lettering.warnings = (roberts_warnings){0};
+    while (next > 0.0 && part < labels_roomy && status == ROBERTS_OK) {
+        sheet_reach wanted;
+        status = try_label_reach(sheet, &quiet, &without, next, &wanted, &part, error);
+        if (status == ROBERTS_OK && part > (1.0 + 1e-9) * least_for_labels) {
+            *reach = wanted;
+            *height = next;
+        }
+        next = label_smaller_height(options, next);
+    }
+    return status;
 }
 
 roberts_status strokes_make_sheet(strokes *s, const roberts_sheet *sheet, const roberts_draw_options *options,
                                   roberts_error *error)
 {
     sheet_reach reach = {0};
+    double height = strokes_text_height(options);
     roberts_status status = ROBERTS_OK;
     *s = (strokes){0};
     if (options->lettering.distance_count > 0)
         status = find_reach(sheet, options, &reach, error);
     if (status == ROBERTS_OK && labels_stand_beside(options) && options->placement.scale == 0.0)
-        status = find_label_reach(sheet, options, &reach, error);
+        status = find_label_reach(sheet, options, &reach, &height, error);
     if (status == ROBERTS_OK)
         status = lay_sheet(s, sheet, options, &reach, error);
+    if (s->label_mm > 0.0)
+        s->label_mm = height;
     return status == ROBERTS_OK ? draw(s, error) : status;
 }
 

@@ -57,7 +57,7 @@ typedef struct strokes {
     notes notes;
     space_box *taken; /* [taken_count] boxes of text, and of the title block: further text and hatching avoid them */
     size_t taken_count, taken_room;
-    double label_mm; /* height of the letters of labels; 0: there are none */
+    double label_mm; /* height of the letters of labels, or what is to be tried; 0: there are none */
     fills fills;     /* below all lines */
     polylines lines;
     size_t start[LINE_CLASSES + 1]; /* class line_order[i] has the polylines start[i] .. start[i + 1] - 1 */

@@ -207,6 +207,64 @@ static void sheet_with_its_labels(void **state)
     free_views(&v);
 }
 
+/* Drawings and sheets are not much smaller for their labels: on small pages these have smaller letters, unless their
+ * height is given. */
+static void small_pages(void **state)
+{
+    static const struct {
+        unsigned labels;
+        double side_mm, given_mm, height_mm, part; /* `part`: the least of its size without labels */
+    } row[] = {{ROBERTS_LABEL_VERTICES, 60, 0.0, 3.5, 0.75},
+               {ROBERTS_LABEL_EDGES, 60, 0.0, 2.5, 0.75},
+               {ROBERTS_LABEL_EDGES, 60, 3.5, 3.5, 0.5},
+               {ROBERTS_LABEL_EDGES, 45, 0.0, 1.8, 0.75},
+               {ROBERTS_LABEL_EDGES, 80, 0.0, 3.5, 0.75}};
+    roberts_drawing drawing = model_drawing("platonic/cube", "trimetric");
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        strokes s;
+        options.page = (roberts_page){row[i].side_mm, row[i].side_mm, 3.0};
+        options.lettering.height_mm = row[i].given_mm;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        const double without = page_scale(&s.map);
+        strokes_free(&s);
+        options.lettering.labels = row[i].labels;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        assert_float_equal(s.label_mm, row[i].height_mm, 0.0);
+        assert_true(page_scale(&s.map) >= row[i].part * without);
+        strokes_free(&s);
+    }
+    roberts_drawing_free(&drawing);
+}
+
+/* The same on a sheet. */
+static void small_sheets(void **state)
+{
+    static const struct {
+        double side_mm, height_mm;
+    } row[] = {{60, 2.5}, {100, 3.5}};
+    views v;
+    (void)state;
+    hide_views(&v, "platonic/cube", ROBERTS_FIRST_ANGLE);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        strokes s;
+        options.page = (roberts_page){row[i].side_mm, row[i].side_mm, 3.0};
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        const double without = page_scale(&s.map);
+        strokes_free(&s);
+        options.lettering.labels = ROBERTS_LABEL_VERTICES;
+        assert_int_equal(strokes_make_sheet(&s, &v.sheet, &options, NULL), ROBERTS_OK);
+        assert_float_equal(s.label_mm, row[i].height_mm, 0.0);
+        assert_true(page_scale(&s.map) >= 0.75 * without);
+        strokes_free(&s);
+    }
+    free_views(&v);
+}
+
 /* If there is little room, labels are left out and counted; the others lie apart. */
 static void models_from_a4_to_a0(void **state)
 {
@@ -668,6 +726,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(all_of_a_dodecahedron),
                                        cmocka_unit_test(margins_at_a_scale),
+                                       cmocka_unit_test(small_pages),
+                                       cmocka_unit_test(small_sheets),
                                        cmocka_unit_test(models_from_a4_to_a0),
                                        cmocka_unit_test(letters_fit_the_room),
                                        cmocka_unit_test(wide_names),
