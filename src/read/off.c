@@ -214,6 +214,13 @@ static roberts_status dimension(reader *r)
     uint64_t dimension;
     if (!input_skip(&r->in) || !input_integer(&r->in, &dimension))
         return read_expected(r, ROBERTS_BAD_SYNTAX, "the dimension");
+    const size_t line = r->in.line;
+    const bool is_dxf = dimension == 0 && input_skip(&r->in) && input_at_word(&r->in, "section");
+    r->in.line = line;
+    if (is_dxf)
+        return read_fail(r, ROBERTS_BAD_SYNTAX,
+                         "this is DXF, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export "
+                         "model.dxf model.stl");
     if (dimension != 3)
         return read_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
                          (unsigned long long)dimension);

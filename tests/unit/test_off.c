@@ -313,6 +313,9 @@ static const struct {
      "this is compressed by zstd (as Blender's files are), but only OFF, STL, OBJ and PLY can be read; to convert it: "
      "blender -b model.blend --python-expr \"import bpy; bpy.ops.wm.obj_export(filepath='model.obj', forward_axis='Y', "
      "up_axis='Z')\""},
+    {"DXF", "  0\r\nSECTION\r\n  2\r\nENTITIES\r\n", ROBERTS_BAD_SYNTAX, 1,
+     "this is DXF, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.dxf model.stl"},
+    {"dimension 0", "0\n4 4 6\n", ROBERTS_BAD_SYNTAX, 1, "the dimension is 0, but only 3 can be drawn"},
     {"VRML", "#VRML V2.0 utf8\n", ROBERTS_BAD_SYNTAX, 1, "this is VRML, but only OFF, STL, OBJ and PLY can be read"},
     {"FBX", "Kaydara FBX Binary", ROBERTS_BAD_SYNTAX, 1,
      "this is FBX, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export model.fbx model.stl"},
