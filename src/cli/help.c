@@ -36,9 +36,10 @@ static const char closing[] =
 
 /* ---- --help ---- */
 
-/* Words with lines broken between them; `column` is where the text begins. */
-static void print_wrapped(FILE *file, const char *text, size_t column)
+/* Words with lines broken between them. The text begins at column INDENT. */
+static void print_wrapped(FILE *file, const char *text)
 {
+    size_t column = INDENT;
     for (bool first = true; *text; first = false) {
         const size_t length = strcspn(text, " ");
         const bool breaks = !first && column + 1 + length > WIDTH;
@@ -65,7 +66,7 @@ static void print_option(FILE *file, const option *o)
         fprintf(file, "%-*s", INDENT, name);
     else
         fprintf(file, "%s\n%*s", name, INDENT, "");
-    print_wrapped(file, o->help, INDENT);
+    print_wrapped(file, o->help);
 }
 
 void help_print(FILE *file, const option_table *table)
@@ -177,10 +178,10 @@ void help_print_manual(FILE *file, const option_table *table)
 
 /* ---- completions ---- */
 
-static void print_words(FILE *file, const option *o, const char *separator)
+static void print_words(FILE *file, const option *o)
 {
     for (size_t i = 0; o->words[i]; i++)
-        fprintf(file, "%s%s%s", i ? separator : "", o->words[i], o->flags & OPTION_COLON ? ":" : "");
+        fprintf(file, "%s%s%s", i ? " " : "", o->words[i], o->flags & OPTION_COLON ? ":" : "");
 }
 
 /* One branch of a case: the completions of the option's value. */
@@ -194,7 +195,7 @@ static void print_bash_option(FILE *file, const option *o)
     fprintf(file, "--%s=) ", o->name);
     if (o->words) {
         fputs("_roberts_words \"$2\" ", file);
-        print_words(file, o, " ");
+        print_words(file, o);
         fputs(o->flags & OPTION_COLON ? "; compopt +o filenames -o nospace 2>/dev/null ;;\n" : " ;;\n", file);
     } else if (o->flags & (OPTION_FILE | OPTION_FOLDER))
         fprintf(file, "_roberts_names -%c \"$2\" ;;\n", o->flags & OPTION_FILE ? 'f' : 'd');
@@ -292,7 +293,7 @@ void help_print_fish(FILE *file, const option_table *table)
             fputs(" -x", file);
         if (o->words && !(o->flags & OPTION_OPTIONAL)) {
             fputs(" -a '", file);
-            print_words(file, o, " ");
+            print_words(file, o);
             fputs("'", file);
         }
         fprintf(file, " -d '%c%s'\n", toupper((unsigned char)o->brief[0]), o->brief + 1);

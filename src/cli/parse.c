@@ -92,11 +92,11 @@ const char *parse_word(const char *text, char end, char *word, size_t size, bool
     return stop ? stop + 1 : NULL;
 }
 
-bool parse_pair(const char *value, char sign, double *a, double *b)
+bool parse_ratio(const char *value, double *a, double *b)
 {
     char word[64];
     bool fits;
-    const char *second = parse_word(value, sign, word, sizeof word, &fits);
+    const char *second = parse_word(value, ':', word, sizeof word, &fits);
     return second && fits && parse_number(word, a) && parse_number(second, b);
 }
 

@@ -17,8 +17,8 @@ bool parse_integer(const char *text, uint32_t *number);
 /* `count` numbers with commas between them. */
 bool parse_numbers(const char *text, double *number, size_t count);
 
-/* Two numbers with `sign` between them. */
-bool parse_pair(const char *text, char sign, double *a, double *b);
+/* Two numbers with a colon between them. */
+bool parse_ratio(const char *text, double *a, double *b);
 
 /* A number of mm, or one followed by mm, cm, in or pt (1/72 inch). */
 bool parse_length(const char *text, double *mm);

@@ -267,7 +267,7 @@ int values_set_scale(const option *o, const char *value, cli_options *options)
     placement->scale = 0.0;
     if (placement->standard)
         return EXIT_DONE;
-    if (!parse_pair(value, ':', &a, &b) && !parse_number(value, &a))
+    if (!parse_ratio(value, &a, &b) && !parse_number(value, &a))
         return message_misuse("--scale: \"%s\" is not like 1:20, 2:1 or 0.05, nor standard%s", value,
                               point_meant(value));
     if (!(a > 0.0 && b > 0.0 && a / b >= 1e-12 && a / b <= 1e12))

@@ -251,7 +251,7 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
         roberts_camera camera;
         roberts_vec3 p[2];
         roberts_sheet_camera(s->sheet->angle, s->view[i].place, &camera);
-        roberts_status status = view_map_points(s->options->scene, &camera, end, 2, p, error);
+        roberts_status status = view_map_ends(s->options->scene, &camera, end, p, error);
         if (status != ROBERTS_OK)
             return status;
         const roberts_vec3 a = p[0], b = p[1];
@@ -428,7 +428,7 @@ static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bo
         if (view->place != ROBERTS_SHEET_FRONT && view->place != ROBERTS_SHEET_SIDE)
             continue;
         roberts_sheet_camera(s->sheet->angle, view->place, &camera);
-        roberts_status status = view_map_points(s->options->scene, &camera, end, 2, p, error);
+        roberts_status status = view_map_ends(s->options->scene, &camera, end, p, error);
         if (status != ROBERTS_OK)
             return status;
         const roberts_vec3 d = vec3_sub(p[1], p[0]);

@@ -143,12 +143,12 @@ bool view_find_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 
     return false;
 }
 
-roberts_status view_map_points(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P,
-                               size_t count, roberts_vec3 *out, roberts_error *error)
+roberts_status view_map_ends(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 end[2],
+                             roberts_vec3 out[2], roberts_error *error)
 {
     view v;
     roberts_status status = view_prepare(&v, scene, camera, 0.0, error);
-    for (size_t i = 0; i < count && status == ROBERTS_OK; i++)
-        out[i] = vec3_scale(v.unit, view_point(&v, P[i]));
+    for (int i = 0; i < 2 && status == ROBERTS_OK; i++)
+        out[i] = vec3_scale(v.unit, view_point(&v, end[i]));
     return status;
 }

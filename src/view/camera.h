@@ -9,8 +9,8 @@
  * counts. */
 bool view_find_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point);
 
-/* Maps `count` points of the model to the picture, in model units, z toward the viewer. Returns as view_prepare(). */
-roberts_status view_map_points(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P,
-                               size_t count, roberts_vec3 *out, roberts_error *error);
+/* Maps two points of the model to the picture, in model units, z toward the viewer. Returns as view_prepare(). */
+roberts_status view_map_ends(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 end[2],
+                             roberts_vec3 out[2], roberts_error *error);
 
 #endif

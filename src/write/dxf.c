@@ -278,12 +278,12 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
 /* What is not ASCII is written as \U+00E9, beyond 16 bits as two of these. A byte that is not UTF-8, or a control
  * character, becomes a question mark. Two percent signs would begin a special character; three mean one percent
  * sign. */
-static void write_string(output *out, uint32_t code, const char *text)
+static void write_string(output *out, const char *text)
 {
     size_t length;
     char escaped[20];
     const bool percents = strstr(text, "%%") != NULL;
-    write_code(out, code);
+    write_code(out, 1);
     for (; *text; text += length) {
         const uint32_t c = letters_decode(text, &length);
         if (c >= 0x10000)
@@ -314,7 +314,7 @@ static void write_texts(dxf *p, roberts_line class)
         begin_entity(p, "TEXT");
         write_point(p, 10, at);
         write_mm(p->out, 40, line.height_mm);
-        write_string(p->out, 1, line.text);
+        write_string(p->out, line.text);
         if (text_degrees(&line) != 0.0)
             write_mm(p->out, 50, text_degrees(&line));
         if (aligned > 0) {
