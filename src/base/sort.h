@@ -1,4 +1,4 @@
-/* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort().
+/* sort.h - sorting: insertion sort, radix sort, and comparison functions for qsort(); searches in what is sorted.
  *
  * For few or nearly sorted items: SORT_FEW(). For many short lists: SORT_LIST(), sort_short_list() if they are of
  * 64-bit numbers, or sort_keyed() if items have 64-bit keys. For many items with 32-bit keys: radix_order(). For all
@@ -72,23 +72,6 @@ static inline uint32_t sort_starts(uint32_t *number, size_t keys)
  * the key k. Takes linear time. False: no memory. Free *start, [keys + 2], and *order, [count], in any case. */
 bool sort_buckets(const uint32_t *key, size_t count, size_t keys, uint32_t **start, uint32_t **order);
 
-/* Finds the first of `count` items of `size` bytes with at least `number` as its key; `count`: none. Each item begins
- * with its key, a uint32_t, and keys ascend. */
-static inline size_t find_numbered(const void *items, size_t count, size_t size, uint32_t number)
-{
-    size_t low = 0;
-    while (low < count) {
-        size_t middle = low + (count - low) / 2;
-        uint32_t here;
-        memcpy(&here, (const char *)items + middle * size, sizeof here);
-        if (here < number)
-            low = middle + 1;
-        else
-            count = middle;
-    }
-    return low;
-}
-
 /* Compares two uint64_t, for qsort(). */
 static inline int compare_u64(const void *a, const void *b)
 {
@@ -120,6 +103,28 @@ static inline int compare_u32(const void *a, const void *b)
     memcpy(&x, a, sizeof x);
     memcpy(&y, b, sizeof y);
     return (x > y) - (x < y);
+}
+
+/* Finds the first of `count` items of `size` bytes that does not come before *key; `count`: none. The items are sorted
+ * by `compare`. */
+static inline size_t find_first(const void *key, const void *items, size_t count, size_t size,
+                                int (*compare)(const void *, const void *))
+{
+    size_t low = 0;
+    while (low < count) {
+        const size_t middle = low + (count - low) / 2;
+        if (compare((const char *)items + middle * size, key) < 0)
+            low = middle + 1;
+        else
+            count = middle;
+    }
+    return low;
+}
+
+/* The same for items that begin with their key, a uint32_t. */
+static inline size_t find_numbered(const void *items, size_t count, size_t size, uint32_t number)
+{
+    return find_first(&number, items, count, size, compare_u32);
 }
 
 /* Compares two pairs of numbers: by the first ones, then by the second ones. */

@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "draw/shade.h"
 #include "draw/strokes.h"
@@ -251,18 +252,10 @@ static int compare_starts(const void *pa, const void *pb)
 }
 
 /* The first side of a key that begins at a point or behind it. */
-static size_t first_from(const side_list *sides, const fill_side *key)
+static size_t first_from(const side_list *sides, page_point a, uint64_t key)
 {
-    size_t low = 0, high = sides->count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        const fill_side *at = &sides->item[middle];
-        if (at->key < key->key || (at->key == key->key && compare_points(at->a, key->a) < 0))
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
+    const fill_side least = {.a = a, .b = {INT32_MIN, INT32_MIN}, .key = key};
+    return find_first(&least, sides->item, sides->count, sizeof *sides->item, compare_starts);
 }
 
 /* Whether d comes before e, turning clockwise on the paper from the direction back along the line. */
@@ -280,10 +273,9 @@ static bool turns_sooner(page_point from, page_point at, page_point d, page_poin
  * is none. */
 static size_t next_side(const side_list *sides, const fill_side *from)
 {
-    const fill_side key = {.a = from->b, .key = from->key};
     size_t found = SIZE_MAX;
-    for (size_t i = first_from(sides, &key);
-         i < sides->count && sides->item[i].key == key.key && page_is_same(sides->item[i].a, key.a); i++)
+    for (size_t i = first_from(sides, from->b, from->key);
+         i < sides->count && sides->item[i].key == from->key && page_is_same(sides->item[i].a, from->b); i++)
         if (!sides->item[i].done &&
             (found == SIZE_MAX || turns_sooner(from->a, from->b, sides->item[i].b, sides->item[found].b)))
             found = i;
@@ -293,8 +285,7 @@ static size_t next_side(const side_list *sides, const fill_side *from)
 /* Where the other direction of a seam is in the list. */
 static size_t reverse_of(const side_list *sides, const fill_side *side)
 {
-    const fill_side key = {.a = side->b, .key = side->key};
-    size_t i = first_from(sides, &key);
+    size_t i = first_from(sides, side->b, side->key);
     while (sides->item[i].done || !page_is_same(sides->item[i].b, side->a))
         i++;
     return i;

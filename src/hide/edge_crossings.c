@@ -123,26 +123,13 @@ static size_t drop_doubles(crossing_touch *touch, size_t count)
     return to;
 }
 
-/* The first touch whose faces are these or come after them. */
-static size_t first_touch(const edge_finder *e, uint32_t f, uint32_t g)
-{
-    const uint32_t key[2] = {f, g};
-    size_t low = 0, high = e->touch_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (compare_pairs(e->touch[middle].face, key) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Pairs an edge that is left out with all faces touched by one of its faces, which is given by its first piece. */
 static bool list_touches(edge_finder *e, uint32_t body, uint32_t edge, uint32_t first)
 {
     const roberts_scene *scene = e->fronts->scene;
-    for (size_t k = first_touch(e, first, 0); k < e->touch_count && e->touch[k].face[0] == first; k++) {
+    const crossing_touch least = {.face = {first, 0}};
+    size_t k = find_first(&least, e->touch, e->touch_count, sizeof *e->touch, compare_touches);
+    for (; k < e->touch_count && e->touch[k].face[0] == first; k++) {
         const crossing_touch *t = &e->touch[k];
         if (t->body[1] == body && has_face(scene, body, edge, t->face[1]))
             continue;

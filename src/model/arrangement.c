@@ -12,6 +12,7 @@
 #include "base/array.h"
 #include "base/orient.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "model/face_pieces.h"
 
 /* Sweeps of one face. From FIRST_WIDER on, the merging distance of nodes doubles with each sweep, which forces an
@@ -75,15 +76,8 @@ static double sort_extents(const face_pieces *f, const border *b, int axis, exte
     if (b->count > 1)
         qsort(item, b->count, sizeof *item, compare_extents);
     for (size_t i = 0; i < b->count; i++) {
-        size_t low = i + 1, high = b->count;
-        while (low < high) {
-            size_t middle = low + (high - low) / 2;
-            if (item[middle].low <= item[i].high)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        pairs += (double)(low - i - 1);
+        const extent last = {.low = item[i].high, .line = UINT32_MAX};
+        pairs += (double)find_first(&last, item + i + 1, b->count - i - 1, sizeof *item, compare_extents);
     }
     return pairs;
 }

@@ -426,15 +426,8 @@ typedef struct name_range {
 static name_range names_of(const verifier *f, const roberts_segment *row)
 {
     const edge_name wanted = {.solid = row->solid, .v = {row->v0, row->v1}, .t0 = -1.0};
-    size_t low = 0, high = f->name_count;
-    while (low < high) {
-        size_t middle = low + (high - low) / 2;
-        if (by_name(&f->name[middle], &wanted) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return (name_range){f->name + low, f->name + f->name_count};
+    const size_t first = find_first(&wanted, f->name, f->name_count, sizeof *f->name, by_name);
+    return (name_range){f->name + first, f->name + f->name_count};
 }
 
 /* Returns the next edge of which the row shows a part; edge_count: none. */
