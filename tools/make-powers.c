@@ -7,7 +7,6 @@
  * Usage: build/tools/make-powers > src/base/number_powers.c */
 #include <stdbool.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "base/number.h"
 

@@ -14,7 +14,6 @@
 #include "draw/dashes.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "base/error.h"
 

@@ -13,8 +13,6 @@
 #include "base/error.h"
 #include "base/output.h"
 #include "base/vec.h"
-#include "draw/labels.h"
-#include "draw/title_block.h"
 #include "view/camera.h"
 
 /* mm */

@@ -18,7 +18,6 @@
 #include "base/angle.h"
 #include "base/array.h"
 #include "base/error.h"
-#include "base/vec.h"
 #include "draw/page.h"
 #include "draw/shade.h"
 

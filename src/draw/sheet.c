@@ -12,7 +12,6 @@
 
 #include "base/angle.h"
 #include "base/error.h"
-#include "base/vec.h"
 #include "draw/dimensions.h"
 #include "draw/title_block.h"
 

@@ -4,7 +4,6 @@
 #ifndef ROBERTS_HIDE_FRONT_H
 #define ROBERTS_HIDE_FRONT_H
 
-#include "base/threads.h"
 #include "hide/schedule.h"
 
 /* Memory of one thread. */

@@ -12,7 +12,6 @@
 #include "base/bits.h"
 #include "hide/cover.h"
 #include "hide/tests_wide.h"
-#include "hide/tolerance.h"
 
 /* The first two kinds are whole fronts, with an outline; the others are single faces. */
 typedef enum hide_kind {

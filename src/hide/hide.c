@@ -10,7 +10,6 @@
  *
  * Threads take solids in chunks. Each chunk keeps its segments until those of the earlier chunks are written
  * (schedule.c). The threads share nothing else, so the result does not depend on them. */
-#include <math.h>
 #include <stdlib.h>
 #include <time.h>
 

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/bits.h"
 #include "base/dd.h"
 #include "base/orient.h"
 #include "base/search.h"

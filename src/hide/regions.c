@@ -10,7 +10,6 @@
  * Regions tile the picture because cells do, whatever the rounding. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/array.h"
 #include "base/sets.h"

@@ -20,7 +20,6 @@
 
 #include "hide/intervals.h"
 #include "hide/tests_fast.h"
-#include "hide/tolerance.h"
 #include "hide/types.h"
 
 typedef enum hide_verdict { HIDE_UNDECIDED, HIDE_VISIBLE, HIDE_INVISIBLE } hide_verdict;

@@ -6,7 +6,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "base/bits.h"
 #include "hide/tests.h"
 #include "hide/tolerance.h"
 

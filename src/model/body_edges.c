@@ -16,7 +16,6 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/box.h"
 #include "base/search.h"
 #include "base/sets.h"
 #include "base/sort.h"

@@ -13,7 +13,6 @@
 
 #include "base/array.h"
 #include "base/box.h"
-#include "base/error.h"
 #include "base/sets.h"
 #include "model/scene.h"
 

@@ -20,7 +20,6 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/threads.h"
-#include "model/components.h"
 #include "model/scene.h"
 #include "model/solid.h"
 

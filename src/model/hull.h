@@ -2,7 +2,6 @@
 #ifndef ROBERTS_MODEL_HULL_H
 #define ROBERTS_MODEL_HULL_H
 
-#include "model/components.h"
 #include "model/scene.h"
 
 /* ---- inputs ---------------------------------------------------------------------------------------------------- */

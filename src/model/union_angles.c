@@ -1,5 +1,4 @@
 /* union_angles.c - the region that the bodies at a piece of a line fill together, and its bounds. See union.h. */
-#include <stdlib.h>
 
 #include "base/array.h"
 #include "base/box.h"

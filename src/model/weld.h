@@ -4,7 +4,6 @@
 
 #include "roberts.h"
 
-#include "model/components.h"
 #include "model/scene.h"
 
 /* ---- equal positions ------------------------------------------------------------------------------------------- */

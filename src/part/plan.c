@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 #include "base/array.h"
-#include "base/bits.h"
 #include "base/box.h"
 #include "base/error.h"
 #include "base/search.h"

@@ -13,7 +13,6 @@
  * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
 #include "read/obj.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /* seen.c - a scene as one camera sees it. See seen.h. */
 #include "view/seen.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "base/angle.h"

@@ -1,6 +1,5 @@
 /* test_batch.c - many drawings in one run: lists, shards, updates, the manifest, limits, and files or runs that are
  * killed. Runs $ROBERTS_BUILD/roberts from the top folder. */
-#include <errno.h>
 #include <poll.h>
 #include <stdio.h>
 #include <sys/file.h>

@@ -2,7 +2,6 @@
 /* for a terminal of our own: posix_openpt() */
 #define _XOPEN_SOURCE 700 /* NOLINT(bugprone-reserved-identifier): that is its name */
 #include <dirent.h>
-#include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <poll.h>

@@ -2,7 +2,6 @@
  * by pkg-config, with the shared and with the static library. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "testing.h"

@@ -1,7 +1,6 @@
 /* The manual page and the completions have the options of --help, and the README names no other ones. */
 #include <ctype.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 

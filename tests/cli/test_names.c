@@ -1,6 +1,5 @@
 /* test_names.c - names for labels: read from a file, in order; errors are reported with their lines. */
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "cli/lists.h"

@@ -7,7 +7,6 @@
 #include "cli/help.h"
 #include "cli/message.h"
 #include "cli/options.h"
-#include "cli/values.h"
 #include "testing.h"
 
 enum { TEXT = 1 << 16 };

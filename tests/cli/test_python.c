@@ -2,7 +2,6 @@
  * package as `make install-python` puts it. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "folders.h"
 #include "sanitized.h"

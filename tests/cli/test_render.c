@@ -1,11 +1,9 @@
 /* The SVG as other programs draw it. The pictures of librsvg, Inkscape and Chromium are compared with each other and
  * with our own, which Cairo draws without the file. A program that is not installed is skipped. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cairo.h>
 

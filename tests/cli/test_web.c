@@ -2,7 +2,6 @@
  * the page in Chromium (tests/web/page.js). All are skipped if it has not been run. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "folders.h"
 #include "temporary.h"

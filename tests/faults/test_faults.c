@@ -3,7 +3,6 @@
  * test_save.c, test_memory_*.c; tests/README.md lists all. */
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

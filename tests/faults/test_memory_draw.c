@@ -1,9 +1,6 @@
 /* test_memory_draw.c - saving with each allocation of ours failing in turn: a status, no crash, no leak, the old file
  * unchanged and nothing beside it. (Cairo's own allocations are not reached from here.) */
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "build_scene.h"

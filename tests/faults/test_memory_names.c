@@ -1,6 +1,5 @@
 /* test_memory_names.c - names for labels read with each allocation failing in turn: a status, no crash, no leak. */
 #include <stdio.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "cli/lists.h"

@@ -1,7 +1,6 @@
 /* test_memory_parts.c - plans, parts and joining with each allocation of ours failing in turn: a status, no crash, no
  * leak. */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "memory.h"
 #include "roberts.h"

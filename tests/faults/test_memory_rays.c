@@ -1,6 +1,4 @@
 /* test_memory_rays.c - checking and picking with each allocation failing in turn: a status, no crash, no leak. */
-#include <stdlib.h>
-#include <string.h>
 
 #include "build_scene.h"
 #include "memory.h"

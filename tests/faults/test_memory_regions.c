@@ -1,6 +1,5 @@
 /* test_memory_regions.c - finding and saving visible regions with each allocation of ours failing in turn: a status, no
  * crash, no leak. */
-#include <stdlib.h>
 
 #include "build_scene.h"
 #include "memory.h"

@@ -1,5 +1,4 @@
 /* fuzz_obj.c - OBJ with any bytes behind a first vertex, and the same bytes as a file of materials. */
-#include <string.h>
 
 #include "fuzz.h"
 #include "read/obj.h"

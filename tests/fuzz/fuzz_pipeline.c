@@ -3,7 +3,6 @@
  * within the edge, the drawing must be finite, not depend on the grid, and be written; so must the visible
  * regions be finite, closed and independent of the grid. */
 #include <math.h>
-#include <string.h>
 
 #include "fuzz.h"
 #include "model/scene.h"

@@ -2,7 +2,6 @@
  * the program with the file's name as the last line. The sanitizers see most: make test-sanitize. */
 #include <dirent.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "fuzz/fuzz.h"

@@ -1,7 +1,6 @@
 /* test_golden.c - the visible segments of every scene of models/, kept as text in tests/golden/: the program against
  * the golden, and the golden against the exact oracle. `make goldens` writes them anew. */
 #include <dirent.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 

@@ -1,6 +1,5 @@
 /* mesh_compare.c - compares the library with the mesh oracle on scenes of any bodies; see --help. */
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "arguments.h"

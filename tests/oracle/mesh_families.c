@@ -2,7 +2,6 @@
 #include "mesh_families.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "mesh_workshop.h"

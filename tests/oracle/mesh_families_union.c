@@ -1,6 +1,4 @@
 /* mesh_families_union.c - scenes of closed bodies that are drawn as one. Coordinates are whole numbers. */
-#include <stdlib.h>
-#include <string.h>
 
 #include "mesh_workshop.h"
 

@@ -1,6 +1,5 @@
 /* region_compare.c - compares the library's visible regions with the region oracle; see --help. */
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "arguments.h"

@@ -1,5 +1,4 @@
 /* compare.c - compares any number of pages with the tables that they were drawn from; see --help. */
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 

@@ -1,7 +1,6 @@
 /* Pages against tables: what SVG, PDF and PNG show is read back and compared with the segments. This is a sample;
  * tests/paper/compare draws more. */
 #include <dirent.h>
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

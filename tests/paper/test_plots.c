@@ -1,6 +1,5 @@
 /* TikZ, DXF and HP-GL/2: every class has its pen, faults are found, and the programs that the files are for read them.
  * That all strokes are those of the SVG is checked for many drawings by test_paper. */
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

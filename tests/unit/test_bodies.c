@@ -2,7 +2,6 @@
  * oracle compares whole pictures with exact numbers. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "build_scene.h"

@@ -1,5 +1,4 @@
 /* Tables: every number is exact to the last bit, and every row is as the interface promises. */
-#include <errno.h>
 #include <float.h>
 #include <locale.h>
 #include <math.h>

@@ -1,8 +1,6 @@
 /* Dashes fitted to their lines: from corner to corner, with at least one gap, as strokes in sequence. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "draw/dashes.h"
 #include "testing.h"

@@ -1,7 +1,6 @@
 /* Dimensions between vertices: their views, lengths and ends; nothing collides on pages from A4 to A0. */
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "draw/dimensions.h"
 #include "sheet_views.h"

@@ -4,12 +4,10 @@
  * both are whole numbers. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "build_scene.h"
 #include "draw/fills.h"
-#include "draw/shade.h"
 #include "draw/strokes.h"
 #include "testing.h"
 

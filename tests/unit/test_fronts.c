@@ -1,6 +1,5 @@
 /* test_fronts.c - the scene in view space, built by threads: which solids they take at the same time; any number of
  * threads gives the same picture. */
-#include <stdio.h>
 
 #include "hide/front.h"
 #include "scenes.h"

@@ -1,6 +1,5 @@
 /* Hatching: strokes end on the rings of their regions, their length follows the shade, and they continue from face
  * to face. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
  * coordinates are compared with exact integer arithmetic, all others by counts, drawings and messages. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "model/scene.h"

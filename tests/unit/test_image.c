@@ -1,8 +1,6 @@
 /* PNG: the bands in which an image is drawn change nothing, and the file holds the picture that Cairo draws. */
 #include <cairo.h>
-#include <errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "write/cairo.h"
 #include "write/formats.h"

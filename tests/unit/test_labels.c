@@ -1,6 +1,5 @@
 /* Labels of visible things avoid the lines and one another, on pages from A4 to A0, and are the same every time.
  */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 /* Letters: the strokes for any UTF-8, their width and place; which characters the fonts lack. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "draw/letters.h"
 #include "testing.h"

@@ -1,7 +1,5 @@
 /* Levels: how many layers hide a line. Scenes with probes by hand, and a count by rays. */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "build_scene.h"

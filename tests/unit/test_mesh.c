@@ -1,7 +1,6 @@
 /* test_mesh.c - the mesh as a container: what may be added, and what is refused and changes nothing. */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "roberts.h"

@@ -1,5 +1,4 @@
 /* test_number.c - decimal text to doubles, bit for bit against strtod(). */
-#include <float.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,5 @@
 /* test_obj.c - Wavefront OBJ: all forms of corners, groups, colours from .mtl files, what is skipped and what is
  * refused. */
-#include <stdlib.h>
-#include <unistd.h>
 
 #include "read/obj.h"
 #include "read_rows.h"

@@ -1,7 +1,6 @@
 /* The grid: the conservative scan of polygons, the cells' lists, covers, edges walking through the cells, and how many
  * cells there are. The contents of cells are compared with a plain test of two convex sets: they are apart if the
  * direction of one of their sides separates them. */
-#include <stdio.h>
 
 #include "hide/cells.h"
 #include "hide/cover.h"

@@ -1,8 +1,6 @@
 /* test_off_binary.c - OFF BINARY: both orders of bytes, with and without the number of colour floats, every prefix, and
  * what is refused. The files are written here, word by word. */
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "roberts.h"

@@ -1,8 +1,6 @@
 /* The page: a fitted drawing lies within the margins, fills them in one direction, is centred and upright. */
-#include <errno.h>
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "draw/page.h"
 #include "draw/strokes.h"

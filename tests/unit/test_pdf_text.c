@@ -1,7 +1,5 @@
 /* Text of PDF that readers can search: the characters of the fonts, the content of the page, and the result of
  * pdftotext. */
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -3,11 +3,9 @@
  * Each mesh is built twice: as it is, and with a reversed copy of its first face. A face that repeats an earlier one
  * has no effect, but its body is not plain. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "model/convex.h"
-#include "model/plain_bodies.h"
 #include "model/scene.h"
 #include "read/mesh.h"
 #include "same_scene.h"

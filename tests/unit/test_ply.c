@@ -1,6 +1,5 @@
 /* test_ply.c - PLY as text and in both byte orders: which data are used, skipped or refused, and where. */
 #include <math.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include "read_rows.h"

@@ -1,9 +1,7 @@
 /* test_ray.c - the ray kernel: the propositions of the notes as properties, its forms against each other on random
  * rays, special positions by table. */
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "base/vec.h"
 #include "rng.h"

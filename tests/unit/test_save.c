@@ -1,5 +1,4 @@
 /* Files appear whole or not at all; links, modes, devices and pipes stay what they are. */
-#include <errno.h>
 #include <fcntl.h>
 #include <math.h>
 #include <signal.h>

@@ -1,5 +1,4 @@
 /* Sheets: the place of each view, to the micrometre, and of the symbol; one scale; every format; refusals. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /* test_solids_same.c - solids built by several threads, or from a mesh that is taken over, give the same scene. If
  * there are several faults, the first one is reported. */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

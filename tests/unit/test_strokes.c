@@ -1,6 +1,5 @@
 /* From segments to strokes: no line is drawn twice, the nearest wins, pieces are joined and chained, and the pen
  * travels little. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

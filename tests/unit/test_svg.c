@@ -1,6 +1,5 @@
 /* SVG: the page's size, its layers, and every coordinate read back and compared with where it should be. The other
  * formats: the same bytes every time, and no failure goes unnoticed. */
-#include <errno.h>
 #include <locale.h>
 #include <math.h>
 #include <stdio.h>

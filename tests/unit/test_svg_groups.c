@@ -1,7 +1,6 @@
 /* SVG in groups: the file is sound XML, ids are unique, every name is that of the table, and every group has exactly
  * its own lines. */
 #include <ctype.h>
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /* test_threads.c - several threads call the library at once, each with its own work, and all with one scene: every call
  * gives the same result as alone. `make test-threads` runs it under the thread sanitizer. */
 #include <pthread.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,12 +1,9 @@
 /* Title blocks and dimensions: their texts; nothing collides on pages from A4 to A0. */
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "draw/dimensions.h"
-#include "drawing.h"
 #include "letters_box.h"
 #include "sheet_views.h"
 #include "testing.h"

@@ -1,7 +1,6 @@
 /* test_verify.c - the second opinion on drawings: none contradicts correct drawings, and some always contradicts
  * spoiled ones; picking by table; the tree of boxes, compared with testing every box. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "base/vec.h"

@@ -1,6 +1,5 @@
 /* The map to view space: frames, presets, both projections, facings, what is refused, and the touching distance. */
 #include <float.h>
-#include <stdio.h>
 
 #include "scenes.h"
 #include "view/view.h"

@@ -6,7 +6,6 @@
  * so "on" is exact. Usually the plate is the box (0, 0, 0) - (8, 8, 1). But if AB lies beside or in front of the box of
  * its top, the boxes would decide, and no test would be made and counted. In these scenes the plate slopes, or it is a
  * kite. */
-#include <math.h>
 
 #include "models.h"
 
