@@ -4,6 +4,8 @@
 
 #include "roberts.h"
 
+#define PI 3.14159265358979323846
+
 /* Returns the unit vector at `degrees`, any finite number, from the x axis. Its coordinates are the nearest doubles: 0,
  * 1/2 and 1 exactly where they belong. Angles at the same position in two quadrants give coordinates of equal absolute
  * value. */

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/angle.h"
 #include "base/array.h"
 #include "base/sort.h"
 #include "base/vec.h"
@@ -261,7 +262,7 @@ static size_t first_from(const side_list *sides, page_point a, uint64_t key)
 /* Whether d comes before e, turning clockwise on the paper from the direction back along the line. */
 static bool turns_sooner(page_point from, page_point at, page_point d, page_point e)
 {
-    const double back = atan2((double)from.y - at.y, (double)from.x - at.x), turn = 2.0 * 3.14159265358979323846;
+    const double back = atan2((double)from.y - at.y, (double)from.x - at.x), turn = 2.0 * PI;
     double to_d = atan2((double)d.y - at.y, (double)d.x - at.x) - back;
     double to_e = atan2((double)e.y - at.y, (double)e.x - at.x) - back;
     to_d += to_d <= 0.0 ? turn : 0.0;

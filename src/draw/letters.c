@@ -11,6 +11,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/angle.h"
 #include "base/output.h"
 #include "draw/letters_data.h"
 
@@ -290,7 +291,7 @@ size_t letters_missing(const char *text, uint32_t *first)
 
 double text_degrees(const text_line *line)
 {
-    return atan2(-line->along.y, line->along.x) * (180.0 / 3.14159265358979323846);
+    return atan2(-line->along.y, line->along.x) * (180.0 / PI);
 }
 
 /* A line of text while it is drawn. */

@@ -9,6 +9,7 @@
  * triangle even that deviation matters. */
 #include "model/face_plane.h"
 
+#include "base/angle.h"
 #include "model/convex.h"
 
 enum { PAIRS_UP_TO = 8 }; /* corners; up to this many, the greatest chord is found by measuring all pairs */
@@ -55,7 +56,7 @@ static double chord_of_extents(const roberts_vec3 *corner, uint32_t count, rober
     u = vec3_scale(1.0 / vec3_length(u), u);
     v = vec3_cross(n, u);
     for (int k = 0; k < 16; k++) {
-        double angle = k * (3.14159265358979323846 / 16);
+        double angle = k * (PI / 16);
         roberts_vec3 w = vec3_add(vec3_scale(cos(angle), u), vec3_scale(sin(angle), v));
         greatest = fmax(greatest, extent(corner, count, w));
     }

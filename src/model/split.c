@@ -15,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/angle.h"
 #include "base/array.h"
 #include "base/sets.h"
 #include "base/sort.h"
@@ -197,7 +198,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
     uint32_t after = corner + 1 < s->loose->face_start[f + 1] ? corner + 1 : s->loose->face_start[f];
     roberts_vec3 P = w->frame->point[s->loose->corner[corner]], Q = w->frame->point[s->loose->corner[after]];
     roberts_vec3 along = vec3_sub(Q, P), u, m = vec3_scale(side, from->n);
-    double best = 3.14159265358979323846 + ANGLE_SLACK;
+    double best = PI + ANGLE_SLACK;
     bool found = false;
     along = vec3_scale(1.0 / vec3_length(along), along);
     u = into_face(from, P, along);
@@ -210,7 +211,7 @@ static bool next_wall(walker *w, uint32_t it, int side, uint32_t e, step *next)
         w->budget -= w->budget > 0;
         if (other == it || (!taken && to->used == to->size) || !(angle > ANGLE_SLACK || angle < -3.0))
             continue;
-        angle = angle < 0.0 ? angle + 2.0 * 3.14159265358979323846 : angle;
+        angle = angle < 0.0 ? angle + 2.0 * PI : angle;
         /* of coincident walls, prefer the one that is already in the walk */
         if (found && (angle > best + ANGLE_TIE || (angle > best - ANGLE_TIE && !taken)))
             continue;

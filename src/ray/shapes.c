@@ -6,6 +6,7 @@
  * luca s objektami" [Z]; the README lists the formulas and their corrections.
  *
  * Invariant: NaN input gives a miss. Every comparison that accepts is written so that it fails for NaN. */
+#include "base/angle.h"
 #include "ray/determinant.h"
 
 static roberts_facing facing_of(double vn)
@@ -290,7 +291,6 @@ bool roberts_inside_crossings(const roberts_vec3 *corner, size_t count, roberts_
  * the note's arccos, which loses half its digits at small angles; the sign is the note's w . n. */
 bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec3 p)
 {
-    const double pi = 3.14159265358979323846;
     roberts_vec3 n;
     double sum = 0.0;
     if (!has_area(corner, count, &n))
@@ -304,7 +304,7 @@ bool roberts_inside_angles(const roberts_vec3 *corner, size_t count, roberts_vec
         sum += copysign(atan2(sine, cosine), vec3_dot(w, n));
         a = b;
     }
-    return fabs(sum) > pi;
+    return fabs(sum) > PI;
 }
 
 bool roberts_ray_polygon(roberts_ray ray, const roberts_vec3 *corner, size_t count, roberts_inside_fn *inside,

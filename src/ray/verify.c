@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/angle.h"
 #include "base/error.h"
 #include "base/sort.h"
 #include "base/threads.h"
@@ -82,9 +83,8 @@ static stretch_edge classify_edge(const verifier *f, const scene_edge *e)
 /* Returns the angle between two planes, or between one and the reverse of the other; degrees. */
 static double angle_between(plane F, plane G, bool turned)
 {
-    const double degrees = 180.0 / 3.14159265358979323846;
     roberts_vec3 m = {F.a, F.b, F.c}, n = {G.a, G.b, G.c};
-    return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * degrees;
+    return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * (180.0 / PI);
 }
 
 /* Must the drawing show the edge where nothing hides it? It must if the edge is an outline, or bent by more than the

@@ -50,7 +50,8 @@ static inline uint64_t off_faces_read(const reader *r)
 /* Returns how many faces have no corners. Elements of one corner or two are points and lines, which OFF may hold. */
 size_t off_count_empty(const reader *r);
 
-enum { COLOR_MOST = 4 };
+/* How many numbers each part of a vertex has. */
+enum { POSITION = 3, NORMAL = 3, TEXTURE = 2, COLOR_MOST = 4 };
 
 /* The numbers of a colour as in the file. */
 typedef struct off_color_numbers {

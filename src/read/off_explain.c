@@ -114,8 +114,6 @@ typedef struct odd_line {
     char hint[ODD_HINT];  /* "line 7 has 2 words, ..." */
 } odd_line;
 
-enum { POSITION = 3, NORMAL = 3, TEXTURE = 2 };
-
 static unsigned least_words(const off_header *h)
 {
     return POSITION + (h->homogeneous ? 1 : 0) + (h->normal ? NORMAL : 0) + (h->texture ? TEXTURE : 0);

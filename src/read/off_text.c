@@ -221,8 +221,6 @@ const char *plain_read_faces(const char *at, plain_faces *faces)
 /* ---- all other lines ------------------------------------------------------------------------------------------- */
 
 enum {
-    TEXTURE = 2,
-    NORMAL = 3,
     CORNERS_AT_ONCE = 256,
     PATIENCE = 4, /* after this many consecutive lines that are not plain ... */
     PAUSE = 60    /* ... this many are not tried */

@@ -96,7 +96,7 @@ bool view_frame(const view *v, const roberts_camera *camera, bool clipped, doubl
         fov = FOV_OF_CLIPPED;
     if (!v->perspective || fov == 0.0)
         return false;
-    *half = v->unit / v->inverse_distance * tan(fov * 3.14159265358979323846 / 360.0);
+    *half = v->unit / v->inverse_distance * tan(fov * PI / 360.0);
     return true;
 }
 
