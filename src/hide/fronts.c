@@ -553,11 +553,6 @@ static void set_space(hide_fronts *fronts)
                                  .view = v};
 }
 
-bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options)
-{
-    return hide_fronts_build_for_looks(fronts, s, options, options->keep_hidden);
-}
-
 /* Returns the cells of the covers. In a part of a scene they are those of the whole, so that the same bodies are
  * culled: the ends of lines may depend on that in the last digit. */
 static scan_frame cover_frame(const hide_fronts *fronts, int threads)
@@ -576,13 +571,13 @@ static bool begin_covers(hide_fronts *fronts, scan_frame frame, int threads)
                                 : cover_init(&fronts->cover, frame, threads);
 }
 
-bool hide_fronts_build_for_looks(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up)
+bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up)
 {
     const roberts_scene *scene = s->scene;
     bool cull = !options->keep_hidden, mesh = scene->surface && scene->surface->bend && !s->clip.clipped;
     build b = {.fronts = fronts,
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
-               .looked_up = looked_up,
+               .looked_up = looked_up || !cull,
                .cull = cull,
                .may_wait = cull && mesh && !looked_up};
     *fronts = (hide_fronts){.seen = s, .scene = scene};

@@ -64,8 +64,7 @@ static roberts_status make_fronts(hide_job *job, const roberts_scene *scene, con
     if (status != ROBERTS_OK)
         return status;
     seen_set_rules(&job->seen, options);
-    bool looked_up = options->keep_hidden || job->regions;
-    if (!hide_fronts_build_for_looks(&job->fronts, &job->seen, options, looked_up) ||
+    if (!hide_fronts_build(&job->fronts, &job->seen, options, job->regions != NULL) ||
         (options->unite && !seen_unite(&job->seen, job->fronts.culled, options->threads)))
         return ROBERTS_NO_MEMORY;
     const view *v = &job->seen.view;

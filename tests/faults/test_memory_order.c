@@ -74,7 +74,7 @@ static bool is_worth(const roberts_scene *scene)
     picture_order order;
     double depth;
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
-    assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.threads = 1}));
+    assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.threads = 1}, false));
     cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, 0.0}, 0, &depth);
     assert_true(picture_order_init(&order, &fronts, depth));
     bool worth = order.solid != NULL;

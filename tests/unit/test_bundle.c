@@ -112,7 +112,7 @@ static void a_tree_finds_what_all_faces_do(void **state)
         roberts_scene *scene = model_build(&m);
         assert_int_equal(seen_begin(&seen_scene, scene, &cameras[seed % 3], 0.0, NULL), ROBERTS_OK);
         assert_true(
-            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
+            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, false));
         fronts.space.scene = NULL; /* these edges do not belong to the scene */
         for (uint32_t k = 0; k < fronts.front_count; k++) {
             const hide_box none = {0};

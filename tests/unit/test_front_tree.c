@@ -109,7 +109,7 @@ static void nothing_hidden_is_left_out(void **state)
         roberts_scene *scene = model_build(&m);
         assert_int_equal(seen_begin(&seen_scene, scene, &cameras[seed / 3 % 3], 0.0, NULL), ROBERTS_OK);
         assert_true(
-            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
+            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, false));
         fronts.space.scene = NULL; /* these lines do not belong to the scene */
         uint32_t *front = malloc(fronts.front_count * sizeof *front);
         front_visit *met = malloc(fronts.front_count * sizeof *met);

@@ -268,15 +268,16 @@ static void same_by_any_threads(void **state)
         seen alone, together;
         roberts_scene *scene = make(c->kind);
         assert_int_equal(seen_begin(&alone, scene, c->camera, 0.0, NULL), ROBERTS_OK);
-        assert_true(hide_fronts_build(&one, &alone, &(roberts_hide_options){.keep_hidden = !c->cull, .threads = 1}));
+        assert_true(
+            hide_fronts_build(&one, &alone, &(roberts_hide_options){.keep_hidden = !c->cull, .threads = 1}, false));
         expect_window(c->name, &one);
         if (c->covers != (one.cover.depth != NULL) || (c->covers && one.culled_count < scene->solid_count / 10))
             fail_msg("%s: covers are %skept, %zu of %u culled", c->name, one.cover.depth ? "" : "not ",
                      one.culled_count, scene->solid_count);
         for (size_t k = 0; k < sizeof threads / sizeof threads[0]; k++) {
             assert_int_equal(seen_begin(&together, scene, c->camera, 0.0, NULL), ROBERTS_OK);
-            assert_true(hide_fronts_build(&many, &together,
-                                          &(roberts_hide_options){.keep_hidden = !c->cull, .threads = threads[k]}));
+            assert_true(hide_fronts_build(
+                &many, &together, &(roberts_hide_options){.keep_hidden = !c->cull, .threads = threads[k]}, false));
             expect_same(c->name, threads[k], &one, &many);
             hide_fronts_free(&many);
             seen_end(&together);

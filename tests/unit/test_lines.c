@@ -22,7 +22,7 @@ static hide_chunk segments_of(const roberts_scene *scene, const roberts_camera *
     seen_set_rules(&job.seen, &options);
     if (line)
         job.seen.further = (seen_further){line, first};
-    assert_true(hide_fronts_build(&job.fronts, &job.seen, &options));
+    assert_true(hide_fronts_build(&job.fronts, &job.seen, &options, false));
     scan_frame frame = cells_for_lists(&(cells_boxes){job.fronts.front_box, job.fronts.front_count, job.fronts.low,
                                                       job.fronts.high, hide_margin(&job.fronts.space)},
                                        0, &depth);
@@ -161,7 +161,7 @@ static void rest_of_lines(void **state)
         options.threads = 1;
         assert_int_equal(seen_begin(&s, scene, &rests[i].camera, 0.0, NULL), ROBERTS_OK);
         assert_int_equal(s.clip.clipped, rests[i].camera.projection == ROBERTS_PERSPECTIVE);
-        assert_true(hide_fronts_build(&fronts, &s, &options));
+        assert_true(hide_fronts_build(&fronts, &s, &options, false));
         unsigned char *drawn = calloc(scene->edge_count, 1), *all = calloc(scene->edge_count, 1);
         assert_true(drawn && all);
         options.all_edges = true;

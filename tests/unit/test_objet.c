@@ -537,8 +537,8 @@ static void lists_are_complete_and_in_order(void **state)
             double depth;
             objet grid;
             assert_int_equal(seen_begin(&seen_scene, built, &camera, 0.0, NULL), ROBERTS_OK);
-            assert_true(
-                hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
+            assert_true(hide_fronts_build(&fronts, &seen_scene,
+                                          &(roberts_hide_options){.keep_hidden = true, .threads = 1}, false));
             assert_int_equal(fronts.culled_count, 0);
             scan_frame frame = cells_for_lists(&(cells_boxes){fronts.front_box, fronts.front_count, fronts.low,
                                                               fronts.high, hide_margin(&fronts.space)},
@@ -569,7 +569,8 @@ static void lists_by_threads(void **state)
         model_round(&m, MODEL_CORNERS, false, mat3_scale(1, 1, 1), (roberts_vec3){i % 20, i / 20, i % 7});
     roberts_scene *scene = model_build(&m);
     assert_int_equal(seen_begin(&seen_scene, scene, &camera, 0.0, NULL), ROBERTS_OK);
-    assert_true(hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
+    assert_true(
+        hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, false));
     assert_true(fronts.front_count > 40000);
     scan_frame frame = cells_for_lists(
         &(cells_boxes){fronts.front_box, fronts.front_count, fronts.low, fronts.high, hide_margin(&fronts.space)}, 150,
@@ -610,7 +611,7 @@ static void copies_count_once(void **state)
         roberts_scene *built = model_build(&m);
         assert_int_equal(seen_begin(&seen_scene, built, &camera, 0.0, NULL), ROBERTS_OK);
         assert_true(
-            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}));
+            hide_fronts_build(&fronts, &seen_scene, &(roberts_hide_options){.keep_hidden = true, .threads = 1}, false));
         if (listed_count(&fronts) != table[i].fronts || !fronts.front[0].listed)
             fail_msg("%s: %u fronts", table[i].name, listed_count(&fronts));
         hide_fronts_free(&fronts);
