@@ -14,12 +14,12 @@
 /* n^3 solids, each turned at random. */
 static void lattice(studio *st)
 {
-    int n = dice_int(&st->d, 2, 4);
+    int n = rng_int(&st->d, 2, 4);
     for (int i = 0; i < n * n * n; i++) {
         shape s = shape_any(&st->d);
         int column = i / n, layer = column / n;
         roberts_vec3 at = {i % n, column % n, layer};
-        put_turned(st, &s, at, 0.15 + 0.05 * dice_real(&st->d));
+        put_turned(st, &s, at, 0.15 + 0.05 * rng_real(&st->d));
     }
     look_random(st);
 }
@@ -27,9 +27,9 @@ static void lattice(studio *st)
 /* Hulls of random points: triangles, well apart or through one another. */
 static void hulls(studio *st)
 {
-    int count = dice_int(&st->d, 10, 40), spread = dice_int(&st->d, 1, 5) * 65536;
+    int count = rng_int(&st->d, 10, 40), spread = rng_int(&st->d, 1, 5) * 65536;
     for (int i = 0; i < count; i++) {
-        shape s = shape_random(&st->d, dice_int(&st->d, 4, 16), 65536);
+        shape s = shape_random(&st->d, rng_int(&st->d, 4, 16), 65536);
         put_at(st, &s, whole_point(st, 0, spread));
     }
     look_random(st);
@@ -38,12 +38,12 @@ static void hulls(studio *st)
 /* Some hundred solids of all sizes before one another: most is hidden many times over. */
 static void swarm(studio *st)
 {
-    int count = dice_int(&st->d, 100, 300);
+    int count = rng_int(&st->d, 100, 300);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
         roberts_vec3 at = real_point(st);
         at.z *= 3;
-        put_turned(st, &s, at, pow(10, dice_real(&st->d) - 1.7));
+        put_turned(st, &s, at, pow(10, rng_real(&st->d) - 1.7));
     }
     look_down(st, 0.2, 1);
 }
@@ -51,7 +51,7 @@ static void swarm(studio *st)
 /* Solids of so many faces that they do not hide as one. */
 static void round_solids(studio *st)
 {
-    int count = dice_int(&st->d, 3, 8);
+    int count = rng_int(&st->d, 3, 8);
     for (int i = 0; i < count; i++) {
         shape s = shape_random(&st->d, 60, 40);
         roberts_vec3 at = real_point(st);
@@ -63,7 +63,7 @@ static void round_solids(studio *st)
 /* Solids at random places that pierce one another. */
 static void crossing(studio *st)
 {
-    int count = dice_int(&st->d, 6, 24);
+    int count = rng_int(&st->d, 6, 24);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
         roberts_vec3 at = real_point(st);
@@ -75,15 +75,15 @@ static void crossing(studio *st)
 /* Thin parallelograms, turned at random. */
 static void slanted_plates(studio *st)
 {
-    int count = dice_int(&st->d, 6, 24);
-    double thin = dice_int(&st->d, 0, 1) ? 1e-3 : 1e-6;
+    int count = rng_int(&st->d, 6, 24);
+    double thin = rng_int(&st->d, 0, 1) ? 1e-3 : 1e-6;
     shape box = shape_box(1, 1, 1);
     while (count-- > 0) {
         double a[3], b[3], n[3], l, m[3][3];
         roberts_vec3 at = real_point(st);
         for (int k = 0; k < 3; k++) {
-            a[k] = dice_real(&st->d);
-            b[k] = dice_real(&st->d);
+            a[k] = rng_real(&st->d);
+            b[k] = rng_real(&st->d);
         }
         for (int k = 0; k < 3; k++)
             n[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
@@ -105,8 +105,8 @@ static void slanted_plates(studio *st)
 /* Long needles that are nearly parallel, so that they cross at small angles. */
 static void needles(studio *st)
 {
-    int count = dice_int(&st->d, 6, 30);
-    double spread = pow(10, -dice_int(&st->d, 0, 5)), thick = pow(10, -dice_int(&st->d, 1, 3));
+    int count = rng_int(&st->d, 6, 30);
+    double spread = pow(10, -rng_int(&st->d, 0, 5)), thick = pow(10, -rng_int(&st->d, 1, 3));
     shape s = shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {
         roberts_vec3 at = real_point(st), along = real_point(st), lean = real_point(st);
@@ -114,7 +114,7 @@ static void needles(studio *st)
             {20 + along.x, along.y, along.z}, {20 * spread * lean.y, thick, 0}, {20 * spread * lean.z, 0, thick}};
         put_mapped(st, &s, (roberts_vec3){0, at.y * spread * 10, at.z}, m);
     }
-    look_down(st, 0.3, dice_int(&st->d, 0, 1) ? 1 : -1);
+    look_down(st, 0.3, rng_int(&st->d, 0, 1) ? 1 : -1);
 }
 
 /* ---- families in degenerate position, exact -------------------------------------------------------------------- */
@@ -122,13 +122,13 @@ static void needles(studio *st)
 /* Blocks between whole coordinates: touching, overlapping, lined up. */
 void make_blocks(studio *st)
 {
-    int count = dice_int(&st->d, 6, 40);
+    int count = rng_int(&st->d, 6, 40);
     for (int i = 0; i < count; i++) {
         roberts_vec3 p = whole_point(st, 0, 8), size = whole_point(st, 1, 4);
         put_box(st, p, (roberts_vec3){p.x + size.x, p.y + size.y, p.z + size.z});
     }
-    if (dice_int(&st->d, 0, 2))
-        dice_int(&st->d, 0, 1) ? look_axis(st) : look_corner(st);
+    if (rng_int(&st->d, 0, 2))
+        rng_int(&st->d, 0, 1) ? look_axis(st) : look_corner(st);
     else
         look_any(st);
 }
@@ -136,24 +136,24 @@ void make_blocks(studio *st)
 /* A deep shaft of blocks between whole coordinates: covers behind covers, and all of them in line. */
 static void shaft(studio *st)
 {
-    int count = dice_int(&st->d, 100, 300);
+    int count = rng_int(&st->d, 100, 300);
     for (int i = 0; i < count; i++) {
-        int x = dice_int(&st->d, 0, 10), y = dice_int(&st->d, 0, 10), z = dice_int(&st->d, 0, 300);
-        int w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4), deep = dice_int(&st->d, 1, 9);
+        int x = rng_int(&st->d, 0, 10), y = rng_int(&st->d, 0, 10), z = rng_int(&st->d, 0, 300);
+        int w = rng_int(&st->d, 1, 4), h = rng_int(&st->d, 1, 4), deep = rng_int(&st->d, 1, 9);
         put_box(st, (roberts_vec3){x, y, z}, (roberts_vec3){x + w, y + h, z + deep});
     }
     roberts_vec3 dir = whole_point(st, -1, 1);
-    look(st, dir.x, dir.y, dice_int(&st->d, 0, 1) ? 40 : -1);
+    look(st, dir.x, dir.y, rng_int(&st->d, 0, 1) ? 40 : -1);
 }
 
 /* A wall in running bond, some bricks missing: faces, edges and corners touch. */
 void make_bricks(studio *st)
 {
-    int rows = dice_int(&st->d, 2, 5), columns = dice_int(&st->d, 2, 5), deep = dice_int(&st->d, 1, 2);
+    int rows = rng_int(&st->d, 2, 5), columns = rng_int(&st->d, 2, 5), deep = rng_int(&st->d, 1, 2);
     for (int z = 0; z < rows; z++)
         for (int x = 0; x < columns; x++)
             for (int y = 0; y < deep; y++)
-                if (dice_int(&st->d, 0, 4))
+                if (rng_int(&st->d, 0, 4))
                     put_box(st, (roberts_vec3){2 * x + z % 2, y, z}, (roberts_vec3){2 * x + z % 2 + 2, y + 1, z + 1});
     put_box(st, (roberts_vec3){-1, -1, -1}, (roberts_vec3){2 * columns + 2, deep + 1, 0});
     look_any(st);
@@ -162,10 +162,10 @@ void make_bricks(studio *st)
 /* Cubes of a grid, some of them taken: many meet in an edge or a corner alone. */
 void make_checker(studio *st)
 {
-    int n = dice_int(&st->d, 2, 4), dense = dice_int(&st->d, 1, 3);
+    int n = rng_int(&st->d, 2, 4), dense = rng_int(&st->d, 1, 3);
     put_box(st, (roberts_vec3){0, 0, 0}, (roberts_vec3){1, 1, 1});
     for (int i = 1; i < n * n * n; i++)
-        if (dice_int(&st->d, 0, 3) < dense) {
+        if (rng_int(&st->d, 0, 3) < dense) {
             int x = i % n, y = i / n % n, z = i / n / n;
             put_box(st, (roberts_vec3){x, y, z}, (roberts_vec3){x + 1, y + 1, z + 1});
         }
@@ -175,9 +175,9 @@ void make_checker(studio *st)
 /* Polyhedra with many-cornered faces on a fine lattice. */
 static void polytopes(studio *st)
 {
-    int count = dice_int(&st->d, 5, 20), spread = dice_int(&st->d, 4, 30);
+    int count = rng_int(&st->d, 5, 20), spread = rng_int(&st->d, 4, 30);
     for (int i = 0; i < count; i++) {
-        shape s = dice_int(&st->d, 0, 1) ? shape_prism(&st->d) : shape_random(&st->d, 24, 5);
+        shape s = rng_int(&st->d, 0, 1) ? shape_prism(&st->d) : shape_random(&st->d, 24, 5);
         put_at(st, &s, whole_point(st, 0, spread));
     }
     look_any(st);
@@ -186,91 +186,91 @@ static void polytopes(studio *st)
 /* Solids with faces of very many corners over one another, and some small ones among them. */
 static void coins(studio *st)
 {
-    int count = dice_int(&st->d, 2, 3), small_ones = dice_int(&st->d, 0, 20);
+    int count = rng_int(&st->d, 2, 3), small_ones = rng_int(&st->d, 0, 20);
     for (int i = 0; i < count; i++) {
         shape s = shape_coin(&st->d);
-        int x = dice_int(&st->d, -60, 60), y = dice_int(&st->d, -60, 60), z = 4 * dice_int(&st->d, 0, 40);
+        int x = rng_int(&st->d, -60, 60), y = rng_int(&st->d, -60, 60), z = 4 * rng_int(&st->d, 0, 40);
         put(st, &s, x, y, z);
     }
     for (int i = 0; i < small_ones; i++) {
         shape s = shape_any(&st->d);
-        double size = dice_int(&st->d, 1, 30);
-        int x = dice_int(&st->d, -120, 120), y = dice_int(&st->d, -60, 180), z = dice_int(&st->d, 0, 160);
+        double size = rng_int(&st->d, 1, 30);
+        int x = rng_int(&st->d, -120, 120), y = rng_int(&st->d, -60, 180), z = rng_int(&st->d, 0, 160);
         put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
     }
-    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+    rng_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
 /* Plates whose straight borders have very many corners, and small solids across these or in line with them. */
 static void plates_in_parts(studio *st)
 {
-    int count = dice_int(&st->d, 1, 3), small_ones = dice_int(&st->d, 5, 40);
+    int count = rng_int(&st->d, 1, 3), small_ones = rng_int(&st->d, 5, 40);
     for (int i = 0; i < count; i++) {
         shape s = shape_plate(&st->d);
-        int x = dice_int(&st->d, -9, 9), y = dice_int(&st->d, -9, 9), z = 5 * dice_int(&st->d, -2, 2);
+        int x = rng_int(&st->d, -9, 9), y = rng_int(&st->d, -9, 9), z = 5 * rng_int(&st->d, -2, 2);
         put(st, &s, x, y, z);
     }
     for (int i = 0; i < small_ones; i++) {
         shape s = shape_any(&st->d);
-        int x = dice_int(&st->d, -9, 50), y = dice_int(&st->d, -9, 50), z = dice_int(&st->d, -15, 15);
+        int x = rng_int(&st->d, -9, 50), y = rng_int(&st->d, -9, 50), z = rng_int(&st->d, -15, 15);
         put(st, &s, x, y, z);
     }
-    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+    rng_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
 /* Solids with a face of 500 corners, and small ones among them. */
 static void large_coins(studio *st)
 {
-    int count = dice_int(&st->d, 1, 2), small_ones = dice_int(&st->d, 5, 20);
+    int count = rng_int(&st->d, 1, 2), small_ones = rng_int(&st->d, 5, 20);
     for (int i = 0; i < count; i++) {
         shape s = shape_large_coin(&st->d);
-        int x = dice_int(&st->d, -600, 600), y = dice_int(&st->d, -600, 600), z = 40 * dice_int(&st->d, 0, 40);
+        int x = rng_int(&st->d, -600, 600), y = rng_int(&st->d, -600, 600), z = 40 * rng_int(&st->d, 0, 40);
         put(st, &s, x, y, z);
     }
     for (int i = 0; i < small_ones; i++) {
         shape s = shape_any(&st->d);
-        double size = dice_int(&st->d, 10, 300);
-        int x = dice_int(&st->d, -1200, 1200), y = dice_int(&st->d, -600, 1800), z = dice_int(&st->d, 0, 1600);
+        double size = rng_int(&st->d, 10, 300);
+        int x = rng_int(&st->d, -1200, 1200), y = rng_int(&st->d, -600, 1800), z = rng_int(&st->d, 0, 1600);
         put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
     }
-    dice_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
+    rng_int(&st->d, 0, 1) ? look_axis(st) : look_any(st);
 }
 
 /* Pyramids of very many sides, one behind the tip of the other or through it, and small solids among them. */
 static void fans(studio *st)
 {
-    int count = dice_int(&st->d, 2, 3), small_ones = dice_int(&st->d, 0, 10);
+    int count = rng_int(&st->d, 2, 3), small_ones = rng_int(&st->d, 0, 10);
     for (int i = 0; i < count; i++) {
         shape s = shape_fan(&st->d);
-        int x = dice_int(&st->d, -90, 90), y = dice_int(&st->d, -90, 90), z = 4 * dice_int(&st->d, -40, 40);
+        int x = rng_int(&st->d, -90, 90), y = rng_int(&st->d, -90, 90), z = 4 * rng_int(&st->d, -40, 40);
         put(st, &s, x, y, z);
     }
     for (int i = 0; i < small_ones; i++) {
         shape s = shape_any(&st->d);
-        double size = dice_int(&st->d, 1, 30);
-        int x = dice_int(&st->d, -240, 240), y = dice_int(&st->d, -60, 420), z = dice_int(&st->d, -90, 400);
+        double size = rng_int(&st->d, 1, 30);
+        int x = rng_int(&st->d, -240, 240), y = rng_int(&st->d, -60, 420), z = rng_int(&st->d, -90, 400);
         put_scaled(st, &s, (roberts_vec3){x, y, z}, size, size, size);
     }
-    int x = dice_int(&st->d, -1, 1), y = dice_int(&st->d, -1, 1);
-    dice_int(&st->d, 0, 1) ? look(st, x, y, 8) : look_any(st);
+    int x = rng_int(&st->d, -1, 1), y = rng_int(&st->d, -1, 1);
+    rng_int(&st->d, 0, 1) ? look(st, x, y, 8) : look_any(st);
 }
 
 /* All kinds crowded on a coarse lattice and seen along short whole vectors: everything lines up with everything. */
 void make_crowd(studio *st)
 {
-    int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 8);
+    int count = rng_int(&st->d, 4, 24), spread = rng_int(&st->d, 2, 8);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
         put_at(st, &s, whole_point(st, 0, spread));
     }
-    dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
+    rng_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
 }
 
 /* A corner, the middle of an edge or a point inside a face; coordinates of the shape are multiples of 6. */
-static void anchor(dice *d, const shape *s, int64_t p[3])
+static void anchor(rng *d, const shape *s, int64_t p[3])
 {
-    int f = dice_int(d, 0, s->face_count - 1), count = s->face_start[f + 1] - s->face_start[f];
-    int kind = dice_int(d, 1, 3), first = dice_int(d, 0, count - 1);
+    int f = rng_int(d, 0, s->face_count - 1), count = s->face_start[f + 1] - s->face_start[f];
+    int kind = rng_int(d, 1, 3), first = rng_int(d, 0, count - 1);
     for (int k = 0; k < 3; k++) {
         p[k] = 0;
         for (int i = 0; i < kind; i++)
@@ -279,7 +279,7 @@ static void anchor(dice *d, const shape *s, int64_t p[3])
     }
 }
 
-static shape shape_times_six(dice *d)
+static shape shape_times_six(rng *d)
 {
     shape s = shape_any(d);
     for (int i = 0; i < s.point_count; i++)
@@ -292,7 +292,7 @@ static shape shape_times_six(dice *d)
  * before or behind it on the same sight line. */
 static void touching(studio *st)
 {
-    int count = dice_int(&st->d, 3, 16);
+    int count = rng_int(&st->d, 3, 16);
     look_small(st, 3);
     shape before = shape_times_six(&st->d);
     int64_t at[3] = {0, 0, 0},
@@ -301,7 +301,7 @@ static void touching(studio *st)
     for (int i = 1; i < count; i++) {
         shape s = shape_times_six(&st->d);
         int64_t p[3], q[3];
-        int along = dice_int(&st->d, 0, 1) ? 0 : dice_int(&st->d, -12, 12);
+        int along = rng_int(&st->d, 0, 1) ? 0 : rng_int(&st->d, -12, 12);
         anchor(&st->d, &before, p);
         anchor(&st->d, &s, q);
         for (int k = 0; k < 3; k++)
@@ -314,7 +314,7 @@ static void touching(studio *st)
 /* The same before an eye: a solid touches one of those before, or has its point twice as far on the same sight line. */
 static void touching_from_eye(studio *st)
 {
-    int count = dice_int(&st->d, 3, 16);
+    int count = rng_int(&st->d, 3, 16);
     look_small(st, 3);
     shape before = shape_times_six(&st->d);
     oracle_view *view = &st->scene->view;
@@ -323,7 +323,7 @@ static void touching_from_eye(studio *st)
     for (int i = 1; i < count; i++) {
         shape s = shape_times_six(&st->d);
         int64_t p[3], q[3], to[3];
-        bool behind = dice_int(&st->d, 0, 1);
+        bool behind = rng_int(&st->d, 0, 1);
         anchor(&st->d, &before, p);
         anchor(&st->d, &s, q);
         for (int k = 0; k < 3; k++)
@@ -342,14 +342,14 @@ static void touching_from_eye(studio *st)
 /* Solids within solids about common centres, some of the same size. */
 static void nested(studio *st)
 {
-    int centres = dice_int(&st->d, 1, 4);
+    int centres = rng_int(&st->d, 1, 4);
     for (int c = 0; c < centres; c++) {
         shape s = shape_any(&st->d);
-        int x = dice_int(&st->d, 0, 40), y = dice_int(&st->d, 0, 40), z = dice_int(&st->d, 0, 40);
+        int x = rng_int(&st->d, 0, 40), y = rng_int(&st->d, 0, 40), z = rng_int(&st->d, 0, 40);
         const int64_t *p = s.point[0], *q = s.point[s.point_count - 1];
         int64_t middle[3] = {p[0] + q[0], p[1] + q[1], p[2] + q[2]}; /* twice a point of the solid */
-        for (int i = dice_int(&st->d, 2, 6); i > 0; i--) {
-            int k = dice_int(&st->d, 1, 6);
+        for (int i = rng_int(&st->d, 2, 6); i > 0; i--) {
+            int k = rng_int(&st->d, 1, 6);
             put_scaled(st, &s,
                        (roberts_vec3){x - 0.5 * k * (double)middle[0], y - 0.5 * k * (double)middle[1],
                                       z - 0.5 * k * (double)middle[2]},
@@ -362,11 +362,11 @@ static void nested(studio *st)
 /* Solids given two or three times over. */
 static void twice(studio *st)
 {
-    int count = dice_int(&st->d, 2, 8);
+    int count = rng_int(&st->d, 2, 8);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        int x = dice_int(&st->d, 0, 6), y = dice_int(&st->d, 0, 6), z = dice_int(&st->d, 0, 6);
-        for (int k = dice_int(&st->d, 1, 3); k > 0; k--)
+        int x = rng_int(&st->d, 0, 6), y = rng_int(&st->d, 0, 6), z = rng_int(&st->d, 0, 6);
+        for (int k = rng_int(&st->d, 1, 3); k > 0; k--)
             put(st, &s, x, y, z);
     }
     look_any(st);
@@ -375,12 +375,12 @@ static void twice(studio *st)
 /* Thin plates on one another and apart, parallel to the axes; equal heights are the same double. */
 static void heap(studio *st, double thin)
 {
-    int count = dice_int(&st->d, 6, 30);
+    int count = rng_int(&st->d, 6, 30);
     for (int i = 0; i < count; i++) {
-        double x = dice_int(&st->d, 0, 6), y = dice_int(&st->d, 0, 6);
-        int layer = dice_int(&st->d, 0, 5), way = dice_int(&st->d, 0, 4);
+        double x = rng_int(&st->d, 0, 6), y = rng_int(&st->d, 0, 6);
+        int layer = rng_int(&st->d, 0, 5), way = rng_int(&st->d, 0, 4);
         double z0 = layer * thin, z1 = (layer + 1) * thin;
-        double w = dice_int(&st->d, 1, 4), h = dice_int(&st->d, 1, 4);
+        double w = rng_int(&st->d, 1, 4), h = rng_int(&st->d, 1, 4);
         if (way == 0)
             put_box(st, (roberts_vec3){z0, x, y}, (roberts_vec3){z1, x + w, y + h});
         else if (way == 1)
@@ -394,7 +394,7 @@ static void heap(studio *st, double thin)
 /* Thickness about 1e-3 or 1e-6, but a power of two, so that sums of heights are exact too. */
 static void plates(studio *st)
 {
-    heap(st, ldexp(1, dice_int(&st->d, 0, 1) ? -10 : -20));
+    heap(st, ldexp(1, rng_int(&st->d, 0, 1) ? -10 : -20));
 }
 
 /* Where a near plane cuts plates of a millionth, what lies behind the cuts lies nearer to them than what counts as
@@ -407,17 +407,17 @@ static void thicker_plates(studio *st)
 /* Thickness 1e-3 or 1e-6. What rounding of it may change is not judged. */
 static void decimal_plates(studio *st)
 {
-    heap(st, dice_int(&st->d, 0, 1) ? 1e-3 : 1e-6);
+    heap(st, rng_int(&st->d, 0, 1) ? 1e-3 : 1e-6);
     st->scene->slack = ROUNDING * 10; /* coordinates are at most 10 */
 }
 
 /* A stack of boxes, each turned about the vertical: the faces between them meet exactly, whatever x and y became. */
 static void tower(studio *st)
 {
-    int count = dice_int(&st->d, 3, 20);
-    double angle = dice_real(&st->d);
+    int count = rng_int(&st->d, 3, 20);
+    double angle = rng_real(&st->d);
     for (int i = 0; i < count; i++) {
-        shape s = dice_int(&st->d, 0, 3) ? shape_box(4, 4, 1) : shape_box(2, 6, 1);
+        shape s = rng_int(&st->d, 0, 3) ? shape_box(4, 4, 1) : shape_box(2, 6, 1);
         double c = cos(angle * i), n = sin(angle * i), shift = (double)s.point[s.point_count - 1][0] / 2;
         double m[3][3] = {{c, -n, 0}, {n, c, 0}, {0, 0, 1}};
         put_mapped(st, &s, (roberts_vec3){-shift * c + shift * n, -shift * n - shift * c, i}, m);
@@ -428,12 +428,12 @@ static void tower(studio *st)
 /* Up to a million times as deep as the picture is wide: large depths must not spoil x and y. Returns the depth. */
 static double put_deep(studio *st, int axis)
 {
-    int count = dice_int(&st->d, 6, 24), spread = dice_int(&st->d, 1, 5);
-    double depth = ldexp(1, dice_int(&st->d, 6, 20));
+    int count = rng_int(&st->d, 6, 24), spread = rng_int(&st->d, 1, 5);
+    double depth = ldexp(1, rng_int(&st->d, 6, 20));
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        double x = dice_int(&st->d, -spread, spread), y = dice_int(&st->d, -spread, spread);
-        double z = floor(depth * dice_real(&st->d));
+        double x = rng_int(&st->d, -spread, spread), y = rng_int(&st->d, -spread, spread);
+        double z = floor(depth * rng_real(&st->d));
         put(st, &s, axis == 0 ? z : x, axis == 1 ? z : y, axis == 2 ? z : axis == 1 ? y : x);
     }
     return depth;
@@ -446,15 +446,15 @@ static void look_along(studio *st, int axis, double x, double y, double z)
 
 static void deep(studio *st)
 {
-    int axis = dice_int(&st->d, 0, 2);
+    int axis = rng_int(&st->d, 0, 2);
     put_deep(st, axis);
-    look_along(st, axis, 0, 0, dice_int(&st->d, 0, 1) ? 1 : -3);
+    look_along(st, axis, 0, 0, rng_int(&st->d, 0, 1) ? 1 : -3);
 }
 
 /* The view is off that axis by some widths of a solid from front to back, so clearances are small. */
 static void deep_aslant(studio *st)
 {
-    int axis = dice_int(&st->d, 0, 2);
+    int axis = rng_int(&st->d, 0, 2);
     double depth = put_deep(st, axis);
     roberts_vec3 aside = whole_point(st, -3, 3);
     look_along(st, axis, aside.x, aside.y, depth);
@@ -468,7 +468,7 @@ static void end_on(studio *st)
     const roberts_mesh *mesh = &st->scene->mesh;
     if (st->no_memory)
         return;
-    uint32_t first = mesh->face_start[dice_int(&st->d, 0, (int)mesh->face_count - 1)];
+    uint32_t first = mesh->face_start[rng_int(&st->d, 0, (int)mesh->face_count - 1)];
     roberts_vec3 a = mesh->vertex[mesh->corner[first]], b = mesh->vertex[mesh->corner[first + 1]];
     look(st, b.x - a.x, b.y - a.y, b.z - a.z);
     if (st->eye)
@@ -479,10 +479,10 @@ static void end_on(studio *st)
 /* Solids of sizes 2^-most .. 2^most together; all coordinates are small multiples of a power of two. */
 static void mixed_sizes(studio *st, int most)
 {
-    int count = dice_int(&st->d, 6, 20);
+    int count = rng_int(&st->d, 6, 20);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
-        double size = ldexp(1, dice_int(&st->d, -most, most)), spread = fmax(8, size);
+        double size = ldexp(1, rng_int(&st->d, -most, most)), spread = fmax(8, size);
         roberts_vec3 at = real_point(st);
         at = (roberts_vec3){floor(spread * at.x), floor(spread * at.y), floor(spread * at.z)};
         put_scaled(st, &s, at, size, size, size);
@@ -508,7 +508,7 @@ void make_any_exact(studio *st)
 {
     static void (*const make[])(studio *) = {make_blocks, make_bricks, make_checker, polytopes,
                                              make_crowd,  touching,    nested,       twice};
-    make[dice_int(&st->d, 0, sizeof make / sizeof *make - 1)](st);
+    make[rng_int(&st->d, 0, sizeof make / sizeof *make - 1)](st);
 }
 
 /* Times 1e8, which keeps whole numbers and halves whole. */
@@ -530,9 +530,9 @@ static void small(studio *st)
 /* Moved far from the origin by whole numbers. */
 static void far_away(studio *st)
 {
-    double far = dice_int(&st->d, 0, 1) ? 1e8 : 1e6;
+    double far = rng_int(&st->d, 0, 1) ? 1e8 : 1e6;
     make_any_exact(st);
-    map_vertices(st, 1, (roberts_vec3){far, -3 * far, dice_int(&st->d, -1000, 1000)});
+    map_vertices(st, 1, (roberts_vec3){far, -3 * far, rng_int(&st->d, -1000, 1000)});
 }
 
 /* Up to a million million times. */
@@ -547,31 +547,31 @@ static void all_sizes(studio *st)
 /* Exact contacts, and then each solid moved by some millionths. */
 static void nudged(studio *st)
 {
-    int count = dice_int(&st->d, 4, 24), spread = dice_int(&st->d, 2, 6);
+    int count = rng_int(&st->d, 4, 24), spread = rng_int(&st->d, 2, 6);
     for (int i = 0; i < count; i++) {
         shape s = shape_any(&st->d);
         roberts_vec3 p = whole_point(st, 0, spread), by = whole_point(st, -2, 2);
         put(st, &s, p.x + ldexp(by.x, -20), p.y + ldexp(by.y, -20), p.z + ldexp(by.z, -20));
     }
-    dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
+    rng_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
     near_touching(st);
 }
 
 /* A crowd whose corners are each moved a little, so that nothing is quite parallel, in line or in one plane. */
 static void crooked(studio *st)
 {
-    int count = dice_int(&st->d, 4, 20), spread = dice_int(&st->d, 2, 6), twist = dice_int(&st->d, 1, 4);
+    int count = rng_int(&st->d, 4, 20), spread = rng_int(&st->d, 2, 6), twist = rng_int(&st->d, 1, 4);
     for (int i = 0; i < count; i++) {
         shape s;
         do {
             s = shape_any(&st->d);
             for (int k = 0; k < s.point_count; k++)
                 for (int c = 0; c < 3; c++)
-                    s.point[k][c] = 4096 * s.point[k][c] + dice_int(&st->d, -twist, twist);
+                    s.point[k][c] = 4096 * s.point[k][c] + rng_int(&st->d, -twist, twist);
         } while (!shape_hull(&s));
         put_scaled(st, &s, whole_point(st, 0, spread), 1.0 / 4096, 1.0 / 4096, 1.0 / 4096);
     }
-    dice_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
+    rng_int(&st->d, 0, 3) ? look_small(st, 2) : look_any(st);
     near_touching(st);
 }
 
@@ -580,7 +580,7 @@ static void crooked(studio *st)
 static void turned(studio *st)
 {
     make_any_exact(st);
-    double a = 3 * dice_real(&st->d), b = 3 * dice_real(&st->d);
+    double a = 3 * rng_real(&st->d), b = 3 * rng_real(&st->d);
     double m[3][3] = {
         {cos(a), -sin(a), 0}, {cos(b) * sin(a), cos(b) * cos(a), -sin(b)}, {sin(b) * sin(a), sin(b) * cos(a), cos(b)}};
     spoil(st, m);
@@ -763,7 +763,7 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
         if (strcmp(family, families[i].name) != 0)
             continue;
         for (const char *c = family; *c; c++)
-            st.d.state = dice_next(&st.d) ^ (unsigned char)*c;
+            st.d.state = rng_next(&st.d) ^ (unsigned char)*c;
         scene->grid = (uint32_t[]){0, 0, 1, 9}[seed % 4];
         scene->threads = seed % 16 ? 1 : 3;
         families[i].make(&st);

@@ -10,7 +10,7 @@
 /* Two to eight of the solids close together, and small ones among them, which they may hide. */
 static void put_crowd(studio *st, const shape *s, double scale)
 {
-    int count = dice_int(&st->d, 2, 8), small_ones = dice_int(&st->d, 3, 10), spread = dice_int(&st->d, 1, 3);
+    int count = rng_int(&st->d, 2, 8), small_ones = rng_int(&st->d, 3, 10), spread = rng_int(&st->d, 1, 3);
     for (int i = 0; i < count; i++)
         put_scaled(st, s, whole_point(st, -spread, spread), scale, scale, scale);
     for (int i = 0; i < small_ones; i++) {
@@ -24,8 +24,8 @@ static void put_crowd(studio *st, const shape *s, double scale)
  * that result. If nothing is moved and the view is exact, everything is judged. */
 static void roughen(studio *st)
 {
-    double most = (double[]){0, 1e-12, 1e-9, 1e-6}[dice_int(&st->d, 0, 3)], off = small_angle(st);
-    int when = dice_int(&st->d, 0, 3), how = dice_int(&st->d, most == 0 ? 0 : 1, 2);
+    double most = (double[]){0, 1e-12, 1e-9, 1e-6}[rng_int(&st->d, 0, 3)], off = small_angle(st);
+    int when = rng_int(&st->d, 0, 3), how = rng_int(&st->d, most == 0 ? 0 : 1, 2);
     if (when < 2)
         look_in_plane(st, off);
     if (most > 0)
@@ -42,7 +42,7 @@ static void roughen(studio *st)
 
 void make_rough_boxes(studio *st)
 {
-    int x = dice_int(&st->d, 1, 3), y = dice_int(&st->d, 1, 3), z = dice_int(&st->d, 1, 3);
+    int x = rng_int(&st->d, 1, 3), y = rng_int(&st->d, 1, 3), z = rng_int(&st->d, 1, 3);
     shape s = shape_box(x, y, z);
     put_crowd(st, &s, 1);
     roughen(st);
@@ -78,7 +78,7 @@ void make_rough_truncated(studio *st)
 
 void make_crowd_in_plane(studio *st)
 {
-    bool small_off = dice_int(&st->d, 0, 1);
+    bool small_off = rng_int(&st->d, 0, 1);
     make_crowd(st);
     look_in_plane(st, small_off ? small_angle(st) : 0);
     if (small_off)
@@ -97,15 +97,15 @@ static bool is_centre(int kind, int x, int y, int z)
 
 void make_honeycomb(studio *st)
 {
-    int kind = dice_int(&st->d, 0, 2), n = kind == 2 ? 3 : 2, kept = dice_int(&st->d, 4, 8);
+    int kind = rng_int(&st->d, 0, 2), n = kind == 2 ? 3 : 2, kept = rng_int(&st->d, 4, 8);
     shape s = kind == 0 ? shape_box(2, 2, 2) : kind == 1 ? shape_rhombic_dodecahedron() : shape_truncated_octahedron();
     put(st, &s, 0, 0, 0);
     for (int x = -n; x <= n; x++)
         for (int y = -n; y <= n; y++)
             for (int z = -n; z <= n; z++)
-                if ((x || y || z) && is_centre(kind, x, y, z) && dice_int(&st->d, 1, 8) <= kept)
+                if ((x || y || z) && is_centre(kind, x, y, z) && rng_int(&st->d, 1, 8) <= kept)
                     put(st, &s, x, y, z);
-    if (dice_int(&st->d, 0, 1))
+    if (rng_int(&st->d, 0, 1))
         look_in_plane(st, 0);
     else if (!st->eye)
         look_any(st);
@@ -116,7 +116,7 @@ void make_honeycomb(studio *st)
 /* A rotation about two axes. */
 static void turn(studio *st, double m[3][3])
 {
-    double a = 3 * dice_real(&st->d), b = 3 * dice_real(&st->d);
+    double a = 3 * rng_real(&st->d), b = 3 * rng_real(&st->d);
     double rows[3][3] = {
         {cos(a), -sin(a), 0}, {cos(b) * sin(a), cos(b) * cos(a), -sin(b)}, {sin(b) * sin(a), sin(b) * cos(a), cos(b)}};
     for (int i = 0; i < 3; i++)
@@ -138,10 +138,10 @@ void make_honeycomb_turned(studio *st)
 static int put_digits(studio *st)
 {
     static void (*const make[])(studio *) = {make_blocks, make_bricks, make_checker, make_honeycomb};
-    int digits = dice_int(&st->d, 4, 7);
-    double m[3][3], scale = 0.1 + fabs(dice_real(&st->d));
-    make[dice_int(&st->d, 0, 3)](st);
-    bool turned = dice_int(&st->d, 0, 3) > 0;
+    int digits = rng_int(&st->d, 4, 7);
+    double m[3][3], scale = 0.1 + fabs(rng_real(&st->d));
+    make[rng_int(&st->d, 0, 3)](st);
+    bool turned = rng_int(&st->d, 0, 3) > 0;
     turn(st, m);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
@@ -154,7 +154,7 @@ static int put_digits(studio *st)
 static void look_at_digits(studio *st)
 {
     st->unit = 0.125;
-    if (dice_int(&st->d, 0, 1))
+    if (rng_int(&st->d, 0, 1))
         look_any(st);
     else
         look_in_plane(st, small_angle(st));
@@ -192,14 +192,14 @@ void make_digits_convex(studio *st)
  * their ends are slanted, so that their boxes reach farther than their sides. */
 static void put_beams(studio *st, bool tilted)
 {
-    int count = dice_int(&st->d, 4, 16), fine = dice_int(&st->d, 0, 1), slanted = fine || dice_int(&st->d, 0, 1);
-    int digits = fine ? 10 : dice_int(&st->d, 1, 9);
-    double wide = dice_int(&st->d, 0, 1) ? 1 : 0.125, spread = pow(10, -digits);
-    shape s = dice_int(&st->d, 0, 1) ? shape_box(1, 1, 1) : shape_random(&st->d, 4, 1);
+    int count = rng_int(&st->d, 4, 16), fine = rng_int(&st->d, 0, 1), slanted = fine || rng_int(&st->d, 0, 1);
+    int digits = fine ? 10 : rng_int(&st->d, 1, 9);
+    double wide = rng_int(&st->d, 0, 1) ? 1 : 0.125, spread = pow(10, -digits);
+    shape s = rng_int(&st->d, 0, 1) ? shape_box(1, 1, 1) : shape_random(&st->d, 4, 1);
     for (int i = 0; i < count; i++) {
-        double length = dice_int(&st->d, 4, 64), x = dice_int(&st->d, -64, 32), row = dice_int(&st->d, -3, 3) / 2.0;
-        double side = dice_int(&st->d, 0, 1) * spread * dice_real(&st->d), lean = spread * dice_real(&st->d);
-        double rise = dice_int(&st->d, 0, 1) * lean, slope = dice_int(&st->d, -1, 1), slant = dice_int(&st->d, -8, 8);
+        double length = rng_int(&st->d, 4, 64), x = rng_int(&st->d, -64, 32), row = rng_int(&st->d, -3, 3) / 2.0;
+        double side = rng_int(&st->d, 0, 1) * spread * rng_real(&st->d), lean = spread * rng_real(&st->d);
+        double rise = rng_int(&st->d, 0, 1) * lean, slope = rng_int(&st->d, -1, 1), slant = rng_int(&st->d, -8, 8);
         double m[3][3] = {{length, slanted * slant, 0}, {length * lean, wide, 0}, {0, 0, 1}};
         if (tilted) /* all in planes through one line, or nearly so, and across one another there */
             m[2][0] = length * (slope + rise);
@@ -210,13 +210,13 @@ static void put_beams(studio *st, bool tilted)
 void make_beams(studio *st)
 {
     put_beams(st, false);
-    st->eye ? look(st, 0, 0, 1) : look_down(st, 1e-3 * dice_int(&st->d, 0, 1), dice_int(&st->d, 0, 1) ? 1 : -1);
+    st->eye ? look(st, 0, 0, 1) : look_down(st, 1e-3 * rng_int(&st->d, 0, 1), rng_int(&st->d, 0, 1) ? 1 : -1);
     near_touching(st);
 }
 
 void make_tilted_beams(studio *st)
 {
     put_beams(st, true);
-    st->eye ? look_small(st, 2) : look_down(st, dice_int(&st->d, 0, 1), dice_int(&st->d, 0, 1) ? 1 : -1);
+    st->eye ? look_small(st, 2) : look_down(st, rng_int(&st->d, 0, 1), rng_int(&st->d, 0, 1) ? 1 : -1);
     near_touching(st);
 }

@@ -24,8 +24,8 @@ static void look(workshop *w)
             *v = (oracle_view){.x = x, .y = y, .z = any(w, -3, 3)};
         } while (v->x == 0 && v->y == 0 && v->z == 0);
     } else if (kind == 3) {
-        double x = dice_real(&w->d), y = dice_real(&w->d);
-        *v = (oracle_view){.x = x, .y = y, .z = 0.1 + fabs(dice_real(&w->d))};
+        double x = rng_real(&w->d), y = rng_real(&w->d);
+        *v = (oracle_view){.x = x, .y = y, .z = 0.1 + fabs(rng_real(&w->d))};
     } else { /* an eye, with whole numbers, outside the sphere round the scene */
         double size = 1;
         for (size_t i = 0; i < w->scene->mesh.vertex_count; i++) {
@@ -493,7 +493,7 @@ bool mesh_family_make(size_t index, uint64_t seed, mesh_scene *scene)
     workshop w = {.scene = scene, .d = {(seed << 8) + index}};
     *scene = (mesh_scene){0};
     for (int i = 0; i < 8; i++)
-        dice_next(&w.d);
+        rng_next(&w.d);
     do {
         roberts_mesh_free(&scene->mesh);
         family(index)->make(&w);

@@ -11,13 +11,13 @@ enum { FACE_CORNERS = 64 };
 
 typedef struct workshop {
     mesh_scene *scene;
-    dice d;
+    rng d;
     bool no_memory; /* checked once, at the end */
 } workshop;
 
 static inline int any(workshop *w, int lo, int hi)
 {
-    return dice_int(&w->d, lo, hi);
+    return rng_int(&w->d, lo, hi);
 }
 
 static inline uint32_t vertex(workshop *w, double x, double y, double z)

@@ -7,11 +7,11 @@
 #include "shapes.h"
 
 /* A permutation of 0 .. count - 1. */
-static uint32_t *permutation(dice *d, size_t count)
+static uint32_t *permutation(rng *d, size_t count)
 {
     uint32_t *order = malloc((count + 1) * sizeof *order);
     for (size_t i = 0; i < count && order; i++) {
-        size_t k = (size_t)(dice_next(d) % (i + 1));
+        size_t k = (size_t)(rng_next(d) % (i + 1));
         order[i] = order[k];
         order[k] = (uint32_t)i;
     }
@@ -19,12 +19,12 @@ static uint32_t *permutation(dice *d, size_t count)
 }
 
 /* Adds a face of another mesh: its corners by their new numbers, from any of them on, in either direction. */
-static bool add_face(const roberts_mesh *mesh, size_t f, const uint32_t *number, dice *d, roberts_mesh *other)
+static bool add_face(const roberts_mesh *mesh, size_t f, const uint32_t *number, rng *d, roberts_mesh *other)
 {
     const uint32_t *corner = mesh->corner + mesh->face_start[f];
-    size_t count = mesh->face_start[f + 1] - mesh->face_start[f], first = (size_t)dice_int(d, 0, (int)count - 1);
+    size_t count = mesh->face_start[f + 1] - mesh->face_start[f], first = (size_t)rng_int(d, 0, (int)count - 1);
     uint32_t *face = malloc(count * sizeof *face);
-    bool back = dice_int(d, 0, 1), ok = face != NULL;
+    bool back = rng_int(d, 0, 1), ok = face != NULL;
     for (size_t i = 0; i < count && ok; i++)
         face[i] = number[corner[(first + (back ? count - i : i)) % count]];
     ok = ok && roberts_mesh_add_face(other, face, count, NULL) == ROBERTS_OK;
@@ -34,7 +34,7 @@ static bool add_face(const roberts_mesh *mesh, size_t f, const uint32_t *number,
 
 bool order_shuffle(const roberts_mesh *mesh, uint64_t seed, roberts_mesh *other, uint32_t *number)
 {
-    dice d = {seed};
+    rng d = {seed};
     uint32_t *vertex = permutation(&d, mesh->vertex_count), *face = permutation(&d, mesh->face_count);
     bool ok = vertex && face;
     *other = (roberts_mesh){0};

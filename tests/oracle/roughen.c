@@ -36,9 +36,9 @@ static range vertices_of(const studio *st, uint32_t solid)
 void shake(studio *st, double most)
 {
     roberts_mesh *mesh = &st->scene->mesh;
-    int some = dice_int(&st->d, 1, 4), whole = dice_int(&st->d, 0, 1);
+    int some = rng_int(&st->d, 1, 4), whole = rng_int(&st->d, 0, 1);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        bool moved = dice_int(&st->d, 1, 4) <= some;
+        bool moved = rng_int(&st->d, 1, 4) <= some;
         roberts_vec3 by = whole ? whole_point(st, -1, 1) : real_point(st), *p = mesh->vertex + i;
         if (moved)
             *p = (roberts_vec3){p->x + most * by.x, p->y + most * by.y, p->z + most * by.z};
@@ -67,7 +67,7 @@ static void replace_faces(studio *st, bool cut(studio *, const roberts_mesh *, r
 static bool add_triangle(studio *st, roberts_mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
 {
     const uint32_t corner[2][3] = {{a, b, c}, {c, b, a}};
-    return roberts_mesh_add_face(mesh, corner[dice_int(&st->d, 0, 1)], 3, NULL) == ROBERTS_OK;
+    return roberts_mesh_add_face(mesh, corner[rng_int(&st->d, 0, 1)], 3, NULL) == ROBERTS_OK;
 }
 
 /* A polygon's corners i .. k: some triangle on the chord from i to k, and what that leaves. */
@@ -75,7 +75,7 @@ static bool add_polygon(studio *st, roberts_mesh *mesh, const uint32_t *corner, 
 {
     if (k - i < 2)
         return true;
-    int j = dice_int(&st->d, i + 1, k - 1);
+    int j = rng_int(&st->d, i + 1, k - 1);
     return add_triangle(st, mesh, corner[i], corner[j], corner[k]) && add_polygon(st, mesh, corner, i, j) &&
            add_polygon(st, mesh, corner, j, k);
 }
@@ -224,7 +224,7 @@ void leave_open(studio *st)
 
 double small_angle(studio *st)
 {
-    int digits = dice_int(&st->d, 8, 13);
+    int digits = rng_int(&st->d, 8, 13);
     return digits < 9 ? 0 : pow(10, -digits);
 }
 
@@ -232,11 +232,11 @@ void look_in_plane(studio *st, double off)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
     roberts_vec3 aside = real_point(st), lo = mesh->vertex[0], hi = lo;
-    uint32_t f = (uint32_t)dice_int(&st->d, 0, (int)mesh->face_count - 1), first = mesh->face_start[f];
+    uint32_t f = (uint32_t)rng_int(&st->d, 0, (int)mesh->face_count - 1), first = mesh->face_start[f];
     uint32_t count = mesh->face_start[f + 1] - first;
     const uint32_t *corner = mesh->corner + first;
     roberts_vec3 o = mesh->vertex[corner[0]], p = mesh->vertex[corner[1]], q = mesh->vertex[corner[count - 1]];
-    int u = dice_int(&st->d, -3, 3), w = dice_int(&st->d, u ? -3 : 1, 3);
+    int u = rng_int(&st->d, -3, 3), w = rng_int(&st->d, u ? -3 : 1, 3);
     roberts_vec3 dir = {u * (p.x - o.x) + w * (q.x - o.x), u * (p.y - o.y) + w * (q.y - o.y),
                         u * (p.z - o.z) + w * (q.z - o.z)};
     double length = hypot(hypot(dir.x, dir.y), dir.z) * off, times = 1;

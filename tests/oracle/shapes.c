@@ -5,28 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- random numbers: splitmix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014)  */
-
-uint64_t dice_next(dice *d)
-{
-    uint64_t z = d->state += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
-
-/* A whole number of lo .. hi. */
-int dice_int(dice *d, int lo, int hi)
-{
-    return lo + (int)(dice_next(d) % (uint64_t)(hi - lo + 1));
-}
-
-/* A double of -1 .. 1. */
-double dice_real(dice *d)
-{
-    return (double)(int64_t)dice_next(d) / 9223372036854775808.0;
-}
-
 /* ---- shapes: convex polyhedra with whole coordinates ----------------------------------------------------------- */
 
 static int64_t det3(const int64_t *o, const int64_t *a, const int64_t *b, const int64_t *c)
@@ -158,13 +136,13 @@ shape shape_box(int x, int y, int z)
 }
 
 /* The hull of `count` random points with coordinates of 0 .. size. Small sizes give many-cornered faces. */
-shape shape_random(dice *d, int count, int size)
+shape shape_random(rng *d, int count, int size)
 {
     shape s;
     do {
         s = (shape){0};
         for (int i = 0; i < count; i++) {
-            int x = dice_int(d, 0, size), y = dice_int(d, 0, size), z = dice_int(d, 0, size);
+            int x = rng_int(d, 0, size), y = rng_int(d, 0, size), z = rng_int(d, 0, size);
             shape_point(&s, x, y, z);
         }
     } while (!shape_hull(&s));
@@ -172,14 +150,14 @@ shape shape_random(dice *d, int count, int size)
 }
 
 /* A prism or a pyramid, leaning, over a polygon of up to 16 corners. Its sides are the first whole vectors by angle. */
-shape shape_prism(dice *d)
+shape shape_prism(rng *d)
 {
     static const int side[16][2] = {{1, 0},  {2, 1},   {1, 1},   {1, 2},   {0, 1},  {-1, 2}, {-1, 1}, {-2, 1},
                                     {-1, 0}, {-2, -1}, {-1, -1}, {-1, -2}, {0, -1}, {1, -2}, {1, -1}, {2, -1}};
     shape s = {0};
-    int x = 0, y = 0, lean_x = dice_int(d, -2, 2), lean_y = dice_int(d, -2, 2), high = dice_int(d, 1, 5);
-    int step = 1 << dice_int(d, 0, 2), axis = dice_int(d, 0, 2);
-    bool pyramid = dice_int(d, 0, 2) == 0;
+    int x = 0, y = 0, lean_x = rng_int(d, -2, 2), lean_y = rng_int(d, -2, 2), high = rng_int(d, 1, 5);
+    int step = 1 << rng_int(d, 0, 2), axis = rng_int(d, 0, 2);
+    bool pyramid = rng_int(d, 0, 2) == 0;
     for (int i = 0; i < 16; i += step) {
         shape_point(&s, x, y, 0);
         if (!pyramid)
@@ -256,16 +234,16 @@ static void go_on(int64_t *x, int64_t *y, const int *v, int quarters)
 
 /* Its sides are whole vectors by angle, of which some are left out together with their opposites, and some come in two
  * parts. */
-shape shape_coin(dice *d)
+shape shape_coin(rng *d)
 {
     shape s = {0};
-    int v[SHAPE_POINTS][2], most = dice_int(d, 6, 7), quarter = first_vectors(most, v), count = 0;
-    int lean_x = dice_int(d, -40, 40), lean_y = dice_int(d, -40, 40), high = dice_int(d, 1, 60);
+    int v[SHAPE_POINTS][2], most = rng_int(d, 6, 7), quarter = first_vectors(most, v), count = 0;
+    int lean_x = rng_int(d, -40, 40), lean_y = rng_int(d, -40, 40), high = rng_int(d, 1, 60);
     int parts[SHAPE_POINTS], lean[3] = {lean_x, lean_y, high};
     int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
-    bool pyramid = dice_int(d, 0, 2) == 0, straight = dice_int(d, 0, 2) == 0;
+    bool pyramid = rng_int(d, 0, 2) == 0, straight = rng_int(d, 0, 2) == 0;
     for (int i = 0; i < 2 * quarter; i++)
-        parts[i] = dice_int(d, 0, 9) == 0 ? 0 : straight && dice_int(d, 0, 9) == 0 && quarter < 30 ? 2 : 1;
+        parts[i] = rng_int(d, 0, 9) == 0 ? 0 : straight && rng_int(d, 0, 9) == 0 && quarter < 30 ? 2 : 1;
     for (int i = 0; i < 4 * quarter; i++)
         for (int k = 0; k < parts[i % (2 * quarter)]; k++) {
             ring[count][0] = x;
@@ -278,15 +256,15 @@ shape shape_coin(dice *d)
     return s;
 }
 
-shape shape_large_coin(dice *d)
+shape shape_large_coin(rng *d)
 {
     shape s = {0};
     int v[SHAPE_POINTS][2], quarter = first_vectors(14, v), count = 0;
-    int lean_x = dice_int(d, -400, 400), lean_y = dice_int(d, -400, 400), high = dice_int(d, 1, 400);
+    int lean_x = rng_int(d, -400, 400), lean_y = rng_int(d, -400, 400), high = rng_int(d, 1, 400);
     int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
     bool left_out[SHAPE_POINTS];
     for (int i = 0; i < quarter; i++)
-        left_out[i] = dice_int(d, 0, 19) == 0;
+        left_out[i] = rng_int(d, 0, 19) == 0;
     for (int i = 0; i < 4 * quarter; i++)
         if (!left_out[i % quarter]) {
             ring[count][0] = x;
@@ -297,28 +275,28 @@ shape shape_large_coin(dice *d)
     return s;
 }
 
-shape shape_fan(dice *d)
+shape shape_fan(rng *d)
 {
     shape s = {0};
-    int v[SHAPE_POINTS][2], quarter = first_vectors(dice_int(d, 7, 9), v), count = 0;
+    int v[SHAPE_POINTS][2], quarter = first_vectors(rng_int(d, 7, 9), v), count = 0;
     int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
     for (int i = 0; i < 4 * quarter; i++, count++) {
         ring[count][0] = x;
         ring[count][1] = y;
         go_on(&x, &y, v[i % quarter], i / quarter);
     }
-    int middle = (int)ring[2 * quarter][1] / 2, lean_x = dice_int(d, -middle, middle), high = dice_int(d, 20, 400);
-    int lean_y = dice_int(d, 0, 2 * middle);
+    int middle = (int)ring[2 * quarter][1] / 2, lean_x = rng_int(d, -middle, middle), high = rng_int(d, 20, 400);
+    int lean_y = rng_int(d, 0, 2 * middle);
     add_coin(&s, ring, count, true, (int[]){lean_x, lean_y, high});
     return s;
 }
 
-shape shape_plate(dice *d)
+shape shape_plate(rng *d)
 {
     shape s = {0};
-    int wide = dice_int(d, 20, 50), high = dice_int(d, 14, 50), lean[3] = {0, 0, 0}, count = 0;
+    int wide = rng_int(d, 20, 50), high = rng_int(d, 14, 50), lean[3] = {0, 0, 0}, count = 0;
     int64_t ring[SHAPE_POINTS][2], x = 0, y = 0;
-    lean[2] = dice_int(d, 1, 4);
+    lean[2] = rng_int(d, 1, 4);
     for (int quarters = 0; quarters < 4; quarters++)
         for (int i = quarters % 2 ? high : wide; i > 0; i--) {
             ring[count][0] = x;
@@ -369,14 +347,14 @@ shape shape_truncated_octahedron(void)
     return s;
 }
 
-shape shape_any(dice *d)
+shape shape_any(rng *d)
 {
     int x, y, z;
-    switch (dice_int(d, 0, 5)) {
+    switch (rng_int(d, 0, 5)) {
     case 0:
-        x = dice_int(d, 1, 4);
-        y = dice_int(d, 1, 4);
-        z = dice_int(d, 1, 4);
+        x = rng_int(d, 1, 4);
+        y = rng_int(d, 1, 4);
+        z = rng_int(d, 1, 4);
         return shape_box(x, y, z);
     case 1:
         return shape_prism(d);

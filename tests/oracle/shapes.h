@@ -1,19 +1,11 @@
-/* shapes.h - seeded random numbers, and convex polyhedra with integer coordinates made from them. */
+/* shapes.h - convex polyhedra with integer coordinates, made from random numbers. */
 #ifndef ROBERTS_TESTS_SHAPES_H
 #define ROBERTS_TESTS_SHAPES_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef struct dice {
-    uint64_t state;
-} dice;
-
-uint64_t dice_next(dice *d);
-/* Returns an integer from lo to hi. */
-int dice_int(dice *d, int lo, int hi);
-/* Returns a double from -1 to 1. */
-double dice_real(dice *d);
+#include "rng.h"
 
 enum { SHAPE_POINTS = 1120, SHAPE_CORNERS = 3400, HULL_POINTS = 64 };
 
@@ -35,17 +27,17 @@ bool shape_hull(shape *s);
 shape shape_box(int x, int y, int z);
 /* Returns the hull of `count` random points with coordinates from 0 to `size`. Small sizes give faces with many
  * corners. */
-shape shape_random(dice *d, int count, int size);
+shape shape_random(rng *d, int count, int size);
 /* Returns an oblique prism or pyramid over a polygon of up to 16 corners. */
-shape shape_prism(dice *d);
+shape shape_prism(rng *d);
 /* Returns an oblique prism or pyramid over a polygon of 68 to 144 corners, some of which may be straight. */
-shape shape_coin(dice *d);
+shape shape_coin(rng *d);
 /* Returns an oblique prism over a polygon of about 490 corners, at most 512. */
-shape shape_large_coin(dice *d);
+shape shape_large_coin(rng *d);
 /* Returns a pyramid over a polygon of 144 to 224 corners: all its sides meet at the apex. */
-shape shape_fan(dice *d);
+shape shape_fan(rng *d);
 /* Returns a box whose upper and lower faces have a corner at each integer point of their sides, 68 corners or more. */
-shape shape_plate(dice *d);
+shape shape_plate(rng *d);
 /* Returns a prism of height 1000 over a regular polygon of radius 1000, with corners rounded to integers. */
 shape shape_regular_prism(int sides);
 /* Both fill space. The cells of the first are 2 wide, with centres at the origin and at even coordinates whose sum is a
@@ -54,6 +46,6 @@ shape shape_regular_prism(int sides);
 shape shape_rhombic_dodecahedron(void);
 shape shape_truncated_octahedron(void);
 /* Returns a box, a small prism or a small random hull. */
-shape shape_any(dice *d);
+shape shape_any(rng *d);
 
 #endif

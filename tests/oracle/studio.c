@@ -10,18 +10,18 @@
 roberts_vec3 whole_point(studio *st, int lo, int hi)
 {
     roberts_vec3 p;
-    p.x = dice_int(&st->d, lo, hi);
-    p.y = dice_int(&st->d, lo, hi);
-    p.z = dice_int(&st->d, lo, hi);
+    p.x = rng_int(&st->d, lo, hi);
+    p.y = rng_int(&st->d, lo, hi);
+    p.z = rng_int(&st->d, lo, hi);
     return p;
 }
 
 roberts_vec3 real_point(studio *st)
 {
     roberts_vec3 p;
-    p.x = dice_real(&st->d);
-    p.y = dice_real(&st->d);
-    p.z = dice_real(&st->d);
+    p.x = rng_real(&st->d);
+    p.y = rng_real(&st->d);
+    p.z = rng_real(&st->d);
     return p;
 }
 
@@ -43,8 +43,8 @@ void put_mapped(studio *st, const shape *s, roberts_vec3 at, double m[3][3])
     }
     for (int f = 0; f < s->face_count && !st->no_memory; f++) {
         uint32_t face[SHAPE_CORNERS];
-        int count = s->face_start[f + 1] - s->face_start[f], first = dice_int(&st->d, 0, count - 1);
-        bool back = dice_int(&st->d, 0, 1);
+        int count = s->face_start[f + 1] - s->face_start[f], first = rng_int(&st->d, 0, count - 1);
+        bool back = rng_int(&st->d, 0, 1);
         for (int i = 0; i < count; i++)
             face[i] = base + (uint32_t)s->corner[s->face_start[f] + (first + (back ? count - i : i)) % count];
         st->no_memory = roberts_mesh_add_face(mesh, face, (size_t)count, NULL) != ROBERTS_OK;
@@ -84,7 +84,7 @@ void put_turned(studio *st, const shape *s, roberts_vec3 at, double size)
     do {
         l = 0;
         for (int i = 0; i < 4; i++) {
-            q[i] = dice_real(&st->d);
+            q[i] = rng_real(&st->d);
             l += q[i] * q[i];
         }
     } while (l > 1 || l < 0.01);
@@ -117,8 +117,8 @@ void look_small(studio *st, int size)
 void look_axis(studio *st)
 {
     double v[3] = {0, 0, 0};
-    int axis = dice_int(&st->d, 0, 2);
-    v[axis] = dice_int(&st->d, 0, 1) ? 1 : -1;
+    int axis = rng_int(&st->d, 0, 2);
+    v[axis] = rng_int(&st->d, 0, 1) ? 1 : -1;
     look(st, v[0], v[1], v[2]);
 }
 
@@ -142,7 +142,7 @@ void look_down(studio *st, double aside, double z)
 
 void look_any(studio *st)
 {
-    switch (dice_int(&st->d, 0, 5)) {
+    switch (rng_int(&st->d, 0, 5)) {
     case 0:
         look_axis(st);
         break;
@@ -194,7 +194,7 @@ void look_from_eye(studio *st)
 {
     oracle_view *view = &st->scene->view;
     roberts_vec3 lo, hi;
-    double away = diameter(&st->scene->mesh, &lo, &hi) * dice_int(&st->d, 3, 9) / 2;
+    double away = diameter(&st->scene->mesh, &lo, &hi) * rng_int(&st->d, 3, 9) / 2;
     away /= hypot(hypot(view->x, view->y), view->z);
     view->x = st->unit * ceil(((lo.x + hi.x) / 2 + away * view->x) / st->unit);
     view->y = st->unit * ceil(((lo.y + hi.y) / 2 + away * view->y) / st->unit);
@@ -258,11 +258,11 @@ static bool is_outside(const studio *st, roberts_vec3 eye, double least)
 static roberts_vec3 beside_solid(studio *st)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
-    uint32_t solid = (uint32_t)dice_int(&st->d, 0, (int)st->solid_count - 1);
-    uint32_t face = (uint32_t)dice_int(&st->d, (int)st->first_face[solid], (int)face_end(st, solid) - 1);
-    uint32_t first = mesh->face_start[face], end = dice_int(&st->d, 0, 2) ? mesh->face_start[face + 1] : first + 1;
+    uint32_t solid = (uint32_t)rng_int(&st->d, 0, (int)st->solid_count - 1);
+    uint32_t face = (uint32_t)rng_int(&st->d, (int)st->first_face[solid], (int)face_end(st, solid) - 1);
+    uint32_t first = mesh->face_start[face], end = rng_int(&st->d, 0, 2) ? mesh->face_start[face + 1] : first + 1;
     roberts_vec3 m = middle_of(st, solid), p = mean_of(mesh, first, end);
-    double part = ldexp(1, -dice_int(&st->d, 1, 10));
+    double part = ldexp(1, -rng_int(&st->d, 1, 10));
     return (roberts_vec3){p.x + part * (p.x - m.x), p.y + part * (p.y - m.y), p.z + part * (p.z - m.z)};
 }
 
@@ -310,13 +310,13 @@ static bool place_amid(studio *st)
     const oracle_view *view = &st->scene->view;
     roberts_vec3 lo, hi;
     double size = diameter(&st->scene->mesh, &lo, &hi) / st->unit, step, far = 1;
-    bool coarse = dice_int(&st->d, 0, 1) && size > 4 && size < 512;
-    roberts_vec3 eye = dice_int(&st->d, 0, 2) ? amid_scene(st, lo, hi) : beside_solid(st), ahead;
+    bool coarse = rng_int(&st->d, 0, 1) && size > 4 && size < 512;
+    roberts_vec3 eye = rng_int(&st->d, 0, 2) ? amid_scene(st, lo, hi) : beside_solid(st), ahead;
     size = st->unit * ldexp(1, (int)floor(log2(size)));
     double grain = coarse ? st->unit / 2 : size * 0x1p-24;
     eye = on_grid(eye, grain);
     look_small(st, 2);
-    step = coarse ? grain * dice_int(&st->d, 1, 3) : size * ldexp(1, -dice_int(&st->d, 3, 10));
+    step = coarse ? grain * rng_int(&st->d, 1, 3) : size * ldexp(1, -rng_int(&st->d, 3, 10));
     ahead = (roberts_vec3){-step * view->x, -step * view->y, -step * view->z};
     while (far * step < size / 2)
         far *= 2;
@@ -330,7 +330,7 @@ static bool place_close(studio *st)
 {
     const roberts_mesh *mesh = &st->scene->mesh;
     const oracle_view *view = &st->scene->view;
-    roberts_vec3 lo, hi, corner = mesh->vertex[dice_int(&st->d, 0, (int)mesh->vertex_count - 1)], ahead;
+    roberts_vec3 lo, hi, corner = mesh->vertex[rng_int(&st->d, 0, (int)mesh->vertex_count - 1)], ahead;
     double size = diameter(mesh, &lo, &hi), grain = ldexp(1, (int)floor(log2(size)) - 26);
     look_small(st, 2);
     double near = 1.01e-6 * size / hypot(hypot(view->x, view->y), view->z), step = grain * ceil(near / grain);
@@ -352,14 +352,14 @@ static bool place_in_plane(studio *st)
     const oracle_view *view = &st->scene->view;
     roberts_vec3 lo, hi;
     double size = ldexp(1, (int)floor(log2(diameter(mesh, &lo, &hi)))), far = 1;
-    uint32_t f = (uint32_t)dice_int(&st->d, 0, (int)mesh->face_count - 1);
+    uint32_t f = (uint32_t)rng_int(&st->d, 0, (int)mesh->face_count - 1);
     const uint32_t *corner = mesh->corner + mesh->face_start[f];
     roberts_vec3 o = mesh->vertex[corner[0]], p = mesh->vertex[corner[1]], q = mesh->vertex[corner[2]];
-    double u = dice_int(&st->d, 0, 1) ? 0 : dice_int(&st->d, -8, 8) / 4.0;
-    double w = dice_int(&st->d, 0, 1) ? 0 : dice_int(&st->d, -8, 8) / 4.0;
+    double u = rng_int(&st->d, 0, 1) ? 0 : rng_int(&st->d, -8, 8) / 4.0;
+    double w = rng_int(&st->d, 0, 1) ? 0 : rng_int(&st->d, -8, 8) / 4.0;
     roberts_vec3 eye = {o.x + u * (p.x - o.x) + w * (q.x - o.x), o.y + u * (p.y - o.y) + w * (q.y - o.y),
                         o.z + u * (p.z - o.z) + w * (q.z - o.z)};
-    double step = size * ldexp(1, -dice_int(&st->d, 4, 10));
+    double step = size * ldexp(1, -rng_int(&st->d, 4, 10));
     look_small(st, 2);
     roberts_vec3 ahead = {-step * view->x, -step * view->y, -step * view->z};
     while (far * step < size)
@@ -395,7 +395,7 @@ void look_from_face_plane(studio *st)
 
 void look_oblique(studio *st)
 {
-    const double x = dice_int(&st->d, -4, 4) / 4.0, z = dice_int(&st->d, 1, 4) / 4.0;
+    const double x = rng_int(&st->d, -4, 4) / 4.0, z = rng_int(&st->d, 1, 4) / 4.0;
     st->scene->view = (oracle_view){.x = x, .y = -1, .z = z};
     st->scene->oblique = true;
 }
@@ -437,12 +437,12 @@ static triangle *shuffled_triangles(studio *st, size_t *count)
     *count = 0;
     for (size_t f = 0; list && f < mesh->face_count; f++) {
         const uint32_t *corner = mesh->corner + mesh->face_start[f];
-        uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f], k = (uint32_t)dice_int(&st->d, 0, (int)n - 1);
+        uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f], k = (uint32_t)rng_int(&st->d, 0, (int)n - 1);
         for (uint32_t i = 1; i + 1 < n; i++)
             list[(*count)++] = (triangle){{corner[k], corner[(k + i) % n], corner[(k + i + 1) % n]}};
     }
     for (size_t i = *count; list && i > 1; i--) {
-        size_t k = (size_t)dice_int(&st->d, 0, (int)i - 1);
+        size_t k = (size_t)rng_int(&st->d, 0, (int)i - 1);
         triangle swap = list[k];
         list[k] = list[i - 1];
         list[i - 1] = swap;

@@ -12,7 +12,7 @@ enum { STUDIO_SOLIDS = 1024 };
 
 typedef struct studio {
     test_scene *scene;
-    dice d;
+    rng d;
     double unit;    /* the eye's coordinates are multiples of it */
     bool eye;       /* perspective wanted, from outside */
     bool no_memory; /* checked once, at the end */

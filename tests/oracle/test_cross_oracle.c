@@ -366,15 +366,15 @@ static whole corner_of(const roberts_mesh *mesh, size_t f, int k)
 static void test_triangles(void **state)
 {
     const oracle_view view = {.x = 1, .y = 2, .z = 3};
-    dice d = {17};
+    rng d = {17};
     size_t crossed = 0, apart = 0;
     (void)state;
     for (int scene = 0; scene < 60; scene++) {
         roberts_mesh mesh = {0};
         cross_truth truth;
         for (uint32_t i = 0; i < 36; i++) {
-            int x = dice_int(&d, 0, 20), y = dice_int(&d, 0, 20);
-            mesh_vertex(&mesh, (roberts_vec3){x, y, dice_int(&d, 0, 20)});
+            int x = rng_int(&d, 0, 20), y = rng_int(&d, 0, 20);
+            mesh_vertex(&mesh, (roberts_vec3){x, y, rng_int(&d, 0, 20)});
             if (i % 3 == 2)
                 mesh_face(&mesh, (uint32_t[]){i - 2, i - 1, i}, 3);
         }
@@ -583,7 +583,7 @@ static void test_wrong_tables(void **state)
             scenes += count > 0;
             for (size_t m = 0; m < MUTATIONS && count; m++)
                 for (int again = 0; again < 3; again++) {
-                    size_t i = (size_t)dice_next(&(dice){seed * 100 + m + 1000 * (uint64_t)again}) % count, n = count;
+                    size_t i = (size_t)rng_next(&(rng){seed * 100 + m + 1000 * (uint64_t)again}) % count, n = count;
                     memcpy(wrong, row, count * sizeof *row);
                     if (!mutations[m].mutate(wrong, &n, i))
                         continue;

@@ -7,6 +7,7 @@
 #include "oracle/judge.h"
 #include "folders.h"
 #include "make_mesh.h"
+#include "rng.h"
 #include "testing.h"
 
 /* ---- by hand --------------------------------------------------------------------------------------------------- */
@@ -267,7 +268,7 @@ static bool within(const oracle_interval *list, size_t count, double t)
 static void test_rays(void **state)
 {
     size_t points = 0, hidden = 0;
-    uint64_t random = 1;
+    rng r = {1};
     (void)state;
     for (size_t f = 0; f < scene_family_count(); f++)
         for (uint64_t seed = 100; seed < 101; seed++) {
@@ -277,9 +278,8 @@ static void test_rays(void **state)
             assert_true(oracle_run(&scene.mesh, &scene.view, NULL, &result));
             size_t rays = RAYS * RAYS_CORNERS / (RAYS_CORNERS + RAYS * scene.mesh.corner_count);
             for (size_t k = 0; k < rays && !scene.rough; k++) {
-                random = random * 6364136223846793005u + 1442695040888963407u;
-                const oracle_edge *e = result.edge + (random >> 33) % result.edge_count;
-                double t = (double)(random >> 11 & 0xffffff) / 0x1000000;
+                const oracle_edge *e = result.edge + rng_below(&r, (uint32_t)result.edge_count);
+                double t = rng_between(&r, 0, 1);
                 if (e->survives != ORACLE_YES || t < e->t0 || t > e->t1)
                     continue;
                 oracle_point point = {&scene.mesh, result.vertex_solid, &scene.view, e->v0, e->v1, t, {0, 0, 0}};

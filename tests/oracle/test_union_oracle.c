@@ -247,7 +247,7 @@ static void test_wrong_tables(void **state)
             scenes++;
             for (size_t m = 0; m < MUTATIONS; m++)
                 for (uint64_t again = 0; again < 3; again++) {
-                    size_t i = (size_t)dice_next(&(dice){seed * 100 + m + 1000 * again}) % count, n = count;
+                    size_t i = (size_t)rng_next(&(rng){seed * 100 + m + 1000 * again}) % count, n = count;
                     memcpy(wrong, row, count * sizeof *row);
                     const roberts_vec3 middle = {(row[i].p.x + row[i].q.x) / 2, (row[i].p.y + row[i].q.y) / 2,
                                                  (row[i].p.z + row[i].q.z) / 2};

@@ -21,7 +21,7 @@ static const double pi = 3.14159265358979323846;
 static void turn_all(studio *st)
 {
     roberts_mesh *mesh = &st->scene->mesh;
-    double a = pi * dice_real(&st->d), b = pi * dice_real(&st->d);
+    double a = pi * rng_real(&st->d), b = pi * rng_real(&st->d);
     for (size_t i = 0; i < mesh->vertex_count; i++) {
         roberts_vec3 *p = &mesh->vertex[i];
         *p = (roberts_vec3){cos(a) * p->x - sin(a) * p->y, sin(a) * p->x + cos(a) * p->y, p->z};
@@ -48,35 +48,35 @@ static void shake_all(studio *st, double most)
 {
     roberts_mesh *mesh = &st->scene->mesh;
     for (size_t i = 0; i < mesh->vertex_count; i++) {
-        mesh->vertex[i].x += most * dice_real(&st->d);
-        mesh->vertex[i].y += most * dice_real(&st->d);
-        mesh->vertex[i].z += most * dice_real(&st->d);
+        mesh->vertex[i].x += most * rng_real(&st->d);
+        mesh->vertex[i].y += most * rng_real(&st->d);
+        mesh->vertex[i].z += most * rng_real(&st->d);
     }
 }
 
 /* Leaves contacts exact, rounds them to 5 to 7 digits, or gives them noise of 1e-6 to 1e-12. */
 static void spoil_contacts(studio *st)
 {
-    switch (dice_int(&st->d, 0, 3)) {
+    switch (rng_int(&st->d, 0, 3)) {
     case 0:
         break;
     case 1:
-        shake_all(st, pow(10, -dice_int(&st->d, 6, 12)));
+        shake_all(st, pow(10, -rng_int(&st->d, 6, 12)));
         break;
     default:
-        round_all(st, dice_int(&st->d, 5, 7));
+        round_all(st, rng_int(&st->d, 5, 7));
     }
 }
 
 /* A wall in running bond, turned; bricks lie on one another along their edges. */
 static void wall(studio *st)
 {
-    int rows = dice_int(&st->d, 2, 5), columns = dice_int(&st->d, 2, 5), deep = dice_int(&st->d, 1, 2);
+    int rows = rng_int(&st->d, 2, 5), columns = rng_int(&st->d, 2, 5), deep = rng_int(&st->d, 1, 2);
     for (int z = 0; z < rows; z++)
         for (int x = 0; x < columns; x++)
             for (int y = 0; y < deep; y++)
                 put_box(st, (roberts_vec3){2 * x + z % 2, y, z}, (roberts_vec3){2 * x + z % 2 + 2, y + 1, z + 1});
-    if (dice_int(&st->d, 0, 3))
+    if (rng_int(&st->d, 0, 3))
         turn_all(st);
     spoil_contacts(st);
     look_any(st);
@@ -114,11 +114,11 @@ static shape truncated_octahedron(void)
 /* Cells that fill space: cubes, rhombic dodecahedra or truncated octahedra, some of them missing. */
 static void honeycomb(studio *st)
 {
-    int n = dice_int(&st->d, 2, 3), kind = dice_int(&st->d, 0, 2);
+    int n = rng_int(&st->d, 2, 3), kind = rng_int(&st->d, 0, 2);
     shape cell = kind == 0 ? shape_box(2, 2, 2) : kind == 1 ? rhombic_dodecahedron() : truncated_octahedron();
     for (int i = 0; i < n * n * n; i++) {
         int x = i % n, y = i / n % n, z = i / n / n;
-        if (i && dice_int(&st->d, 0, 4) == 0)
+        if (i && rng_int(&st->d, 0, 4) == 0)
             continue;
         if (kind == 0)
             put(st, &cell, 2 * x, 2 * y, 2 * z);
@@ -127,7 +127,7 @@ static void honeycomb(studio *st)
         else /* body-centred */
             put(st, &cell, 4 * x + 2 * (z % 2), 4 * y + 2 * (z % 2), 2 * z);
     }
-    if (dice_int(&st->d, 0, 1))
+    if (rng_int(&st->d, 0, 1))
         turn_all(st);
     spoil_contacts(st);
     look_any(st);
@@ -136,12 +136,12 @@ static void honeycomb(studio *st)
 /* Boxes between whole coordinates that touch and overlap. */
 static void boxes(studio *st)
 {
-    int count = dice_int(&st->d, 4, 30);
+    int count = rng_int(&st->d, 4, 30);
     for (int i = 0; i < count; i++) {
         roberts_vec3 p = whole_point(st, 0, 6), size = whole_point(st, 1, 3);
         put_box(st, p, (roberts_vec3){p.x + size.x, p.y + size.y, p.z + size.z});
     }
-    if (dice_int(&st->d, 0, 2) == 0)
+    if (rng_int(&st->d, 0, 2) == 0)
         turn_all(st);
     spoil_contacts(st);
     look_any(st);
@@ -175,12 +175,12 @@ static void put_disc(studio *st, int count, double radius, double low, double hi
  * micrometre on the page, or not. */
 static void discs(studio *st)
 {
-    int count = dice_int(&st->d, 2, 4), corners = dice_int(&st->d, 100, 500);
-    double away = pow(10, dice_int(&st->d, 0, 4));
+    int count = rng_int(&st->d, 2, 4), corners = rng_int(&st->d, 100, 500);
+    double away = pow(10, rng_int(&st->d, 0, 4));
     for (int i = 0; i < count; i++)
         put_disc(st, corners, 1, i, i + 1);
     put_box(st, (roberts_vec3){away, away, 0}, (roberts_vec3){away + 1, away + 1, 1});
-    if (dice_int(&st->d, 0, 1))
+    if (rng_int(&st->d, 0, 1))
         turn_all(st);
     spoil_contacts(st);
     look_any(st);
@@ -189,18 +189,18 @@ static void discs(studio *st)
 /* Chains of tiny boxes on one another beside a large one: their edges are shorter than a micrometre on the page. */
 static void tiny(studio *st)
 {
-    int count = dice_int(&st->d, 20, 120);
-    double size = pow(10, -dice_int(&st->d, 3, 6)) * dice_int(&st->d, 1, 9);
-    bool shifted = dice_int(&st->d, 0, 1);
+    int count = rng_int(&st->d, 20, 120);
+    double size = pow(10, -rng_int(&st->d, 3, 6)) * rng_int(&st->d, 1, 9);
+    bool shifted = rng_int(&st->d, 0, 1);
     put_box(st, (roberts_vec3){1, 1, 0}, (roberts_vec3){2, 2, 1});
     for (int i = 0; i < count; i++) {
         double y = shifted ? size * 0.25 * (i % 4) : 0;
         put_box(st, (roberts_vec3){size * i, y, 0}, (roberts_vec3){size * (i + 1), y + size, size});
     }
-    if (dice_int(&st->d, 0, 1))
+    if (rng_int(&st->d, 0, 1))
         turn_all(st);
-    if (dice_int(&st->d, 0, 1))
-        shake_all(st, size * pow(10, -dice_int(&st->d, 6, 12)));
+    if (rng_int(&st->d, 0, 1))
+        shake_all(st, size * pow(10, -rng_int(&st->d, 6, 12)));
     look_any(st);
 }
 
@@ -239,7 +239,7 @@ bool trial_make(size_t family, uint64_t seed, trial_scene *scene)
     } else {
         studio st = {.scene = &made, .d = {seed}, .unit = 1};
         for (const char *c = families[family].name; *c; c++)
-            st.d.state = dice_next(&st.d) ^ (unsigned char)*c;
+            st.d.state = rng_next(&st.d) ^ (unsigned char)*c;
         families[family].make(&st);
         done = !st.no_memory;
         scene->tolerance = 1e-3; /* few digits */

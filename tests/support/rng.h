@@ -24,10 +24,22 @@ static inline double rng_between(rng *r, double low, double high)
     return low + (high - low) * ((double)(rng_next(r) >> 11) * 0x1p-53);
 }
 
+/* Returns a number from -1 to 1. */
+static inline double rng_real(rng *r)
+{
+    return (double)(int64_t)rng_next(r) * 0x1p-63;
+}
+
 /* Returns an integer from low to high, both included. */
 static inline int rng_int(rng *r, int low, int high)
 {
     return low + (int)(rng_next(r) % (uint64_t)(high - low + 1));
+}
+
+/* Returns an integer from 0 to count - 1. */
+static inline uint32_t rng_below(rng *r, uint32_t count)
+{
+    return (uint32_t)(rng_next(r) % count);
 }
 
 /* Sets order[0 .. count - 1] to a random permutation of 0 .. count - 1. */

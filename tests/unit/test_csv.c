@@ -8,6 +8,7 @@
 
 #include "base/output.h"
 #include "drawing.h"
+#include "rng.h"
 #include "testing.h"
 
 /* ---- numbers ---- */
@@ -77,19 +78,12 @@ static void numbers_are_as_printf_has_them(void **state)
     }
 }
 
-static uint64_t next_random(uint64_t *seed)
-{
-    *seed ^= *seed << 13;
-    *seed ^= *seed >> 7;
-    return *seed ^= *seed << 17;
-}
-
 static void random_numbers_are_as_printf_has_them(void **state)
 {
-    uint64_t seed = 88172645463325252u;
+    rng r = {1};
     (void)state;
     for (int i = 0; i < 300000; i++) {
-        uint64_t bits = next_random(&seed);
+        uint64_t bits = rng_next(&r);
         double any, usual = ldexp((double)(bits >> 11), -(int)(bits % 97)), few = (double)(bits >> 44) / 1024.0;
         memcpy(&any, &bits, sizeof any);
         if (isfinite(any))

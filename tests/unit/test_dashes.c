@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "draw/dashes.h"
+#include "rng.h"
 #include "testing.h"
 
 /* Hidden lines, in units of 0.001 mm. */
@@ -183,27 +184,20 @@ static void curves_come_round(void **state)
     }
 }
 
-static uint64_t random_bits(uint64_t *seed)
-{
-    *seed ^= *seed << 13;
-    *seed ^= *seed >> 7;
-    return *seed ^= *seed << 17;
-}
-
 /* For all polylines: dashes lie on their line, in its order; both ends and every corner are drawn; no gap is shorter
  * than twice the pen's width, and each side that is three widths long has one. */
 static void any_line_is_dashed(void **state)
 {
     enum { TRIALS = 3000, MOST = 12 };
-    uint64_t seed = 88172645463325252u;
+    rng r = {1};
     (void)state;
     for (int trial = 0; trial < TRIALS; trial++) {
         page_point point[MOST] = {{0, 0}};
-        size_t count = 2 + random_bits(&seed) % (MOST - 1), at = 0;
+        size_t count = 2 + rng_next(&r) % (MOST - 1), at = 0;
         int64_t step = trial % 3 == 0 ? 500 : trial % 3 == 1 ? 3000 : 30000;
         count = count > MOST ? MOST : count;
         for (size_t i = 1; i < count; i++) { /* right angles, so that the direction tells the side */
-            int32_t way = (int32_t)(10 + random_bits(&seed) % (uint64_t)step) * (random_bits(&seed) % 2 ? 1 : -1);
+            int32_t way = (int32_t)(10 + rng_next(&r) % (uint64_t)step) * (rng_next(&r) % 2 ? 1 : -1);
             point[i] = (page_point){point[i - 1].x + (i % 2 ? way : 0), point[i - 1].y + (i % 2 ? 0 : way)};
         }
         polylines p = {0};

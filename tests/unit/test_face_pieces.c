@@ -9,6 +9,7 @@
 #include "base/search.h"
 #include "base/vec.h"
 #include "model/face_pieces.h"
+#include "rng.h"
 #include "testing.h"
 
 enum { MOST_CORNERS = 64 };
@@ -243,12 +244,11 @@ static size_t pieces_at(const face_pieces *f, roberts_vec2 P)
     return count;
 }
 
-static uint64_t state;
+static rng random_state;
 
 static double any(void)
 {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    return (double)(state >> 11) * 0x1p-53;
+    return rng_between(&random_state, 0.0, 1.0);
 }
 
 /* Points of the plane lie in one piece if the border winds round them, otherwise in none. */
@@ -347,8 +347,7 @@ static void random_faces_are_tiled(void **unused)
             roberts_vec2 at[MOST_CORNERS];
             uint32_t corner[MOST_CORNERS], count;
             char name[64];
-            state = seed * 77 + (uint64_t)family;
-            any();
+            random_state = (rng){seed * 77 + (uint64_t)family};
             count = 3 + (uint32_t)(any() * (seed % 10 ? 9 : 60));
             for (uint32_t i = 0; i < count; i++)
                 point[i] = choose_point((enum family)family);
@@ -403,7 +402,7 @@ static void large_faces_come_out(void **unused)
     area = MANY * sin(2.0 * 3.14159265358979323846 / MANY); /* triangles of sides 1 and 2 */
     if (fabs(sum_of_areas(&f) - area) > 1e-6 * area)
         fail_msg("star: area %.17g instead of %.17g", sum_of_areas(&f), area);
-    state = 5;
+    random_state = (rng){5};
     for (uint32_t i = 0; i < MANY; i++)
         point[i] = (roberts_vec3){any(), any(), 0};
     assert_true(face_pieces_cut(&f, &rules, corner, MANY));
@@ -421,7 +420,7 @@ static void order_of_lines(void **unused)
     uint32_t list[LINES], count = 0;
     (void)unused;
     assert_true(sweep_order_start(&order, LINES));
-    state = 1;
+    random_state = (rng){1};
     for (uint32_t line = 0; line < LINES; line++) {
         uint32_t at = (uint32_t)(any() * (count + 1)); /* below list[at] */
         sweep_order_insert(&order, line, at > 0 ? list[at - 1] : ROBERTS_NONE);

@@ -11,6 +11,7 @@
 
 #include "read/off.h"
 #include "roberts.h"
+#include "rng.h"
 #include "testing.h"
 
 enum { ROOM = 1 << 14 };
@@ -873,15 +874,14 @@ static void blocks_do_not_matter(void **state)
     size_t room = 120 * (size_t)VERTICES, length = 0;
     char *text = malloc(room);
     double *x = malloc(3 * sizeof *x * VERTICES);
-    uint64_t seed = 99;
+    rng r = {99};
     (void)state;
     assert_true(text && x);
     length += (size_t)sprintf(text, "OFF\n%d %d 0\n", VERTICES, VERTICES);
     for (size_t i = 0; i < 3 * (size_t)VERTICES; i++) {
         static const char *const after[] = {" ", "\t", "  ", "\n", "\r\n", "\r", "#\n", " # comment 1 2 3\n"};
-        seed = seed * 6364136223846793005u + 1442695040888963407u;
-        x[i] = ((double)(seed >> 11) * 0x1p-52 - 1.0) * pow(10.0, (double)(seed % 7));
-        length += (size_t)sprintf(text + length, "%.17g%s", x[i], after[seed >> 40 & 7]);
+        x[i] = rng_between(&r, -1, 1) * pow(10.0, rng_int(&r, 0, 6));
+        length += (size_t)sprintf(text + length, "%.17g%s", x[i], after[rng_below(&r, 8)]);
     }
     for (size_t f = 0; f < VERTICES; f++)
         length += (size_t)sprintf(text + length, "\n3 %zu %zu%s%d", f, f / 2, f % 3 ? " " : " \n", VERTICES - 1);
@@ -914,12 +914,11 @@ static void compares_coordinates_to_their_ends(void **state)
     static const char *const tail[] = {"", "1", "7", "e1", "E-2"};
     char *text = malloc(40 * 3 * VERTICES), written[3 * VERTICES][40];
     size_t length = (size_t)sprintf(text, "OFF\n%d 0 0\n", VERTICES);
-    uint32_t seed = 7;
+    rng r = {7};
     (void)state;
     for (size_t i = 0; i < 3 * VERTICES; i++) {
-        seed = seed * 1664525u + 1013904223u;
-        int from = (seed >> 8 & 15) == 0, size = (int)(8 + i * (LONGEST - 8) / (3 * VERTICES));
-        sprintf(written[i], "%.*s%s", size, digits[seed >> 30] + from, tail[i % 17 < 5 ? i % 5 : 0]);
+        int from = rng_below(&r, 16) == 0, size = (int)(8 + i * (LONGEST - 8) / (3 * VERTICES));
+        sprintf(written[i], "%.*s%s", size, digits[rng_below(&r, 4)] + from, tail[i % 17 < 5 ? i % 5 : 0]);
         length += (size_t)sprintf(text + length, "%s%s", written[i], i % 3 == 2 ? "\n" : i % 7 ? " " : "\t");
     }
     const size_t last = length - 1 - strlen(written[3 * VERTICES - 1]);

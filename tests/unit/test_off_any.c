@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rng.h"
 #include "same_complaint.h"
 #include "same_mesh.h"
 #include "testing.h"
@@ -144,31 +145,25 @@ static void any_byte_changed(void **state)
     }
 }
 
-static uint32_t chance(uint64_t *seed, uint32_t below)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)((*seed >> 33) % below);
-}
-
 static void pieces_by_chance(void **state)
 {
     static const char *const words[] = {"OFF",   "BINARY\n", " ",    "\n",         "\r",    "#",    "{",   "}",
                                         "=",     "3",        "0",    "1 ",         "-1",    ".",    "e9",  "nan",
                                         "1e999", "4OFF",     "nOFF", "COFF",       "STOFF", "NOFF", "\t",  "0 0 0\n",
                                         "2 ",    "255",      "0.5 ", "999999999 ", "\v",    "\x01", "\xff"};
-    uint64_t seed = 5;
+    rng r = {5};
     (void)state;
     for (int n = 0; n < 20000; n++) {
         char text[400];
         size_t length = 0;
-        for (uint32_t pieces = 1 + chance(&seed, 30); pieces; pieces--) {
-            const bytes *from = &seeds[chance(&seed, sizeof seeds / sizeof *seeds)];
-            const char *piece = words[chance(&seed, sizeof words / sizeof *words)];
+        for (uint32_t pieces = 1 + rng_below(&r, 30); pieces; pieces--) {
+            const bytes *from = &seeds[rng_below(&r, sizeof seeds / sizeof *seeds)];
+            const char *piece = words[rng_below(&r, sizeof words / sizeof *words)];
             size_t size = strlen(piece);
-            if (chance(&seed, 4) == 0) {
-                size_t start = chance(&seed, (uint32_t)from->length);
+            if (rng_below(&r, 4) == 0) {
+                size_t start = rng_below(&r, (uint32_t)from->length);
                 piece = from->text + start;
-                size = 1 + chance(&seed, (uint32_t)(from->length - start));
+                size = 1 + rng_below(&r, (uint32_t)(from->length - start));
             }
             if (length + size > sizeof text)
                 break;

@@ -12,6 +12,7 @@
 #include "read/off.h"
 #include "folders.h"
 #include "make_mesh.h"
+#include "rng.h"
 #include "same_mesh.h"
 #include "temporary.h"
 #include "testing.h"
@@ -157,37 +158,31 @@ enum { TINY = sizeof tiny / sizeof *tiny };
 
 /* ---- texts ----------------------------------------------------------------------------------------------------- */
 
-static uint32_t chance(uint64_t *seed, uint32_t below)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)((*seed >> 33) % below);
-}
-
 /* Adds a number in a form that programs write. */
-static size_t add_number(char *text, uint64_t *seed)
+static size_t add_number(char *text, rng *r)
 {
-    double value = ((double)chance(seed, 2000000) - 1e6) / 1e4 * (chance(seed, 4) ? 1.0 : 1e-9);
+    double value = ((double)rng_below(r, 2000000) - 1e6) / 1e4 * (rng_below(r, 4) ? 1.0 : 1e-9);
     static const char *const format[] = {"%.17g", "%g", "%.6f", "%.15g", "%.0f"};
-    return (size_t)sprintf(text, format[chance(seed, 5)], value * 1.0000001234567);
+    return (size_t)sprintf(text, format[rng_below(r, 5)], value * 1.0000001234567);
 }
 
 /* A plain file. If odd > 0, one line in `odd` is not plain. Returns its length. */
-static size_t make_text(char *text, uint32_t vertices, uint32_t faces, uint32_t odd, uint64_t *seed)
+static size_t make_text(char *text, uint32_t vertices, uint32_t faces, uint32_t odd, rng *r)
 {
     static const char *const odd_end[] = {"\r\n", "\n\n", " \n",    "\t\r\n",   " # 1\n",
                                           "\r",   " ",    "\n#x\n", " 1 0 0\n", "\n \n"};
     char *c = text + sprintf(text, "OFF\n%lu %lu 0\n", (unsigned long)vertices, (unsigned long)faces);
     for (uint32_t i = 0; i < vertices + faces; i++) {
-        uint32_t corners = i < vertices ? 3 : 1 + chance(seed, 6);
+        uint32_t corners = i < vertices ? 3 : 1 + rng_below(r, 6);
         if (i >= vertices)
             c += sprintf(c, "%lu ", (unsigned long)corners);
         for (uint32_t k = 0; k < corners; k++) {
-            c += i < vertices ? add_number(c, seed) : (size_t)sprintf(c, "%lu", (unsigned long)chance(seed, vertices));
+            c += i < vertices ? add_number(c, r) : (size_t)sprintf(c, "%lu", (unsigned long)rng_below(r, vertices));
             if (k + 1 < corners)
-                *c++ = odd && chance(seed, 3 * odd) == 0 ? '\n' : ' ';
+                *c++ = odd && rng_below(r, 3 * odd) == 0 ? '\n' : ' ';
         }
         const char *end =
-            odd && chance(seed, odd) == 0 ? odd_end[chance(seed, sizeof odd_end / sizeof *odd_end)] : "\n";
+            odd && rng_below(r, odd) == 0 ? odd_end[rng_below(r, sizeof odd_end / sizeof *odd_end)] : "\n";
         if (i < vertices && strcmp(end, " 1 0 0\n") == 0)
             end = "\n";
         c += sprintf(c, "%s", end);
@@ -208,8 +203,8 @@ static char *allocate(size_t size)
 static void borders_anywhere(void **state)
 {
     char *text = allocate(1 << 16);
-    uint64_t seed = 1;
-    size_t size = make_text(text, 150, 150, 0, &seed);
+    rng random = {1};
+    size_t size = make_text(text, 150, 150, 0, &random);
     (void)state;
     for (size_t piece = 1; piece < 400; piece++) {
         const off_division division = {2 + piece % 3, piece, 90, 1, run_in_turn};
@@ -233,10 +228,10 @@ static void borders_anywhere(void **state)
 static void threads_side_by_side(void **state)
 {
     char *text = allocate(1 << 22);
-    uint64_t seed = 2;
+    rng r = {2};
     (void)state;
     for (uint32_t odd = 0; odd < 1200; odd = 4 * odd + 100) {
-        size_t size = make_text(text, 20000, 20000, odd, &seed);
+        size_t size = make_text(text, 20000, 20000, odd, &r);
         const off_division division[] = {{2, 5000, 200, 1, run_side_by_side},
                                          {4, 300, 200, 1, run_side_by_side},
                                          {3, 1 << 14, 200, 1 << 14, run_side_by_side},
@@ -250,10 +245,10 @@ static void threads_side_by_side(void **state)
 static void odd_lines(void **state)
 {
     char text[1 << 14];
-    uint64_t seed = 3;
+    rng r = {3};
     (void)state;
     for (int n = 0; n < 600; n++) {
-        size_t size = make_text(text, 1 + chance(&seed, 60), chance(&seed, 60), 2 + chance(&seed, 40), &seed);
+        size_t size = make_text(text, 1 + rng_below(&r, 60), rng_below(&r, 60), 2 + rng_below(&r, 40), &r);
         check(text, size, tiny, TINY);
     }
 }
@@ -263,8 +258,8 @@ static void broken_anywhere(void **state)
 {
     static const char other[] = {'\n', '\r', ' ', '\t', '\0', '#', '}', '-', '+', '.', 'e', '9', 'x', '\v', '{'};
     char text[4096];
-    uint64_t seed = 4;
-    size_t size = make_text(text, 14, 16, 0, &seed);
+    rng r = {4};
+    size_t size = make_text(text, 14, 16, 0, &r);
     (void)state;
     for (size_t length = 0; length <= size; length++)
         check(text, length, tiny, TINY);
@@ -388,8 +383,8 @@ static void models_in_pieces(void **state)
 static void public_functions(void **state)
 {
     char *text = allocate(1 << 23), path[TEMPORARY_ROOM + 10];
-    uint64_t seed = 6;
-    size_t size = make_text(text, 70000, 70000, 0, &seed);
+    rng r = {6};
+    size_t size = make_text(text, 70000, 70000, 0, &r);
     roberts_mesh one = {.threads = 1}, other;
     (void)state;
     snprintf(path, sizeof path, "%s/large.off", temporary);

@@ -5,6 +5,7 @@
 #include "draw/page.h"
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "rng.h"
 #include "testing.h"
 
 static const roberts_page a4 = {210.0, 297.0, 10.0};
@@ -50,14 +51,12 @@ static void fitted(void **state)
  * are kept. */
 static void any_box_fits(void **state)
 {
-    uint64_t seed = 1;
+    rng random = {1};
     (void)state;
     for (int i = 0; i < 20000; i++) {
         double r[4];
-        for (int k = 0; k < 4; k++) {
-            seed = seed * 6364136223846793005u + 1442695040888963407u;
-            r[k] = (double)(seed >> 11) * 0x1p-53;
-        }
+        for (int k = 0; k < 4; k++)
+            r[k] = rng_between(&random, 0, 1);
         double size = exp((r[0] - 0.5) * 600.0), ratio = exp((r[1] - 0.5) * 20.0);
         roberts_vec2 min = {(r[2] - 0.5) * size, (r[3] - 0.5) * size}, max = {min.x + size, min.y + size * ratio};
         page_map map = page_fit(&a4, min, max);

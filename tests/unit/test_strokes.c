@@ -7,6 +7,7 @@
 
 #include "draw/strokes.h"
 #include "drawing.h"
+#include "rng.h"
 #include "testing.h"
 
 enum { SIDE = 100 }; /* of the page, mm; here a model unit is one mm, and 0,0 the lower left corner */
@@ -251,26 +252,20 @@ typedef struct step {
 
 typedef step steps[DIRECTIONS][LATTICE + 1][LATTICE + 1];
 
-static uint32_t random_below(uint64_t *seed, uint32_t n)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (uint32_t)((*seed >> 33) % n);
-}
-
 /* A random run of steps, drawn either way, at a random height; `wanted` keeps the nearest visible one, or else the
  * nearest hidden one. */
-static roberts_segment random_run(uint64_t *seed, steps wanted)
+static roberts_segment random_run(rng *r, steps wanted)
 {
     for (;;) {
-        int k = (int)random_below(seed, DIRECTIONS), x = (int)random_below(seed, LATTICE + 1);
-        int y = (int)random_below(seed, LATTICE + 1), n = 1 + (int)random_below(seed, 8);
+        int k = (int)rng_below(r, DIRECTIONS), x = (int)rng_below(r, LATTICE + 1);
+        int y = (int)rng_below(r, LATTICE + 1), n = 1 + (int)rng_below(r, 8);
         int ex = x + n * direction[k][0], ey = y + n * direction[k][1];
         if (ex > LATTICE || ey > LATTICE || ey < 0)
             continue;
-        int class = (int)random_below(seed, 3);
-        double z = random_below(seed, 4), m = LATTICE_MM;
-        roberts_segment s = random_below(seed, 2) ? line_at((roberts_line) class, m * x, m * y, m * ex, m * ey)
-                                                  : line_at((roberts_line) class, m * ex, m * ey, m * x, m * y);
+        int class = (int)rng_below(r, 3);
+        double z = rng_below(r, 4), m = LATTICE_MM;
+        roberts_segment s = rng_below(r, 2) ? line_at((roberts_line) class, m * x, m * y, m * ex, m * ey)
+                                            : line_at((roberts_line) class, m * ex, m * ey, m * x, m * y);
         s.z0 = s.z1 = z;
         s.state = class == ROBERTS_BACK ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
         for (int i = 0; i < n; i++) {
@@ -326,14 +321,14 @@ static size_t odd_places(steps drawn, int class)
 static void every_step_is_drawn_once(void **state)
 {
     static steps wanted, drawn;
-    uint64_t seed = 1;
+    rng r = {1};
     (void)state;
     for (int round = 0; round < 200; round++) {
         roberts_segment segment[300];
-        size_t count = 1 + random_below(&seed, round < 100 ? 20 : 300);
+        size_t count = 1 + rng_below(&r, round < 100 ? 20 : 300);
         memset(wanted, 0, sizeof wanted);
         for (size_t i = 0; i < count; i++)
-            segment[i] = random_run(&seed, wanted);
+            segment[i] = random_run(&r, wanted);
         for (int order = ROBERTS_ORDER_TRAVEL; order <= ROBERTS_ORDER_NONE; order++) {
             roberts_draw_options options = plain_options((roberts_order)order);
             strokes s = strokes_of(segment, count, &options);
@@ -496,18 +491,18 @@ static void what_touches_is_outline(void **state)
 
 /* ---- order ---- */
 
-static double random_mm(uint64_t *seed)
+static double random_mm(rng *r)
 {
-    return random_below(seed, 1000000) * (SIDE / 1e6);
+    return rng_below(r, 1000000) * (SIDE / 1e6);
 }
 
 static roberts_segment *random_lines(size_t count, double length)
 {
-    uint64_t seed = 7;
+    rng r = {7};
     roberts_segment *segment = malloc(count * sizeof *segment);
     assert_non_null(segment);
     for (size_t i = 0; i < count; i++) {
-        double x = random_mm(&seed), y = random_mm(&seed), angle = random_mm(&seed);
+        double x = random_mm(&r), y = random_mm(&r), angle = random_mm(&r);
         segment[i] = line_at(ROBERTS_OUTLINE, x, y, x + length * cos(angle), y + length * sin(angle));
     }
     return segment;
@@ -561,14 +556,13 @@ static double best_tour(const roberts_segment *segment, int count, int done, uns
 static void small_tours_are_nearly_best(void **state)
 {
     roberts_draw_options options = plain_options(ROBERTS_ORDER_TRAVEL);
-    uint64_t seed = 5;
+    rng r = {5};
     double sum = 0.0, best = 0.0;
     (void)state;
     for (int round = 0; round < 200; round++) {
         roberts_segment segment[5];
         for (int i = 0; i < 5; i++)
-            segment[i] =
-                line_at(ROBERTS_OUTLINE, random_mm(&seed), random_mm(&seed), random_mm(&seed), random_mm(&seed));
+            segment[i] = line_at(ROBERTS_OUTLINE, random_mm(&r), random_mm(&r), random_mm(&r), random_mm(&r));
         strokes s = strokes_of(segment, 5, &options);
         double own = strokes_measure(&s).up_mm, least = best_tour(segment, 5, 0, 0, (roberts_vec2){0, 0});
         assert_true(own > least - 0.01);
@@ -591,9 +585,9 @@ static void crowds(void **state)
     (void)state;
     assert_non_null(segment);
     for (int kind = 0; kind < 5; kind++) {
-        uint64_t seed = 3;
+        rng r = {3};
         for (size_t i = 0; i < COUNT; i++) {
-            double x = random_mm(&seed), y = random_mm(&seed), k = (double)i / COUNT;
+            double x = random_mm(&r), y = random_mm(&r), k = (double)i / COUNT;
             segment[i] = kind == 0   ? line_at(ROBERTS_OUTLINE, x, 50, y, 50)
                          : kind == 1 ? line_at(ROBERTS_OUTLINE, 50, 50, 50 + 40 * cos(6 * k), 50 + 40 * sin(6 * k))
                          : kind == 2 ? line_at(ROBERTS_OUTLINE, 0, 100 * k, 100, 100 * k)
@@ -622,14 +616,14 @@ static void near_lines_are_told_apart(void **state)
     const double apart = 0.0025, tilt = 0.5e-3, rough = 0.05e-3; /* mm; touching is 0.001 mm */
     roberts_draw_options options = plain_options(ROBERTS_ORDER_NONE);
     roberts_segment *segment = malloc(COUNT * sizeof *segment);
-    uint64_t seed = 5;
+    rng r = {5};
     (void)state;
     assert_non_null(segment);
     for (size_t i = 0; i < COUNT; i++) {
         size_t k = i * 7919 % COUNT, line = k / PIECES; /* a prime: each once */
         double x = 30.0 * (double)(k % PIECES), y = 10.0 + apart * (double)line, end[2];
         for (int e = 0; e < 2; e++)
-            end[e] = y + (line % 2 ? tilt : -tilt) * (x + 40.0 * e) / SIDE + rough * (random_mm(&seed) / 50.0 - 1.0);
+            end[e] = y + (line % 2 ? tilt : -tilt) * (x + 40.0 * e) / SIDE + rough * (random_mm(&r) / 50.0 - 1.0);
         segment[i] = line_at(ROBERTS_OUTLINE, x, end[0], x + 40.0, end[1]);
     }
     strokes s = strokes_of(segment, COUNT, &options);

@@ -9,23 +9,18 @@
 
 #include "write/formats.h"
 #include "drawing.h"
+#include "rng.h"
 #include "testing.h"
-
-static double random_unit(uint64_t *seed)
-{
-    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(*seed >> 11) * 0x1p-53;
-}
 
 /* `count` segments of all classes in a box of the given size at `corner`; none is shorter than 1/100 of it. */
 static roberts_drawing random_drawing(size_t count, double size, roberts_vec2 corner)
 {
-    uint64_t seed = 12345 + count;
+    rng r = {count};
     roberts_drawing drawing = {.count = count, .segment = malloc((count + 1) * sizeof(roberts_segment))};
     assert_non_null(drawing.segment);
     for (size_t i = 0; i < count; i++) {
-        double x = random_unit(&seed), y = random_unit(&seed);
-        double dx = (x < 0.5 ? 1 : -1) * (0.01 + 0.4 * random_unit(&seed)), dy = y < 0.5 ? 0.3 : -0.3;
+        double x = rng_between(&r, 0, 1), y = rng_between(&r, 0, 1);
+        double dx = (x < 0.5 ? 1 : -1) * (0.01 + 0.4 * rng_between(&r, 0, 1)), dy = y < 0.5 ? 0.3 : -0.3;
         drawing.segment[i] = line_at((roberts_line)(i % 2), corner.x + size * x, corner.y + size * y,
                                      corner.x + size * (x + dx), corner.y + size * (y + dy));
         if (i % 3 == 2)
