@@ -8,10 +8,7 @@
 
 static roberts_status read_names(const char *text, name_list *n, roberts_error *error)
 {
-    FILE *file = fopen("names.csv", "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
+    write_text("names.csv", text);
     *n = (name_list){0};
     *error = (roberts_error){0};
     return names_read(n, "names.csv", error);

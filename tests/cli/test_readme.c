@@ -312,10 +312,7 @@ static void test_blocks(void **state)
     glob_t texts;
     (void)state;
     snprintf(path, sizeof path, "%s/page.md", temporary);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(page, file);
-    assert_int_equal(fclose(file), 0);
+    write_text(path, page);
     assert_int_equal(unused_blocks(path, "models/README.md"), 4); /* bash, b.txt, both ends of the indented one */
     assert_int_equal(unused_blocks(path, "a page whose commands are not run"), 6);
     assert_int_equal(glob("README.md", 0, NULL, &texts), 0);

@@ -26,14 +26,6 @@ static int set_up(void **state)
     return temporary_make(state) == 0 ? chdir(temporary) : -1;
 }
 
-static void put(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static void lists_survive(void **state)
 {
     size_t failures = 0;
@@ -125,9 +117,9 @@ static void batches_survive(void **state)
     (void)state;
     if (!REPLACED)
         SKIP_BECAUSE("allocations cannot be replaced in this build");
-    put(cube, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-    put(other, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
-    put("list", "third.off\nfourth.off\n");
+    write_text(cube, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    write_text(other, "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    write_text("list", "third.off\nfourth.off\n");
     options.hide = roberts_hide_options_default();
     options.hide.threads = 2;
     options.draw = roberts_draw_options_default();

@@ -89,6 +89,13 @@ static inline int temporary_make(void **state)
     return 0;
 }
 
+static inline void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0 && fclose(file) == 0);
+}
+
 /* Counts the entries of a folder without . and ..; with `clear`, removes those that are not folders. */
 static inline int entries(const char *path, bool clear)
 {

@@ -7,6 +7,7 @@
 
 #include "base/orient.h"
 #include "base/search.h"
+#include "base/sort.h"
 #include "base/vec.h"
 #include "model/face_pieces.h"
 #include "rng.h"
@@ -180,14 +181,6 @@ static double sum_of_areas(const face_pieces *f)
     return sum;
 }
 
-static int compare_sides(const void *pa, const void *pb)
-{
-    uint64_t a, b;
-    memcpy(&a, pa, sizeof a);
-    memcpy(&b, pb, sizeof b);
-    return (a > b) - (a < b);
-}
-
 /* Every piece is convex, and no two pieces lie on the same side of one edge. */
 static void require_sound(const face_pieces *f, const char *name)
 {
@@ -204,7 +197,7 @@ static void require_sound(const face_pieces *f, const char *name)
             side[count++] = (uint64_t)a << 32 | b;
         }
     }
-    qsort(side, count, sizeof *side, compare_sides);
+    qsort(side, count, sizeof *side, compare_u64);
     for (size_t i = 1; i < count; i++)
         if (side[i] == side[i - 1])
             fail_msg("%s: two pieces lie on the same hand of one side", name);

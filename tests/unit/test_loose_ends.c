@@ -8,6 +8,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/vec.h"
 #include "build_scene.h"
 #include "folders.h"
 #include "loose_ends.h"
@@ -69,21 +70,6 @@ typedef struct flat_face {
     uint32_t count;
 } flat_face;
 
-static roberts_vec3 minus(roberts_vec3 p, roberts_vec3 q)
-{
-    return (roberts_vec3){p.x - q.x, p.y - q.y, p.z - q.z};
-}
-
-static roberts_vec3 cross(roberts_vec3 a, roberts_vec3 b)
-{
-    return (roberts_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static double dot(roberts_vec3 a, roberts_vec3 b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 static flat_face flatten(const roberts_mesh *mesh, size_t f)
 {
     const uint32_t *corner = mesh->corner + mesh->face_start[f];
@@ -91,19 +77,20 @@ static flat_face flatten(const roberts_mesh *mesh, size_t f)
     roberts_vec3 o = mesh->vertex[corner[0]], n = {0, 0, 0}, u = {0, 0, 0};
     for (uint32_t i = 1; i < out.count; i++)
         for (uint32_t k = i + 1; k < out.count; k++) {
-            roberts_vec3 a = minus(mesh->vertex[corner[i]], o), c = cross(a, minus(mesh->vertex[corner[k]], o));
-            if (dot(c, c) > dot(n, n)) {
+            roberts_vec3 a = vec3_sub(mesh->vertex[corner[i]], o),
+                         c = vec3_cross(a, vec3_sub(mesh->vertex[corner[k]], o));
+            if (vec3_dot(c, c) > vec3_dot(n, n)) {
                 n = c;
                 u = a;
             }
         }
-    roberts_vec3 v = cross(n, u);
-    double nn = sqrt(dot(n, n)), uu = dot(u, u), vv = dot(v, v);
+    roberts_vec3 v = vec3_cross(n, u);
+    double nn = sqrt(vec3_dot(n, n)), uu = vec3_dot(u, u), vv = vec3_dot(v, v);
     for (uint32_t i = 0; nn > 0 && i < out.count; i++) {
-        roberts_vec3 d = minus(mesh->vertex[corner[i]], o);
-        out.x[i] = dot(d, u) / uu;
-        out.y[i] = dot(d, v) / sqrt(uu * vv);
-        out.off = fmax(out.off, fabs(dot(d, n)) / nn / sqrt(uu));
+        roberts_vec3 d = vec3_sub(mesh->vertex[corner[i]], o);
+        out.x[i] = vec3_dot(d, u) / uu;
+        out.y[i] = vec3_dot(d, v) / sqrt(uu * vv);
+        out.off = fmax(out.off, fabs(vec3_dot(d, n)) / nn / sqrt(uu));
     }
     return out;
 }

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/sort.h"
 #include "build_scene.h"
 #include "folders.h"
 #include "mesh_corners.h"
@@ -339,12 +340,6 @@ static void check_uniform(const known_solid *k, const roberts_mesh *m)
             check_equal(k, "edges", distance(point(m, f, i), point(m, f, i + 1)), side);
 }
 
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* Lengths of sides and diagonals of face f in order: the same for congruent faces. */
 static size_t lengths(const roberts_mesh *m, size_t f, double *length)
 {
@@ -352,7 +347,7 @@ static size_t lengths(const roberts_mesh *m, size_t f, double *length)
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < i; j++)
             length[count++] = distance(point(m, f, i), point(m, f, j));
-    qsort(length, count, sizeof *length, by_value);
+    qsort(length, count, sizeof *length, compare_doubles);
     return count;
 }
 

@@ -133,9 +133,7 @@ static void put(const char *name, const char *text)
 {
     char path[512];
     snprintf(path, sizeof path, "%s/%s", temporary, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0 && fclose(file) == 0);
+    write_text(path, text);
 }
 
 /* Colours come from files beside the model, and from nowhere else. */

@@ -149,14 +149,6 @@ static void models_are_the_same(void **state)
     assert_true(same > 40);
 }
 
-static void write_text(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 /* How the bodies of a scene are numbered. */
 typedef enum numbering { IN_A_ROW, MIXED_FACES, MIXED, NUMBERINGS } numbering;
 

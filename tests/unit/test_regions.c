@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "scenes.h"
 #include "segments.h"
 
@@ -99,12 +100,6 @@ static roberts_vec2 seen_from_above(roberts_vec3 p, roberts_vec3 middle, double 
     return (roberts_vec2){p.x / (1 - p.z / height), p.y / (1 - p.z / height)};
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
-}
-
 typedef struct span {
     double low, high;
 } span;
@@ -162,7 +157,7 @@ static double shadow(const face_picture *face, size_t count)
             if (turn != 0 && t > 0 && t < 1)
                 cut[cuts++] = a.x + t * (b.x - a.x);
         }
-    qsort(cut, cuts, sizeof *cut, compare_numbers);
+    qsort(cut, cuts, sizeof *cut, compare_doubles);
     double sum = 0;
     for (size_t i = 0; i + 1 < cuts; i++)
         if (cut[i + 1] > cut[i])

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/vec.h"
 #include "drawing.h"
 #include "sheet_views.h"
 #include "temporary.h"
@@ -158,16 +159,11 @@ static void views_have_their_places(void **state)
     }
 }
 
-static bool same_vector(roberts_vec3 a, roberts_vec3 b)
-{
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
 static void assert_same_camera(const roberts_camera *a, const roberts_camera *b)
 {
     assert_int_equal(a->projection, b->projection);
-    assert_true(same_vector(a->dir, b->dir) && same_vector(a->eye, b->eye) && same_vector(a->up, b->up));
-    assert_true(a->has_look_at == b->has_look_at && same_vector(a->look_at, b->look_at));
+    assert_true(vec3_same(a->dir, b->dir) && vec3_same(a->eye, b->eye) && vec3_same(a->up, b->up));
+    assert_true(a->has_look_at == b->has_look_at && vec3_same(a->look_at, b->look_at));
     assert_true(a->oblique.x == b->oblique.x && a->oblique.y == b->oblique.y);
     assert_true(a->near_distance == b->near_distance && a->fov_degrees == b->fov_degrees);
     assert_true(a->roll_degrees == b->roll_degrees);
