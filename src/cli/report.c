@@ -183,6 +183,42 @@ static void print_name(const cli_options *options)
     }
 }
 
+static void print_epsilon(FILE *log, const roberts_drawing *d, bool json)
+{
+    static const struct reason {
+        const char *json, *text;
+    } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
+                   [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
+                   [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
+                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
+                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last digit of decimal coordinates"}};
+    const struct reason *reason = &reasons[d->epsilon_reason];
+    if (json)
+        fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g", d->epsilon, reason->json,
+                d->scene_diameter);
+    else
+        fprintf(log, "%14.4g  epsilon, model units: %s\n%14.6g  diameter of the scene, model units\n", d->epsilon,
+                reason->text, d->scene_diameter);
+}
+
+static void print_tally(FILE *log, const roberts_tally *tally, bool json)
+{
+    const figure tests[] = {
+        {"pairs", "pairs of edge and front", tally->pairs},
+        {"test1_visible", "test 1: in front of the plane, visible", tally->test1_visible},
+        {"test2_visible", "test 2: the sight plane misses the face, visible", tally->test2_visible},
+        {"test3_visible", "test 3: outside one side, visible", tally->test3_visible},
+        {"test3_invisible", "test 3: inside all sides, invisible", tally->test3_invisible},
+        {"test4", "test 4: cut at the crossings", tally->test4},
+        {"covered", "edges behind covers, no test", tally->covered},
+        {"pierced", "hidden parts that end in a face", tally->pierced},
+        {"refined", "signs and crossings refined", tally->refined},
+    };
+    fputs(json ? ",\"tests\":{" : "", log);
+    print_figures(log, tests, sizeof tests / sizeof tests[0], json);
+    fputs(json ? "}" : "", log);
+}
+
 void report_stats(const cli_options *options, const run_stats *run, const roberts_drawing *drawing, size_t views)
 {
     FILE *log = options->log;
@@ -217,44 +253,19 @@ void report_stats(const cli_options *options, const run_stats *run, const robert
         {"peak_memory_kb", "kB of memory at most", peak_memory()},
         {options->hide.unite ? "seams" : NULL, "edges left out, or parts of them, where bodies are one", d->seams},
     };
-    const figure tests[] = {
-        {"pairs", "pairs of edge and front", d->tally.pairs},
-        {"test1_visible", "test 1: in front of the plane, visible", d->tally.test1_visible},
-        {"test2_visible", "test 2: the sight plane misses the face, visible", d->tally.test2_visible},
-        {"test3_visible", "test 3: outside one side, visible", d->tally.test3_visible},
-        {"test3_invisible", "test 3: inside all sides, invisible", d->tally.test3_invisible},
-        {"test4", "test 4: cut at the crossings", d->tally.test4},
-        {"covered", "edges behind covers, no test", d->tally.covered},
-        {"pierced", "hidden parts that end in a face", d->tally.pierced},
-        {"refined", "signs and crossings refined", d->tally.refined},
-    };
     const stage stages[] = {
         {"read", run->read},     {"solids", run->solids}, {"view", d->view_time},
         {"grid", d->grid_time},  {"hide", d->hide_time},  {"regions", d->region_time},
         {"verify", run->verify}, {"draw", run->draw},     {"total", run->total},
     };
-    static const struct reason {
-        const char *json, *text;
-    } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
-                   [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
-                   [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
-                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
-                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last digit of decimal coordinates"}};
-    const struct reason *reason = &reasons[d->epsilon_reason];
     fputs(json ? "{\"version\":\"" ROBERTS_VERSION "\"," : "", log);
     print_name(options);
     if (views > 1)
         fprintf(log, json ? "\"views\":%zu," : "%14zu  views, counted together\n", views);
     print_figures(log, counts, sizeof counts / sizeof counts[0], json);
     print_ink(log, &run->ink, &options->draw.placement, json);
-    if (json)
-        fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g,\"tests\":{", d->epsilon,
-                reason->json, d->scene_diameter);
-    else
-        fprintf(log, "%14.4g  epsilon, model units: %s\n%14.6g  diameter of the scene, model units\n", d->epsilon,
-                reason->text, d->scene_diameter);
-    print_figures(log, tests, sizeof tests / sizeof tests[0], json);
-    fputs(json ? "}" : "", log);
+    print_epsilon(log, d, json);
+    print_tally(log, &d->tally, json);
     print_verified(log, options, &run->found);
     fputs(json ? ",\"seconds\":{" : "", log);
     print_stages(log, stages, sizeof stages / sizeof stages[0], json);

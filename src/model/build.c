@@ -331,8 +331,8 @@ typedef struct solid_notes {
 } solid_notes;
 
 /* Builds the components as solids. If some are open, welds and splits them, and builds all solids again. */
-static roberts_status build(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
-                            const roberts_scene_options *options, solid_notes *notes, roberts_error *error)
+static roberts_status build_convex(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
+                                   const roberts_scene_options *options, solid_notes *notes, roberts_error *error)
 {
     polygons faces;
     repeated_solids list = {0};
@@ -460,10 +460,42 @@ static bool copy_groups(roberts_scene *scene, const roberts_mesh *mesh)
     return scene->group_count == mesh->group_count;
 }
 
-/* Is it unknown whether corners name vertices? Readers check that, and so do plans. */
-static bool is_made_by_hand(const roberts_mesh *mesh, const scene_whole *whole)
+static roberts_status check_input(const roberts_mesh *mesh, const roberts_scene_options *options,
+                                  const scene_whole *whole, roberts_error *error)
 {
-    return mesh->source_count == 0 && !whole;
+    if (!(options->tolerance > 0.0 && options->tolerance <= 1.0))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1",
+                         options->tolerance);
+    if (options->threads > ROBERTS_THREADS_MOST)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
+    /* Readers check that corners name vertices, and so do plans. */
+    const bool checked = mesh->source_count > 0 || whole;
+    return checked ? ROBERTS_OK : mesh_check_arrays(mesh, error);
+}
+
+/* Builds a scene of convex solids; if that fails, one of hulls or of bodies of any kind, as the options say. */
+static roberts_status build_any(roberts_scene *scene, const roberts_mesh *mesh, bool lend,
+                                const roberts_scene_options *options, roberts_error *error)
+{
+    solid_notes notes = {0};
+    roberts_status status = build_convex(scene, mesh, lend, options, &notes, error);
+    const bool bodies = !options->solids && !options->hull && (is_shape(status) || has_wires(scene, mesh, &status));
+    if (!bodies)
+        warn_repeated(notes.repeated, mesh, &options->warnings);
+    if (options->hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
+        scene_clear(scene);
+        *error = (roberts_error){0};
+        return build_hulls(scene, mesh, options, error);
+    }
+    if (bodies) {
+        roberts_error other = {0};
+        scene_clear(scene);
+        status = build_bodies(scene, mesh, options, notes.known, &other);
+        if (status != ROBERTS_NOT_CLOSED)
+            *error = other;
+        return status;
+    }
+    return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : status;
 }
 
 /* whole: NULL, or what the mesh is a part of. */
@@ -472,47 +504,21 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
 {
     roberts_scene_options chosen = options ? *options : (roberts_scene_options){0};
     roberts_error found = {0};
-    roberts_status status;
-    solid_notes notes = {0};
     *scene = NULL;
     if (chosen.tolerance == 0.0)
         chosen.tolerance = SCENE_TOLERANCE;
-    if (!(chosen.tolerance > 0.0 && chosen.tolerance <= 1.0)) {
-        status =
-            error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "the tolerance, %g, is not between 0 and 1", chosen.tolerance);
-    } else if (chosen.threads > ROBERTS_THREADS_MOST) {
-        status = error_set(&found, ROBERTS_BAD_ARGUMENT, 0, "more than %d threads", ROBERTS_THREADS_MOST);
-    } else if (is_made_by_hand(mesh, whole) && (status = mesh_check_arrays(mesh, &found)) != ROBERTS_OK) {
-        /* `found` has the reason */
-    } else if (!(*scene = alloc_zeroed(1, sizeof **scene))) {
+    roberts_status status = check_input(mesh, &chosen, whole, &found);
+    if (status == ROBERTS_OK && !(*scene = alloc_zeroed(1, sizeof **scene)))
         status = error_no_memory(&found);
-    } else {
+    if (status == ROBERTS_OK) {
         (*scene)->whole = whole;
         (*scene)->steps = whole ? whole->steps : mesh_rounding(mesh, chosen.rounded);
-        status = build(*scene, mesh, lend, &chosen, &notes, &found);
-        bool bodies = !chosen.solids && !chosen.hull && (is_shape(status) || has_wires(*scene, mesh, &status));
-        if (!bodies)
-            warn_repeated(notes.repeated, mesh, &chosen.warnings);
-        if (chosen.hull && status != ROBERTS_NO_MEMORY && (status != ROBERTS_OK || hull_bare_input(mesh))) {
-            scene_clear(*scene);
-            found = (roberts_error){0};
-            status = build_hulls(*scene, mesh, &chosen, &found);
-        } else if (bodies) {
-            roberts_error other = {0};
-            scene_clear(*scene);
-            status = build_bodies(*scene, mesh, &chosen, notes.known, &other);
-            if (status != ROBERTS_NOT_CLOSED)
-                found = other;
-        } else if (status == ROBERTS_NO_MEMORY) {
-            error_no_memory(&found);
-        }
+        status = build_any(*scene, mesh, lend, &chosen, &found);
     }
-    if (status == ROBERTS_OK) {
-        if (!lend) {
-            free((*scene)->turned);
-            (*scene)->turned = NULL;
-        }
-        if (!lend && !copy_groups(*scene, mesh))
+    if (status == ROBERTS_OK && !lend) {
+        free((*scene)->turned);
+        (*scene)->turned = NULL;
+        if (!copy_groups(*scene, mesh))
             status = error_no_memory(&found);
     }
     if (status != ROBERTS_OK) {
