@@ -47,6 +47,26 @@ void dimension_text(double value, const char *unit, char *text, size_t size)
     snprintf(text, size, unit && *unit ? "%s %s" : "%s%s", number, unit ? unit : "");
 }
 
+/* A dimension while it is laid out; mm. */
+typedef struct dimension {
+    roberts_vec2 corner[2]; /* what is measured; an extension line runs from each to its end of the dimension line */
+    roberts_vec2 end[2];    /* of the dimension line */
+    roberts_vec2 off;       /* direction of extension lines, a unit vector */
+    const char *text;
+    double shift; /* of the text toward end[1], from the middle of the dimension line */
+} dimension;
+
+/* Its lines, and its text as a line that is read from below or from the right. */
+typedef struct dimension_lines {
+    roberts_vec2 extension[2][2], line[2];
+    roberts_vec2 along; /* from end[0] to end[1] */
+    bool is_narrow;     /* the arrows stand outside */
+    text_line text;
+} dimension_lines;
+
+/* How many boxes hold a text together, at most. */
+enum { DIMENSION_BOXES = 32, DIMENSION_TEXT = 100 };
+
 static roberts_vec2 moved_along(roberts_vec2 p, roberts_vec2 d, double mm)
 {
     return (roberts_vec2){p.x + mm * d.x, p.y + mm * d.y};
@@ -87,7 +107,8 @@ static roberts_vec2 reading(roberts_vec2 d)
     return backward ? (roberts_vec2){-d.x, -d.y} : d;
 }
 
-bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
+/* Finds the lines of a dimension. False: it has no length. */
+static bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
 {
     const roberts_vec2 from = d->end[0], to = d->end[1];
     const double length = hypot(to.x - from.x, to.y - from.y), height = strokes_text_height(s->options);
@@ -114,7 +135,8 @@ bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l)
     return true;
 }
 
-size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES])
+/* Boxes that hold the text together, along its base line if it is turned. Returns how many. */
+static size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES])
 {
     const roberts_vec2 d = line->along, up = text_upward(d);
     const double width = letters_width(line->text, line->height_mm), h = line->height_mm;
@@ -130,7 +152,8 @@ size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES
     return count;
 }
 
-bool dimension_draw(strokes *s, const dimension *d)
+/* Adds a dimension to s->notes, and its text to s->taken. False: no memory. */
+static bool dimension_draw(strokes *s, const dimension *d)
 {
     const double units = s->units_per_mm;
     dimension_lines l;

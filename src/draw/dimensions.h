@@ -28,34 +28,6 @@ typedef struct distances_outcome {
  * at one place). */
 roberts_status distances_add(strokes *s, free_space *r, distances_outcome *outcome, roberts_error *error);
 
-/* A dimension while it is laid out; mm. */
-typedef struct dimension {
-    roberts_vec2 corner[2]; /* what is measured; an extension line runs from each to its end of the dimension line */
-    roberts_vec2 end[2];    /* of the dimension line */
-    roberts_vec2 off;       /* direction of extension lines, a unit vector */
-    const char *text;
-    double shift; /* of the text toward end[1], from the middle of the dimension line */
-} dimension;
-
-/* Its lines, and its text as a line that is read from below or from the right. */
-typedef struct dimension_lines {
-    roberts_vec2 extension[2][2], line[2];
-    roberts_vec2 along; /* from end[0] to end[1] */
-    bool is_narrow;     /* the arrows stand outside */
-    text_line text;
-} dimension_lines;
-
-enum { DIMENSION_BOXES = 32, DIMENSION_TEXT = 100 };
-
-/* Finds them. False: the dimension has no length. */
-bool dimension_lay(const strokes *s, const dimension *d, dimension_lines *l);
-
-/* Boxes that hold the text together, along its base line if it is turned. Returns how many. */
-size_t dimension_text_boxes(const text_line *line, space_box box[DIMENSION_BOXES]);
-
-/* Adds it to s->notes, and its text to s->taken. False: no memory. */
-bool dimension_draw(strokes *s, const dimension *d);
-
 /* Writes a number rounded to five digits, or to a whole one if that has more, with a comma (ISO 129-1). */
 void dimension_text(double value, const char *unit, char *text, size_t size);
 

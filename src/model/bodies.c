@@ -169,8 +169,9 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
     if (status == ROBERTS_OK && any_open && !find_complete(a, open, &any_open))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && any_open) {
-        status = weld_open(a->scene, open, a->mesh, &a->name) ? regroup(a->scene, open, &a->faces, a->mesh, true, error)
-                                                              : ROBERTS_NO_MEMORY;
+        status = weld_open(a->scene, open, a->mesh, &a->name)
+                     ? weld_regroup(a->scene, open, &a->faces, a->mesh, true, error)
+                     : ROBERTS_NO_MEMORY;
         free(open);
         free(convex);
         convex = NULL;

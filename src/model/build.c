@@ -360,7 +360,7 @@ static roberts_status build_convex(roberts_scene *scene, const roberts_mesh *mes
         construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
         repeated_free(&list);
         scene_turn_back(scene); /* regrouping starts from the original winding */
-        status = regroup(scene, c.open, &faces, mesh, false, error);
+        status = weld_regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
             status = build_solids(&closed, options->threads, &list, error);
     }
@@ -411,7 +411,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK)
         status = find_open(scene, &work, mesh, open, &any_open, error);
     if (status == ROBERTS_OK && any_open)
-        status = regroup(scene, open, &faces, mesh, true, error);
+        status = weld_regroup(scene, open, &faces, mesh, true, error);
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(mesh, error);
     if (status == ROBERTS_OK)

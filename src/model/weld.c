@@ -61,7 +61,9 @@ static void fill_buckets(spot *sorted, uint32_t *end, const uint32_t *listed, ui
     }
 }
 
-bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
+/* Sets name[v] of each of the `count` listed vertices (ascending) to the smallest listed vertex at exactly the same
+ * position (-0 equals 0). Other names do not change. False: no memory. */
+static bool weld_vertices(uint32_t *name, const uint32_t *listed, uint32_t count, const roberts_vec3 *point)
 {
     spot *sorted = alloc_array(count, sizeof *sorted);
     uint32_t *end = alloc_zeroed(count, sizeof *end);
@@ -324,8 +326,8 @@ static roberts_status lay_out_again(regrouping *g, roberts_scene *scene, const p
     return status;
 }
 
-roberts_status regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
-                       bool keep_open, roberts_error *error)
+roberts_status weld_regroup(roberts_scene *scene, const uint8_t *open, polygons *faces, const roberts_mesh *mesh,
+                            bool keep_open, roberts_error *error)
 {
     roberts_status status = clean_welded(scene, open, faces, mesh, error);
     regrouping g = {.keep_open = keep_open};
