@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/orient.h"
 #include "draw/dimensions.h"
 #include "sheet_views.h"
 #include "testing.h"
@@ -100,15 +101,10 @@ static void lengths_and_views(void **state)
 
 /* ---- collisions ---- */
 
-static double side_of(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
 static bool cross(const roberts_vec2 p[2], const roberts_vec2 q[2])
 {
-    return side_of(p[0], p[1], q[0]) * side_of(p[0], p[1], q[1]) < 0.0 &&
-           side_of(q[0], q[1], p[0]) * side_of(q[0], q[1], p[1]) < 0.0;
+    return orient2d(p[0], p[1], q[0]) * orient2d(p[0], p[1], q[1]) < 0.0 &&
+           orient2d(q[0], q[1], p[0]) * orient2d(q[0], q[1], p[1]) < 0.0;
 }
 
 static void piece_of(const polylines *of, const polyline *line, uint32_t i, roberts_vec2 ends[2])

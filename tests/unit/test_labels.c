@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/orient.h"
 #include "draw/free_space.h"
 #include "draw/strokes.h"
 #include "drawing.h"
@@ -548,11 +549,6 @@ static void narrow_faces(void **state)
     free_cube(&c);
 }
 
-static double side_of(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p)
-{
-    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
-}
-
 /* Whether a line that is seen lies between a vertex and its label. */
 static bool is_behind_line(const roberts_drawing *drawing, const strokes *s, roberts_vec2 vertex, roberts_vec2 label)
 {
@@ -561,8 +557,8 @@ static bool is_behind_line(const roberts_drawing *drawing, const strokes *s, rob
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *other = &drawing->segment[i];
         const roberts_vec2 a = page_place(&s->map, other->p0), b = page_place(&s->map, other->p1);
-        found = found || (other->state == ROBERTS_VISIBLE && side_of(a, b, from) * side_of(a, b, label) < 0.0 &&
-                          side_of(from, label, a) * side_of(from, label, b) < 0.0);
+        found = found || (other->state == ROBERTS_VISIBLE && orient2d(a, b, from) * orient2d(a, b, label) < 0.0 &&
+                          orient2d(from, label, a) * orient2d(from, label, b) < 0.0);
     }
     return found;
 }
