@@ -60,10 +60,10 @@ bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing,
 /* How many bodies are curved? */
 size_t hint_curved(const roberts_scene *scene);
 
-/* Are all bodies convex, and have they so many faces, on average, that they probably stand for round ones? */
+/* Are all bodies convex, with enough faces on average that they probably stand for round ones? */
 bool hint_round(const roberts_scene *scene);
 
-/* Are most edges left out because they are flat, so that only borders are drawn? So it is with a tiling. */
+/* Are most edges left out because they are flat, so that only borders are drawn? A tiling is like this. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 
 /* Is no body closed, so that --union changes nothing? */

@@ -38,8 +38,8 @@ size_t parse_find(const char *word, const char *const *words);
 /* Does the name of a file end in `ending`, from its last point on, in capitals or not? */
 bool parse_has_ending(const char *name, const char *ending);
 
-/* Puts `number` in its place in `pattern`: %d, or %03d (at least so many digits, up to 9, with leading zeros). False if
- * there is no such place, more than one, another %, or the name does not fit. */
+/* Puts `number` in its place in `pattern`: %d, or %03d (at least that many digits, up to 9, with leading zeros). False
+ * if there is no such place, more than one, another %, or the name does not fit. */
 bool parse_numbered(const char *pattern, uint32_t number, char *name, size_t size);
 
 /* Puts `word` in its place in `pattern`: %s. False if there is no such place, another %, or the name does not fit. */

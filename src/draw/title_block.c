@@ -106,7 +106,7 @@ static const double title_room_mm = 12.0, lines_most_mm = 3.5, lines_least_mm = 
 /* How far their base lines are apart, in heights of letters. */
 static const double line_pitch = 1.6;
 
-/* How high so many lines are, in heights of letters. */
+/* How high this many lines are together, in heights of letters. */
 static double lines_high(int lines)
 {
     return 1.0 + line_pitch * (lines - 1) + LETTERS_DEPTH;

@@ -179,7 +179,7 @@ scan_frame cells_for_own_covers(const cells_boxes *b);
 /* Returns the cells for covers of the scene to which a part belongs, as its plan keeps them. */
 scan_frame cells_of_whole(const scene_whole *w, double margin);
 
-/* Can cells_for_covers() return so many columns and rows, for so many vertices? */
+/* Can cells_for_covers() return this many columns and rows for this many vertices? */
 bool cells_may_cover(uint32_t nx, uint32_t ny, size_t vertices);
 
 #endif

@@ -20,7 +20,8 @@
 /* How far beside a box its cells may be read and written. */
 enum { CELLS_BESIDE = 4 };
 
-/* Faces cover cells together only in bodies of some faces, and of not too many cells for each. */
+/* Faces cover cells together only in bodies of at least TOGETHER_FACES faces, with at most TOGETHER_CELLS cells for
+ * each face. */
 enum { TOGETHER_FACES = 4, TOGETHER_CELLS = 64 };
 
 /* Bodies of fewer faces have no covers of their own. */

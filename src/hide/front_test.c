@@ -51,7 +51,7 @@ BITS_INLINE bool inside_face(const hide_fronts *fronts, const hide_face *F, doub
              : hide_by_outline(fronts, &outline, e, NULL, sides, part);
 }
 
-/* Leaves of a part inside a face what lies behind it. depth: what test 1 found. False: nothing is left. */
+/* Reduces a part inside a face to what lies behind the face. depth: what test 1 found. False: nothing is left. */
 BITS_INLINE bool behind_face(const hide_fronts *fronts, const hide_face *F, hide_verdict depth, const hide_edge *e,
                              hide_sides *sides, hide_interval *part)
 {

@@ -190,8 +190,8 @@ bool tiles_order(tiles *t, const front_tile *of, const hide_fronts *fronts)
 /* If consecutive solids are farther apart than this on average, the order of the file does not help. Rows, heaps and
  * lattices that were built side by side have less than 30, random scenes more than 600. */
 #define FAR_APART 100.0
-/* Nor does it help if more boxes than this lie over a point of the picture: solids behind one another lie anywhere in
- * the file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
+/* It does not help either if more boxes than this lie over a point of the picture: solids behind one another lie
+ * anywhere in the file. In flat scenes the order costs a fifth of hiding, in deep ones it saves a fourth to a half. */
 #define DEEP 2.5
 
 /* The kept lines of a solid are prefetched this many solids ahead; their addresses, twice as far ahead. */

@@ -610,7 +610,7 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         fit_planes(a, b);
         if (!body_edges_store(&list, scene, b))
             goto done;
-        scene->surface->smooth[b] = body_smooth(scene, b);
+        scene->surface->smooth[b] = body_is_smooth(scene, b);
     }
     if (!copy_windings(a) || !rename_all(a))
         goto done;

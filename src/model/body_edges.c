@@ -740,19 +740,19 @@ void body_edges_free(body_edges *list)
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
 
-void body_count_bend(bend_count *count, double bend)
+void bend_count_add(bend_count *count, double bend)
 {
     count->much += bend > FLAT_BEND && !(bend < LITTLE_BEND);
     count->little += bend > FLAT_BEND && bend < LITTLE_BEND;
 }
 
-bool body_is_smooth(const bend_count *count, uint32_t faces)
+bool bend_count_is_smooth(const bend_count *count, uint32_t faces)
 {
     return faces > ROBERTS_FACETED_MOST && count->little > 0 && count->little >= count->much;
 }
 
 /* Counts edges until the rest cannot change the result. */
-bool body_smooth(const roberts_scene *scene, uint32_t b)
+bool body_is_smooth(const roberts_scene *scene, uint32_t b)
 {
     const scene_solid *own = &scene->solid[b];
     const scene_edge *edge = scene->edge + own->stored;
@@ -764,10 +764,10 @@ bool body_smooth(const roberts_scene *scene, uint32_t b)
         if (count.little >= count.much + (uint64_t)left || count.much > count.little + (uint64_t)left)
             break;
         if (!(is & (EDGE_MANY | EDGE_CUT)) && edge->f[1] != ROBERTS_NONE)
-            body_count_bend(&count, scene_bend(scene_plane(scene, own->face + edge->f[0]),
-                                               scene_plane(scene, own->face + edge->f[1]), is));
+            bend_count_add(&count, scene_bend(scene_plane(scene, own->face + edge->f[0]),
+                                              scene_plane(scene, own->face + edge->f[1]), is));
     }
-    return body_is_smooth(&count, faces);
+    return bend_count_is_smooth(&count, faces);
 }
 
 /* ---- wires beside convex solids ---------------------------------------------------------------------------------- */

@@ -60,14 +60,14 @@ typedef struct bend_count {
 } bend_count;
 
 /* Counts one edge with two faces. */
-void body_count_bend(bend_count *count, double bend);
+void bend_count_add(bend_count *count, double bend);
 
-/* Is a body of so many faces a curved surface? It is if it has more than 500 faces and at least half of its bent edges
- * are bent only slightly. */
-bool body_is_smooth(const bend_count *count, uint32_t faces);
+/* Is a body with these edges and this many faces a curved surface? It is if it has more than 500 faces and at least
+ * half of its bent edges are bent only slightly. */
+bool bend_count_is_smooth(const bend_count *count, uint32_t faces);
 
 /* The same for body b of a scene that has planes and edges. */
-bool body_smooth(const roberts_scene *scene, uint32_t b);
+bool body_is_smooth(const roberts_scene *scene, uint32_t b);
 
 /* ---- wires beside convex solids ---------------------------------------------------------------------------------- */
 

@@ -823,7 +823,7 @@ static BITS_PER_PROCESSOR bool take_bends(plain_work *w, uint32_t s, uint8_t *be
             continue;
         double own_bend = scene_bend(w->plane[edge[e].f[0]], w->plane[edge[e].f[1]], is);
         bend[e] = scene_bend_code(own_bend);
-        body_count_bend(&w->smooth[s], own_bend);
+        bend_count_add(&w->smooth[s], own_bend);
     }
     return true;
 }
@@ -877,8 +877,8 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        to->smooth[s] = w->bend ? body_is_smooth(&w->smooth[s], scene->solid[s + 1].face - scene->solid[s].face)
-                                : body_smooth(scene, s);
+        to->smooth[s] = w->bend ? bend_count_is_smooth(&w->smooth[s], scene->solid[s + 1].face - scene->solid[s].face)
+                                : body_is_smooth(scene, s);
     }
     join_many(w);
     to->bend = w->bend;

@@ -72,7 +72,7 @@ static int picture_cell(const plan_facts *facts, double x, int k)
     return cell >= CELLS ? CELLS - 1 : cell > 0.0 ? (int)cell : 0; /* 0 also if the picture has no width */
 }
 
-/* Returns what is so many columns (k = 0) or rows (k = 1) of covers away from x. */
+/* Returns what lies `cells` columns (k = 0) or rows (k = 1) of covers beyond x. */
 static double beside(const plan_facts *facts, double x, int k, double cells)
 {
     const scene_whole *w = &facts->whole;

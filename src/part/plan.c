@@ -636,7 +636,7 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
     return status;
 }
 
-/* Do the sections follow one another, with the right sizes? And is the picture's grid possible for so many bodies? */
+/* Do the sections follow one another, with the right sizes? Is the picture's grid possible for this many bodies? */
 static bool is_sound(const plan_facts *facts, uint64_t end)
 {
     return facts->check == check_of(facts) && facts->bodies < ROBERTS_NONE && facts->weight < ROBERTS_NONE &&

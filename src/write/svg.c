@@ -420,7 +420,7 @@ typedef struct svg_groups {
     output *out;
     level order[LEVELS]; /* from the outermost */
     int depth;           /* how many of them there are */
-    uint32_t bodies;     /* numbered layers: those of frame, symbol and text come after so many */
+    uint32_t bodies;     /* numbered layers: those of frame, symbol and text have greater numbers */
 } svg_groups;
 
 static void attribute_pair(output *out, const char *name, uint32_t a, uint32_t b, const char *between)
