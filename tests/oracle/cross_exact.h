@@ -27,7 +27,6 @@ bool before(const vec<rational> &p, const vec<rational> &q)
 
 struct cross_finder {
     const mesh_oracle &o;
-    size_t pairs = 0;
 
     /* A point where the border of a face meets the other's plane, along the line of both planes. */
     struct meeting {
@@ -141,7 +140,6 @@ struct cross_finder {
         const polygon &F = o.faces[f], &G = o.faces[g];
         if (apart(f, g))
             return;
-        pairs++;
         if (beside(F, G) || beside(G, F))
             return;
         vec<rational> along = cross(F.normal, G.normal);

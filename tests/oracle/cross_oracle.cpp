@@ -120,7 +120,6 @@ bool cross_truth_find(const roberts_mesh *mesh, const oracle_view *view, bool ev
             same[o.faces[f].number] = o.faces[finder.first[f]].number;
         truth->same = copy_of(same);
         truth->line_count = lines.size(), truth->interval_count = intervals.size();
-        truth->pairs = finder.pairs, truth->exact = o.exact;
         truth->line = copy_of(lines);
         truth->interval = copy_of(intervals);
         return true;

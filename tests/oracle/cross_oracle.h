@@ -37,9 +37,8 @@ typedef struct cross_truth {
     size_t line_count, interval_count;
     cross_line *line; /* [line_count] sorted by f0, f1, a */
     oracle_interval *interval;
-    uint32_t *same;      /* [face_count of the mesh] the first face with the same corners; ROBERTS_NONE: not a face */
-    size_t pairs, exact; /* pairs of faces whose boxes meet; pairs of line and face that needed rational numbers */
-    char error[160];     /* empty: no error */
+    uint32_t *same;  /* [face_count of the mesh] the first face with the same corners; ROBERTS_NONE: not a face */
+    char error[160]; /* empty: no error */
 } cross_truth;
 
 /* Finds all lines. The viewer is at infinity, or an eye with the whole scene in front of it. False: *truth contains

@@ -90,7 +90,6 @@ static roberts_status draw(const test_scene *how, const roberts_mesh *mesh, bool
 
 /* The segments of one edge: its hidden intervals, what the near plane leaves of it, and whether they tile it. */
 typedef struct edge_segments {
-    const roberts_segment *segment;
     size_t count, hidden_count;
     oracle_interval *hidden; /* room for all segments of the drawing */
     double t0, t1;           /* 1, 1: all of it is clipped */
@@ -100,7 +99,6 @@ typedef struct edge_segments {
 static void take_edge(const roberts_drawing *drawing, size_t *at, const oracle_edge *edge, edge_segments *out)
 {
     double t = 0;
-    out->segment = drawing->segment + *at;
     out->count = out->hidden_count = 0;
     out->tiled = true;
     out->t0 = 0, out->t1 = 1;

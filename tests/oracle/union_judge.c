@@ -143,8 +143,7 @@ static void judge_row(work *w, const union_row *row)
         tell(w, end, row->line == ROBERTS_INTERSECTION ? "the class is intersection" : "the class is wrong", wrong);
 }
 
-static size_t judge(const union_case *c, const union_row *row, size_t count, bool lines_only, mesh_total *total,
-                    FILE *out)
+size_t union_judge_rows(const union_case *c, const union_row *row, size_t count, mesh_total *total, FILE *out)
 {
     const union_truth *truth = c->truth;
     size_t most = count + 2 * (truth->part_count + truth->interval_count) + 2;
@@ -165,20 +164,14 @@ static size_t judge(const union_case *c, const union_row *row, size_t count, boo
         if (!truth->line[i].crossing || !truth->line[i].edge_on)
             judge_line(&w, &truth->line[i], true);
     }
-    for (size_t i = 0; w.a.interval && w.b.interval && !lines_only && i < count; i++)
+    for (size_t i = 0; w.a.interval && w.b.interval && i < count; i++)
         judge_row(&w, &row[i]);
     free(w.a.interval);
     free(w.b.interval);
     return w.failed;
 }
 
-size_t union_judge_rows(const union_case *c, const union_row *row, size_t count, mesh_total *total, FILE *out)
-{
-    return judge(c, row, count, false, total, out);
-}
-
-static size_t judge_drawing(const union_case *c, const roberts_drawing *drawing, bool lines_only, mesh_total *total,
-                            FILE *out)
+size_t union_judge_drawing(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out)
 {
     union_row *row = malloc((drawing->count + 1) * sizeof *row);
     for (size_t i = 0; row && i < drawing->count; i++) {
@@ -189,19 +182,9 @@ static size_t judge_drawing(const union_case *c, const roberts_drawing *drawing,
         roberts_vec3 q = crossing ? drawing->crossing[s->edge].end[1] : vertex[s->v1];
         row[i] = (union_row){line_point(p, q, s->t0), line_point(p, q, s->t1), s->state == ROBERTS_VISIBLE, s->line};
     }
-    size_t failed = row ? judge(c, row, drawing->count, lines_only, total, out) : 1;
+    size_t failed = row ? union_judge_rows(c, row, drawing->count, total, out) : 1;
     free(row);
     return failed;
-}
-
-size_t union_judge_drawing(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out)
-{
-    return judge_drawing(c, drawing, false, total, out);
-}
-
-size_t union_judge_lines(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out)
-{
-    return judge_drawing(c, drawing, true, total, out);
 }
 
 union_row *union_rows_of_truth(const union_truth *truth, size_t *count)

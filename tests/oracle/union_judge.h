@@ -28,9 +28,6 @@ size_t union_judge_rows(const union_case *c, const union_row *row, size_t count,
 /* Does the same for a drawing. */
 size_t union_judge_drawing(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out);
 
-/* Checks only that everything that should be visible is. */
-size_t union_judge_lines(const union_case *c, const roberts_drawing *drawing, mesh_total *total, FILE *out);
-
 /* Returns the correct rows and sets *count. NULL: no memory. The caller frees them. */
 union_row *union_rows_of_truth(const union_truth *truth, size_t *count);
 
