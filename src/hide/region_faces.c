@@ -321,13 +321,14 @@ static bool is_nearer(const depth_part *a, const depth_part *b, double t)
  * should, as a fraction of the side. */
 static void follow(const depth_parts *parts, double slack, depth_range *range)
 {
-    const depth_part *part = parts->part, *end = part + parts->count;
+    size_t first = 0;
     for (double t = 0.0; t + slack < 1.0;) {
         const depth_part *shown = NULL;
         double next = 1.0; /* where the next part begins */
-        while (part < end && part->t1 <= t + slack)
-            part++;
-        for (const depth_part *p = part; p < end; p++) {
+        while (first < parts->count && parts->part[first].t1 <= t + slack)
+            first++;
+        for (size_t i = first; i < parts->count; i++) {
+            const depth_part *p = &parts->part[i];
             if (p->t0 > t + slack) {
                 next = p->t0;
                 break;
