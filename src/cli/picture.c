@@ -701,12 +701,13 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
     roberts_draw_options page = options->draw;
     roberts_status status = ROBERTS_OK;
     page.format = ROBERTS_SVG; /* the fastest; letters have the same places in all formats */
+    page.grouping = ROBERTS_GROUP_CLASS;
     page.order = ROBERTS_ORDER_NONE;
     page.fill = ROBERTS_FILL_NONE;
     page.hatch.off = true;
     page.real_dashes = false;
     page.ink = &ink;
-    page.scene = scene;
+    progress_stage("placing labels");
     for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
         cli_options one = *options;
         views v = {.count = 1};
@@ -720,7 +721,7 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
             *least = ink.label_mm;
         free_views(&v);
     }
-    return status;
+    return status == ROBERTS_BAD_ARGUMENT ? ROBERTS_OK : status; /* drawing will say why, and name the picture */
 }
 
 static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)

@@ -738,22 +738,30 @@ static void turntable_keeps_scale_and_centre(void **state)
     assert_int_equal(access("in/u0", F_OK) + access("in/u2", F_OK), 0);
 }
 
-/* In one of these pictures, labels find room only with smaller letters. All of them get these. */
-static void turntable_has_letters_of_one_size(void **state)
+/* An icosahedron has room for larger labels from some sides than from others. */
+static void turntable_keeps_letters(void **state)
 {
-    static const char size[] = "font-size=\"3.492\"";
+    static const char with[] = "--page 70x70 --margin 3 --elevation 20 --hidden dashed --label vertices --text native "
+                               "models/platonic/icosahedron.off";
+    static const char small[] = "font-size=\"2.514\"";
     static char text[TEXT];
+    char line[256], name[64];
     (void)state;
-    assert_int_equal(run("--elevation 20 --turntable 8 --label vertices --text native --page 50x50 --margin 4 "
-                         "models/cube-behind-cube.off -o in/t-%d.svg"),
-                     0);
-    for (int i = 0; i < 8; i++) {
-        char name[64];
+    for (int i = 0; i < 3; i++) {
+        snprintf(line, sizeof line, "%s --azimuth %d", with, 30 * i);
+        assert_int_equal(run(line), 0);
+        assert_int_equal(count_of(last.out, small), i == 1 ? 12 : 0);
+    }
+    snprintf(line, sizeof line, "%s --turntable 12 -o in/t-%%d.svg", with);
+    assert_int_equal(run(line), 0);
+    assert_string_equal(last.err, "");
+    for (int i = 0; i < 12; i++) {
         snprintf(name, sizeof name, "in/t-%d.svg", i);
         read_text(name, text);
-        assert_true(count_of(text, size) > 0);
-        assert_int_equal(count_of(text, "font-size"), count_of(text, size));
+        assert_int_equal(count_of(text, small), 12);
     }
+    assert_int_equal(run("--scale 1000:1 --label vertices models/platonic/cube.off --turntable 2 -o in/t-%d.svg"), 2);
+    assert_said("in/t-0.svg: at 1000:1 the drawing is ");
 }
 
 static void batch_draws_each_file(void **state)
@@ -1295,7 +1303,7 @@ int main(void)
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
         IN_FOLDER(turntable_keeps_scale_and_centre),
-        IN_FOLDER(turntable_has_letters_of_one_size),
+        IN_FOLDER(turntable_keeps_letters),
         IN_FOLDER(batch_draws_each_file),
         IN_FOLDER(verbose_tells),
         IN_FOLDER(progress_is_for_terminals),
