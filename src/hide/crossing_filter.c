@@ -9,6 +9,29 @@
 #include "base/threads.h"
 #include "hide/star_bodies.h"
 
+/* ---- where bodies lie -------------------------------------------------------------------------------------------- */
+
+/* Solids this many touching distances apart do not touch. */
+#define WELL_APART 4.0
+
+/* A point touches a face if its distance is at most the touching distance plus the face's departure from its plane. */
+static double touching_distance(const hide_fronts *fronts)
+{
+    const roberts_scene *scene = fronts->scene;
+    float departure = 0.0f;
+    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
+        departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
+    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
+}
+
+static hide_bounds box_of_model(const roberts_scene *scene, uint32_t body)
+{
+    const scene_solid *own = &scene->solid[body];
+    hide_bounds box = hide_no_bounds;
+    box_add_all(&box.low, &box.high, scene->point + own->vertex, own[1].vertex - own->vertex);
+    return box;
+}
+
 /* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
 
 /* More pairs of faces of two solids than this are found by sorting. */
@@ -76,8 +99,12 @@ bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker
 
 /* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
 
-/* What the tree finds: a convex solid, or one face of another body. */
+/* A convex solid of more faces is not one unit. */
+#define UNIT_FACES 64
+
+/* What the tree finds: a convex solid of few faces, or one face of another body. */
 typedef struct unit {
+    hide_box in_view;     /* its box in view space */
     uint32_t body, piece; /* piece: the first of the face; ROBERTS_NONE of a solid */
 } unit;
 
@@ -94,9 +121,10 @@ typedef struct pair_search {
     face_pairs_fn *take;
     void *context;
     unit *unit; /* [count] */
-    box3 *box;  /* [count] */
+    box3 *box;  /* [count] along the axes of the model, widened by half of `touching` */
     uint32_t count;
     box_tree tree;
+    double touching; /* model units; what is farther apart does not touch */
 } pair_search;
 
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
@@ -123,22 +151,45 @@ static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
     return first == end;
 }
 
+static void add_unit(pair_search *s, uint32_t body, uint32_t piece, const hide_box *in_view, const hide_bounds *model)
+{
+    const double more = 0.5 * s->touching;
+    const roberts_vec3 wide = {more, more, more};
+    s->box[s->count] = (box3){vec3_sub(model->low, wide), vec3_add(model->high, wide)};
+    s->unit[s->count++] = (unit){*in_view, body, piece};
+}
+
+/* A solid that is alone meets nothing. */
+static bool is_one_unit(const hide_fronts *fronts, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[body];
+    return scene_is_convex(scene, body) && (own[1].face - own->face <= UNIT_FACES || scene->solid_count == 1);
+}
+
 /* The pieces of a planar face are one unit: apart they would give the same pair many times. A body that the near plane
  * has removed has no vertices. */
 static void add_units(pair_search *s, uint32_t body)
 {
     const hide_fronts *fronts = s->fronts;
-    const scene_solid *own = &fronts->scene->solid[body];
-    bool convex = scene_is_convex(fronts->scene, body);
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[body];
     if (own[1].vertex == own->vertex)
         return;
-    for (uint32_t f = own->face, end; f < (convex ? own->face + 1 : own[1].face); f = end) {
-        end = convex ? own[1].face : scene_end_of_pieces(fronts->scene, body, f);
-        if (!convex && are_edge_on(fronts, f, end))
+    if (is_one_unit(fronts, body)) {
+        const hide_box in_view = box_of_body(fronts, body);
+        const hide_bounds model = box_of_model(scene, body);
+        add_unit(s, body, ROBERTS_NONE, &in_view, &model);
+        return;
+    }
+    for (uint32_t f = own->face, end; f < own[1].face; f = end) {
+        end = scene_is_convex(scene, body) ? f + 1 : scene_end_of_pieces(scene, body, f);
+        if (are_edge_on(fronts, f, end))
             continue;
-        hide_box box = convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end);
-        s->box[s->count] = hide_box3(&box);
-        s->unit[s->count++] = (unit){body, convex ? ROBERTS_NONE : f};
+        const hide_box in_view = box_of_pieces(fronts, f, end);
+        const hide_bounds model = hide_bounds_of(scene->point, scene->corner + scene->face_start[f],
+                                                 scene->face_start[end] - scene->face_start[f]);
+        add_unit(s, body, f, &in_view, &model);
     }
 }
 
@@ -148,7 +199,7 @@ static bool find_units(pair_search *s)
     const roberts_scene *scene = s->fronts->scene;
     size_t most = 0;
     for (uint32_t body = 0; body < scene->solid_count; body++)
-        most += scene_is_convex(scene, body) ? 1 : scene->solid[body + 1].face - scene->solid[body].face;
+        most += is_one_unit(s->fronts, body) ? 1 : scene->solid[body + 1].face - scene->solid[body].face;
     s->unit = alloc_array(most, sizeof *s->unit);
     s->box = alloc_array(most, sizeof *s->box);
     for (uint32_t body = 0; s->unit && s->box && body < scene->solid_count; body++)
@@ -158,17 +209,16 @@ static bool find_units(pair_search *s)
 }
 
 /* Lists the faces of a unit that meet a box. */
-static bool list_faces(const hide_fronts *fronts, const unit *of, const box3 *box, face_list *to)
+static bool list_faces(const hide_fronts *fronts, const unit *of, const hide_box *box, face_list *to)
 {
     const roberts_scene *scene = fronts->scene;
     const scene_solid *own = &scene->solid[of->body];
     bool one = of->piece != ROBERTS_NONE;
     to->count = 0;
     for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; f < last; f++) {
-        uint32_t end = one ? scene_end_of_pieces(scene, of->body, f) : f + 1;
+        uint32_t end = one && !scene_is_convex(scene, of->body) ? scene_end_of_pieces(scene, of->body, f) : f + 1;
         boxed_face item = {box_of_pieces(fronts, f, end), f};
-        box3 wide = hide_box3(&item.box);
-        if (are_edge_on(fronts, f, end) || !box3_meet(&wide, box))
+        if (are_edge_on(fronts, f, end) || !boxes_meet(&item.box, box))
             continue;
         if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
             return false;
@@ -188,11 +238,19 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
     if ((f->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, f->body, g->body)) ||
         (g->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, g->body, f->body)))
         return true;
-    return list_faces(s->fronts, f, &s->box[b], &w->list[0]) && list_faces(s->fronts, g, &s->box[a], &w->list[1]) &&
+    return list_faces(s->fronts, f, &g->in_view, &w->list[0]) && list_faces(s->fronts, g, &f->in_view, &w->list[1]) &&
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);
 }
 
-/* Compares a unit with all later units whose boxes meet its box. */
+/* Do both boxes of unit a meet those of unit b? Not if they are faces of one convex solid. */
+static bool units_meet(const pair_search *s, uint32_t a, uint32_t b)
+{
+    const unit *f = &s->unit[a], *g = &s->unit[b];
+    return box3_meet(&s->box[a], &s->box[b]) && boxes_meet(&f->in_view, &g->in_view) &&
+           (f->body != g->body || !scene_is_convex(s->fronts->scene, f->body));
+}
+
+/* Compares a unit with all later units whose boxes meet its boxes. */
 static bool meet_others(pair_worker *w, uint32_t a)
 {
     const pair_search *s = w->of;
@@ -205,7 +263,7 @@ static bool meet_others(pair_worker *w, uint32_t a)
         }
         for (uint32_t k = node->first; k < node->first + node->count; k++) {
             uint32_t b = tree->item[k];
-            if (b > a && box3_meet(&s->box[a], &s->box[b]) && !meet_units(w, a, b))
+            if (b > a && units_meet(s, a, b) && !meet_units(w, a, b))
                 return false;
         }
         i++;
@@ -224,7 +282,7 @@ static bool meet_some(void *context, size_t first, size_t end)
 
 bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context)
 {
-    pair_search s = {.fronts = fronts, .take = take, .context = context};
+    pair_search s = {.fronts = fronts, .take = take, .context = context, .touching = touching_distance(fronts)};
     pair_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     bool lost = !worker || !find_units(&s);
     for (int i = 0; worker && i < threads; i++) {
@@ -302,9 +360,6 @@ static void mark_late(const crossing_filter *p, uint32_t body)
 
 /* ---- two fronts: where they lie ---------------------------------------------------------------------------------- */
 
-/* Solids this many touching distances apart do not touch. */
-#define WELL_APART 4.0
-
 bool filter_find_flat(const crossing_filter *p, uint32_t front)
 {
     const roberts_scene *scene = p->fronts->scene;
@@ -315,14 +370,6 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front)
     unsigned char flat = edge < end ? FLAT_SOMEWHERE : FLAT_NOWHERE;
     atomic_store_explicit(&p->model[front].flat, flat, memory_order_relaxed);
     return edge < end;
-}
-
-static hide_bounds box_of_model(const roberts_scene *scene, uint32_t body)
-{
-    const scene_solid *own = &scene->solid[body];
-    hide_bounds box = hide_no_bounds;
-    box_add_all(&box.low, &box.high, scene->point + own->vertex, own[1].vertex - own->vertex);
-    return box;
 }
 
 static bool box_solids(void *context, size_t first, size_t end)
@@ -373,16 +420,6 @@ static bool mark_all_late(void *context, size_t first, size_t end)
     for (size_t body = first; body < end; body++)
         mark_late(context, (uint32_t)body);
     return true;
-}
-
-/* A point touches a face if its distance is at most the touching distance plus the face's departure from its plane. */
-static double touching_distance(const hide_fronts *fronts)
-{
-    const roberts_scene *scene = fronts->scene;
-    float departure = 0.0f;
-    for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
-        departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
-    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
 /* If points have low parts, solids whose boxes of high parts just touch may overlap. */
