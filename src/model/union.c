@@ -216,6 +216,8 @@ void union_work_free(union_work *work)
 {
     free(work->piece);
     free(work->side);
+    free(work->contacts);
+    free(work->fills);
     free(work->contact);
     free(work->ray);
     free(work->fill);
@@ -336,10 +338,12 @@ static bool find_overlap(const union_cutter *c, uint32_t face, roberts_vec3 n, r
 static bool add_contact(union_cutter *c, const union_contact *contact)
 {
     union_work *work = c->work;
-    if (!array_reserve(&work->contact, &work->contact_room, work->contact_count + 1, sizeof *work->contact))
+    if (!array_reserve(&work->contacts, &work->contacts_room, work->contacts_count + 1, sizeof *work->contacts))
         return false;
-    work->contact[work->contact_count++] = *contact;
-    return add_event(c, contact->t0) && add_event(c, contact->t1);
+    work->contacts[work->contacts_count] = *contact;
+    work->contacts[work->contacts_count].span.order = work->contacts_count;
+    work->contacts_count++;
+    return add_event(c, contact->span.t0) && add_event(c, contact->span.t1);
 }
 
 /* Adds one of an edge's own faces, which lies on one side of it. False: no memory. */
@@ -359,7 +363,7 @@ static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
     else
         o.plus = 0.0;
     return add_contact(
-        c, &(union_contact){body, face, union_plane_number(scene, face), true, 0.0, 1.0, n, w, o.plus, o.minus});
+        c, &(union_contact){{0.0, 1.0, 0}, body, face, union_plane_number(scene, face), true, n, w, o.plus, o.minus});
 }
 
 /* Does the line, seen along itself, lie in the face or within `touch` of it? Pieces are convex. */
@@ -414,24 +418,26 @@ static bool meet_face(union_cutter *c, const union_fill *of, uint32_t face, bool
         if (o.plus == 0.0 && o.minus == 0.0)
             return true; /* no wider than the touching distance */
         return add_contact(
-            c, &(union_contact){of->body, face, union_plane_number(scene, face), own, t0, t1, n, w, o.plus, o.minus});
+            c,
+            &(union_contact){{t0, t1, 0}, of->body, face, union_plane_number(scene, face), own, n, w, o.plus, o.minus});
     }
     if ((d0 > touch && d1 > touch) || (d0 < -touch && d1 < -touch))
         return true;
     return add_event(c, (d0 > 0.0) != (d1 > 0.0) ? crossing(c, face) : fabs(d0) < fabs(d1) ? t0 : t1);
 }
 
-/* Adds the contacts and events of one body. False: no memory. */
-static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
+/* Adds the contacts and events of one body, which is near the line in `span`. False: no memory. */
+static bool meet_body(union_cutter *c, uint32_t body, union_span span, const box3 *box)
 {
     const union_bodies *all = c->all;
     const roberts_scene *scene = all->scene;
     union_work *work = c->work;
-    union_fill of = {.body = body,
+    union_fill of = {.span = span,
+                     .body = body,
                      .touch = all->touch + all->departure[body] + c->departure,
                      .convex = scene_is_convex(scene, body),
                      .wound = all->winding && all->winding[scene->solid[body].face] != 0};
-    size_t contacts = work->contact_count, events = work->event_count;
+    size_t contacts = work->contacts_count, events = work->event_count;
     bool beyond = false;
     c->touch = greater(c->touch, of.touch);
     if (of.convex && body == c->line->body) {
@@ -443,7 +449,7 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
             if (!meet_face(c, &of, f, &beyond))
                 return false;
             if (of.convex && beyond) { /* a plane separates them */
-                work->contact_count = contacts;
+                work->contacts_count = contacts;
                 work->event_count = events;
                 return true;
             }
@@ -461,20 +467,27 @@ static bool meet_body(union_cutter *c, uint32_t body, const box3 *box)
             i++;
         }
     }
-    if (!array_reserve(&work->fill, &work->fill_room, work->fill_count + 1, sizeof *work->fill))
+    for (size_t i = contacts; i < work->contacts_count; i++) { /* by rounding, they may reach farther than its box */
+        of.span.t0 = lesser(of.span.t0, work->contacts[i].span.t0);
+        of.span.t1 = greater(of.span.t1, work->contacts[i].span.t1);
+    }
+    of.span.order = work->fills_count;
+    if (!array_reserve(&work->fills, &work->fills_room, work->fills_count + 1, sizeof *work->fills))
         return false;
-    work->fill[work->fill_count++] = of;
+    work->fills[work->fills_count++] = of;
     return true;
 }
 
-/* Does the line touch the body's box in at most one point, such as its end? Then the body fills nothing along it. */
-static bool passes(const union_cutter *c, uint32_t body)
+/* Finds where the line passes the body's box. True: it touches it in at most one point, such as its end. Then the body
+ * fills nothing along it. */
+static bool passes(const union_cutter *c, uint32_t body, union_span *span)
 {
     roberts_vec3 A = c->A, B = vec3_add(c->A, c->U), m = {c->departure, c->departure, c->departure};
     roberts_vec3 low = vec3_sub(c->all->box[body].lo, m), high = vec3_add(c->all->box[body].hi, m);
-    double t0 = 0.0, t1 = 1.0, touch = c->all->touch + c->all->departure[body] + c->departure;
-    return !box_clip(A.x, B.x, low.x, high.x, &t0, &t1) || !box_clip(A.y, B.y, low.y, high.y, &t0, &t1) ||
-           !box_clip(A.z, B.z, low.z, high.z, &t0, &t1) || (t1 - t0) * c->length <= 2.0 * touch;
+    double touch = c->all->touch + c->all->departure[body] + c->departure, *t0 = &span->t0, *t1 = &span->t1;
+    *span = (union_span){0.0, 1.0, 0};
+    return !box_clip(A.x, B.x, low.x, high.x, t0, t1) || !box_clip(A.y, B.y, low.y, high.y, t0, t1) ||
+           !box_clip(A.z, B.z, low.z, high.z, t0, t1) || (*t1 - *t0) * c->length <= 2.0 * touch;
 }
 
 /* Adds all bodies near the line. False: no memory. */
@@ -482,6 +495,7 @@ static bool meet_bodies(union_cutter *c)
 {
     const union_bodies *all = c->all;
     const box_tree_node *node = all->tree.node;
+    const union_span whole = {0.0, 1.0, 0};
     roberts_vec3 B = vec3_add(c->A, c->U), m = {c->touch, c->touch, c->touch};
     box3 box = {c->A, c->A};
     box_add(&box.lo, &box.hi, B);
@@ -492,15 +506,57 @@ static bool meet_bodies(union_cutter *c)
             i = node[i].skip;
             continue;
         }
-        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++)
-            if (!passes(c, all->tree.item[k]) && !meet_body(c, all->tree.item[k], &box))
+        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
+            const uint32_t body = all->tree.item[k];
+            union_span span;
+            if (!passes(c, body, &span) && !meet_body(c, body, union_is_own(c, body) ? whole : span, &box))
                 return false;
+        }
         i++;
     }
     return true;
 }
 
 /* ---- the pieces -------------------------------------------------------------------------------------------------- */
+
+static const union_span *span_of(const char *list, size_t size, size_t i)
+{
+    return (const union_span *)(const void *)(list + i * size);
+}
+
+static int by_start(const void *a, const void *b)
+{
+    const union_span *p = a, *q = b;
+    if (p->t0 != q->t0)
+        return p->t0 < q->t0 ? -1 : 1;
+    return p->order < q->order ? -1 : p->order > q->order;
+}
+
+/* Goes on to t: drops what has ended, adds what has begun. */
+static void span_list_follow(span_list *l, double t)
+{
+    const size_t size = l->size;
+    size_t kept = 0;
+    for (size_t i = 0; i < l->near_count; i++) {
+        if (span_of(l->near, size, i)->t1 < t)
+            continue;
+        if (kept < i)
+            memcpy(l->near + kept * size, l->near + i * size, size);
+        kept++;
+    }
+    for (; l->next < l->count && span_of(l->all, size, l->next)->t0 <= t; l->next++) {
+        const union_span *own = span_of(l->all, size, l->next);
+        size_t k = kept;
+        if (own->t1 < t)
+            continue;
+        while (k > 0 && span_of(l->near, size, k - 1)->order > own->order)
+            k--;
+        memmove(l->near + (k + 1) * size, l->near + k * size, (kept - k) * size);
+        memcpy(l->near + k * size, own, size);
+        kept++;
+    }
+    l->near_count = kept;
+}
 
 /* Are both pieces treated the same? Equal sides may be different faces in one plane. */
 static bool same_answer(const union_cutter *c, const union_piece *a, const union_piece *b)
@@ -519,6 +575,10 @@ static bool add_union_piece(union_cutter *c, double t0, double t1)
 {
     union_work *work = c->work;
     union_piece piece = {.t0 = t0, .t1 = t1};
+    span_list_follow(&c->contacts, union_middle(&piece));
+    span_list_follow(&c->fills, union_middle(&piece));
+    work->contact_count = c->contacts.near_count;
+    work->fill_count = c->fills.near_count;
     if (!union_judge(c, &piece))
         return false;
     union_piece *last = work->piece_count > 0 ? &work->piece[work->piece_count - 1] : NULL;
@@ -548,10 +608,26 @@ static void set_cut_frame(union_cutter *c)
     c->e2 = vec3_cross(c->u, c->e1);
 }
 
+/* Sorts what the line meets. False: no memory. */
+static bool begin_lists(union_cutter *c)
+{
+    union_work *w = c->work;
+    if (!array_reserve(&w->contact, &w->contact_room, w->contacts_count, sizeof *w->contact) ||
+        !array_reserve(&w->fill, &w->fill_room, w->fills_count, sizeof *w->fill))
+        return false;
+    SORT_LIST(union_contact, w->contacts, w->contacts_count, by_start(a, b) > 0, by_start)
+    SORT_LIST(union_fill, w->fills, w->fills_count, by_start(a, b) > 0, by_start)
+    c->contacts = (span_list){
+        .all = (char *)w->contacts, .near = (char *)w->contact, .size = sizeof *w->contact, .count = w->contacts_count};
+    c->fills =
+        (span_list){.all = (char *)w->fills, .near = (char *)w->fill, .size = sizeof *w->fill, .count = w->fills_count};
+    return true;
+}
+
 bool union_cut(const union_bodies *all, const union_line *line, union_work *work)
 {
     union_cutter c = {.all = all, .line = line, .work = work, .touch = all->touch};
-    work->piece_count = work->side_count = work->contact_count = work->fill_count = work->event_count = 0;
+    work->piece_count = work->side_count = work->contacts_count = work->fills_count = work->event_count = 0;
     set_cut_frame(&c);
     c.departure = line->body != ROBERTS_NONE
                       ? all->departure[line->body]
@@ -559,10 +635,10 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
     c.touch += c.departure;
     if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than the touching distance */
         return add_union_piece(&c, 0.0, 1.0);
-    if (!meet_bodies(&c))
+    if (!meet_bodies(&c) || !begin_lists(&c))
         return false;
     double from = 0.0, near = 2.0 * c.touch / c.length;
-    SORT_FEW(double, work->event, work->event_count, *a > *b)
+    SORT_LIST(double, work->event, work->event_count, *a > *b, compare_doubles)
     for (size_t i = 0; i < work->event_count; i++) {
         double t = work->event[i];
         if (t <= from + near || t >= 1.0 - near)

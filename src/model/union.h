@@ -87,6 +87,9 @@ typedef struct union_work {
     union_side *side;
     size_t piece_count, piece_room, side_count, side_room;
     /* private */
+    union_contact *contacts; /* of the whole line; `contact`: at the current piece */
+    union_fill *fills;       /* the same of bodies */
+    size_t contacts_count, contacts_room, fills_count, fills_room;
     union_contact *contact;
     union_ray *ray;
     union_fill *fill;

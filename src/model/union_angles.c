@@ -45,6 +45,11 @@ static int ray_meets(const roberts_scene *scene, uint32_t face, roberts_vec3 M, 
     return near || t * scale <= RAY_CLEAR ? UNSURE : HITS;
 }
 
+static bool is_at(const union_span *span, double t)
+{
+    return span->t0 <= t && t <= span->t1;
+}
+
 /* Does the line touch the plane of this face of the body at t? */
 static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, double t)
 {
@@ -52,7 +57,7 @@ static bool in_contact(const union_cutter *c, uint32_t body, uint32_t face, doub
     uint32_t number = union_plane_number(c->all->scene, face);
     for (size_t i = 0; i < work->contact_count; i++) {
         const union_contact *contact = &work->contact[i];
-        if (contact->body == body && contact->plane == number && contact->t0 <= t && t <= contact->t1)
+        if (contact->body == body && contact->plane == number && is_at(&contact->span, t))
             return true;
     }
     return false;
@@ -186,7 +191,7 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
         work->fill[i].active = false;
     for (size_t i = 0; i < work->contact_count; i++) {
         const union_contact *contact = &work->contact[i];
-        if (!(contact->t0 <= t && t <= contact->t1))
+        if (!(is_at(&contact->span, t)))
             continue;
         fill_of(work, contact->body)->active = true;
         *alone = *alone && contact->body == first;
@@ -246,8 +251,8 @@ static bool convex_fills(const union_cutter *c, const union_fill *of, double t, 
     const union_work *work = c->work;
     for (size_t i = 0; i < work->contact_count; i++) {
         const union_contact *contact = &work->contact[i];
-        if (contact->body == of->body && contact->t0 <= t && t <= contact->t1 &&
-            (contact->plus > 0.0 || contact->minus > 0.0) && !(vec3_dot(contact->n, w) > 0.0))
+        if (contact->body == of->body && is_at(&contact->span, t) && (contact->plus > 0.0 || contact->minus > 0.0) &&
+            !(vec3_dot(contact->n, w) > 0.0))
             return false;
     }
     return true;
@@ -397,13 +402,6 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
     return true;
 }
 
-/* Is this the line's body, or one of the two whose faces cross in it? */
-static bool is_own_body(const union_cutter *c, uint32_t body)
-{
-    const union_line *line = c->line;
-    return line->body == body || (line->body == ROBERTS_NONE && (line->crossed[0] == body || line->crossed[1] == body));
-}
-
 /* Does the line belong to one body alone, of which winding numbers tell what it fills? Then lines inside one of its
  * faces, where the border crosses itself, are seams. */
 static bool is_wound(const union_cutter *c)
@@ -417,7 +415,7 @@ static bool is_wound(const union_cutter *c)
 bool union_judge(union_cutter *c, union_piece *piece)
 {
     union_work *work = c->work;
-    double t = 0.5 * (piece->t0 + piece->t1);
+    double t = union_middle(piece);
     bool alone;
     size_t sides = work->side_count;
     piece->first = piece->count = 0;
@@ -425,11 +423,11 @@ bool union_judge(union_cutter *c, union_piece *piece)
         return false;
     piece->state = UNION_INSIDE;
     for (size_t i = 0; i < work->fill_count; i++)
-        if (!work->fill[i].active && !is_own_body(c, work->fill[i].body) && is_inside(c, &work->fill[i], t))
+        if (!work->fill[i].active && !union_is_own(c, work->fill[i].body) && is_inside(c, &work->fill[i], t))
             return true;
     piece->state = UNION_ALONE;
     for (size_t i = 0; i < work->fill_count; i++) /* by rounding, a line may lie beside its own faces */
-        alone = alone || (!work->fill[i].active && is_own_body(c, work->fill[i].body));
+        alone = alone || (!work->fill[i].active && union_is_own(c, work->fill[i].body));
     if (alone && !is_wound(c))
         return true;
     uint32_t clusters = find_clusters(c);

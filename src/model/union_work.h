@@ -4,11 +4,17 @@
 
 #include "model/union.h"
 
-/* A line lies in a face from t0 to t1. */
-struct union_contact {
-    uint32_t body, face, plane;
-    bool own; /* the line is one of the face's own */
+/* The part of a line that something concerns, as parameters. */
+typedef struct union_span {
     double t0, t1;
+    size_t order; /* in which it was found */
+} union_span;
+
+/* A line lies in a face. */
+struct union_contact {
+    union_span span;
+    uint32_t body, face, plane;
+    bool own;           /* the line is one of the face's own */
     roberts_vec3 n, w;  /* unit vectors: the plane's normal; the direction in the plane across the line */
     double plus, minus; /* how far the face extends from the line toward w and -w; 0: not at all */
 };
@@ -23,6 +29,7 @@ struct union_ray {
 
 /* A body near the line. */
 struct union_fill {
+    union_span span;
     uint32_t body;
     double touch;
     bool convex;
@@ -32,13 +39,35 @@ struct union_fill {
     int32_t first; /* not convex: the winding number in the first sector, or the parity */
 };
 
+/* Things along a line, each of which begins with its union_span. */
+typedef struct span_list {
+    char *all;   /* [count] sorted by by_start() */
+    char *near;  /* [near_count] those at the current piece, in the order in which they were found */
+    size_t size; /* of one */
+    size_t count, near_count, next;
+} span_list;
+
 typedef struct union_cutter {
     const union_bodies *all;
     const union_line *line;
     union_work *work;
     roberts_vec3 A, U, u, e1, e2; /* A + t U: the line; u: unit vector of U; e1, e2: a frame across the line */
     double length, departure, touch;
+    span_list contacts, fills; /* of `work` */
 } union_cutter;
+
+/* The point of a piece at which it is judged. */
+static inline double union_middle(const union_piece *piece)
+{
+    return 0.5 * (piece->t0 + piece->t1);
+}
+
+/* Is this the line's body, or one of the two whose faces cross in it? */
+static inline bool union_is_own(const union_cutter *c, uint32_t body)
+{
+    const union_line *line = c->line;
+    return line->body == body || (line->body == ROBERTS_NONE && (line->crossed[0] == body || line->crossed[1] == body));
+}
 
 static inline roberts_vec3 union_place(const roberts_scene *scene, roberts_vec3 P)
 {
