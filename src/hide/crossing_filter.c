@@ -576,6 +576,25 @@ static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_f
            (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
 }
 
+/* A side from u to v of one is a side from v to u of the other if both are wound alike, or else from u to v. */
+bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g)
+{
+    const uint32_t *p = scene->corner + scene->face_start[f], *q = scene->corner + scene->face_start[g];
+    const uint32_t m = scene->face_start[f + 1] - scene->face_start[f],
+                   n = scene->face_start[g + 1] - scene->face_start[g];
+    if (m > FEW_CORNERS || n > FEW_CORNERS)
+        return false;
+    for (uint32_t i = 0; i < m; i++) {
+        uint32_t k = 0;
+        while (k < n && q[k] != p[i])
+            k++;
+        const uint32_t next = p[i + 1 < m ? i + 1 : 0];
+        if (k < n && (q[k + 1 < n ? k + 1 : 0] == next || q[k > 0 ? k - 1 : n - 1] == next))
+            return true;
+    }
+    return false;
+}
+
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     uint32_t turned[2][SEEN_TURNED] = {{0}};

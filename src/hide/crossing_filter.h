@@ -104,6 +104,10 @@ static inline bool filter_simple(const crossing_filter *p, uint32_t body)
  * themselves, and whose boxes in the model are apart. */
 bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);
 
+/* Have two convex faces of few corners a side in common? Then they do not cross: both lie on one side of that line, each
+ * in its plane. */
+bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g);
+
 /* Are two faces plainly apart, in the picture or in space? */
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
 

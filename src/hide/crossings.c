@@ -76,11 +76,31 @@ static bool is_unseen(const void *context, roberts_vec3 A, roberts_vec3 B)
     return (covers->depth && cover_hides_edge(covers, A, B)) || (sheets->depth && cover_hides_edge(sheets, A, B));
 }
 
+/* Sorts the pairs, and keeps one of each. */
+static void tidy_pairs(finder *t)
+{
+    size_t kept = 0;
+    if (t->pair_count > 1)
+        qsort(t->pair, t->pair_count, sizeof *t->pair, compare_u64);
+    for (size_t k = 0; k < t->pair_count; k++)
+        if (kept == 0 || t->pair[kept - 1] != t->pair[k])
+            t->pair[kept++] = t->pair[k];
+    t->pair_count = kept;
+}
+
+/* Two faces of many pieces give the same pair many times. So the list is tidied when it is full, and grows only if it is
+ * still half full then. */
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
     uint64_t pair = (uint64_t)f << 32 | g;
     if (t->pair_count > 0 && t->pair[t->pair_count - 1] == pair)
         return true;
+    if (t->pair_count > 0 && t->pair_count == t->pair_room) {
+        tidy_pairs(t);
+        if (t->pair_count > t->pair_room / 2 &&
+            !array_reserve(&t->pair, &t->pair_room, t->pair_room + 1, sizeof *t->pair))
+            return false;
+    }
     if (!array_reserve(&t->pair, &t->pair_room, t->pair_count + 1, sizeof *t->pair))
         return false;
     t->pair[t->pair_count++] = pair;
@@ -124,10 +144,12 @@ static bool meet_whole(finder *t, const uint32_t body[2], const uint32_t first[2
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
-    if (seen_is_cap(t->rules.scene, pair->piece[0]) || seen_is_cap(t->rules.scene, pair->piece[1]))
+    const roberts_scene *scene = t->rules.scene;
+    if (seen_is_cap(scene, pair->piece[0]) || seen_is_cap(scene, pair->piece[1]))
         return true;
-    return is_any_in_pieces(t, pair->body, pair->piece) ? leave_pair(t, pair->body, pair->piece)
-                                                        : meet_whole(t, pair->body, pair->piece);
+    if (is_any_in_pieces(t, pair->body, pair->piece))
+        return leave_pair(t, pair->body, pair->piece);
+    return filter_share_side(scene, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
@@ -206,6 +228,8 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true;
     if (is_any_in_pieces(t, body, piece))
         return leave_pair(t, body, piece);
+    if (filter_share_side(fronts->scene, f->piece, g->piece))
+        return true;
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
@@ -481,13 +505,7 @@ static bool unite_pairs(finder *finders, int threads)
             memcpy(all->pair + all->pair_count, t->pair, t->pair_count * sizeof *all->pair);
         all->pair_count += t->pair_count;
     }
-    if (all->pair_count > 1)
-        qsort(all->pair, all->pair_count, sizeof *all->pair, compare_u64);
-    size_t to = 0;
-    for (size_t k = 0; k < all->pair_count; k++)
-        if (to == 0 || all->pair[to - 1] != all->pair[k])
-            all->pair[to++] = all->pair[k];
-    all->pair_count = to;
+    tidy_pairs(all);
     return true;
 }
 
