@@ -249,6 +249,8 @@ worst() {
     grow 'fans: one behind the tip of the other' fans '1000 10000 100000' --view top --all-edges
     grow 'gear: two faces of as many corners as faces' gear '500 1000 2000' --view iso
     grow 'layers: ten boards with winding borders' layers '1000 4000 16000' $general
+    grow 'roof: a folded sheet, hidden lines too' roof '5000 10000 20000' --view iso --hidden dashed
+    grow 'deck: planks flush on joists, as one body' deck '5000 10000 20000' --view iso --union
     grow 'needles: long and thin' needles '100 300 1000 3000' --view top
     grow 'lattice, along an axis: deeper as it grows' lattice "$thousands" --view front
     grow 'wall, steeply from above: deeper as it grows' wall "$thousands" --dir .01,.02,1

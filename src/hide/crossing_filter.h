@@ -7,8 +7,8 @@
  * itself.
  *
  * If hidden lines are kept, most faces are no fronts. Then face_pairs_find() finds pairs in space, whichever way the
- * faces look, through a tree of boxes (base/search.h). Faces that are edge-on are left out. A convex solid is first
- * tested as a whole.
+ * faces look, through a tree of boxes along the axes of the model (base/search.h). Faces that are edge-on are left
+ * out. A convex solid of few faces is first tested as a whole.
  *
  * Two faces that are left out never cross; two that are not may still be apart. */
 #ifndef ROBERTS_HIDE_CROSSING_FILTER_H
@@ -104,8 +104,8 @@ static inline bool filter_simple(const crossing_filter *p, uint32_t body)
  * themselves, and whose boxes in the model are apart. */
 bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);
 
-/* Have two convex faces of few corners a side in common? Then they do not cross: both lie on one side of that line, each
- * in its plane. */
+/* Have two convex faces of few corners a side in common? Then they do not cross: both lie on one side of that line,
+ * each in its plane. */
 bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g);
 
 /* Are two faces plainly apart, in the picture or in space? */

@@ -88,8 +88,8 @@ static void tidy_pairs(finder *t)
     t->pair_count = kept;
 }
 
-/* Two faces of many pieces give the same pair many times. So the list is tidied when it is full, and grows only if it is
- * still half full then. */
+/* Two faces of many pieces give the same pair many times. So the list is tidied when it is full, and grows only if it
+ * is still half full then. */
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
     uint64_t pair = (uint64_t)f << 32 | g;

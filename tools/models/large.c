@@ -331,6 +331,34 @@ static void layers_solid(body *b, const plan *p, uint64_t index)
     }
 }
 
+/* A sheet of N strips, folded up and down. It is open. */
+static void roof_solid(body *b, const plan *p, uint64_t index)
+{
+    const uint32_t n = (uint32_t)p->n;
+    (void)index;
+    for (uint32_t i = 0; i <= n; i++) {
+        body_vertex(b, i, 0, i % 2);
+        body_vertex(b, i, 0.25 * n, i % 2);
+    }
+    for (uint32_t i = 0; i < n; i++)
+        body_face(b, (uint32_t[]){2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1}, 4);
+}
+
+/* N planks side by side, flush on three joists. */
+static uint64_t deck_count(uint64_t n)
+{
+    return n + 3;
+}
+
+static void deck_solid(body *b, const plan *p, uint64_t index)
+{
+    const double n = (double)p->n, x = (double)index, y = 0.2 * n * (x - n);
+    if (index < p->n)
+        body_box(b, vec3(x, 0, 0), vec3(x + 0.875, 0.5 * n, 0.25));
+    else
+        body_box(b, vec3(0, y, -1), vec3(n, y + 1, 0));
+}
+
 /* Two interpenetrating balls of about n faces, and a box that is larger in proportion to its distance, so that the
  * balls cover one spot of the picture. */
 static uint64_t three(uint64_t n)
@@ -459,6 +487,14 @@ static const struct {
       100000, false},
      ten,
      layers_solid,
+     NULL},
+    {{"roof", "N", "Sheet of N strips, folded up and down like a corrugated roof.", 1, 10000000, false},
+     single,
+     roof_solid,
+     NULL},
+    {{"deck", "N", "N planks side by side, with gaps, flush on three long joists.", 10, 10000000, false},
+     deck_count,
+     deck_solid,
      NULL},
     {{"speck", "N", "Two balls of about N faces each, one through the other, and a large box far away.", 8, 10000000,
       false},
