@@ -411,8 +411,22 @@ typedef struct batch {
 
 /* ---- before the first file is drawn ---- */
 
+/* Makes the folders of a path that are missing, where a slash follows them behind `first`. */
+static void make_parents(char *path, size_t first)
+{
+    for (char *slash = path + first; (slash = strchr(slash + 1, '/')) != NULL;) {
+        *slash = '\0';
+        (void)mkdir(path, 0777);
+        *slash = '/';
+    }
+}
+
 static int make_folder(const char *name)
 {
+    char *path = strdup(name);
+    if (path && *path)
+        make_parents(path, 0);
+    free(path);
     if (mkdir(name, 0777) == 0 || errno == EEXIST)
         return EXIT_DONE;
     const char *reason = strerror(errno);
@@ -486,11 +500,8 @@ static void begin(void *context)
 static void make_folders(void *context, const char *path)
 {
     const batch_file *file = context;
-    for (char *slash = file->output + file->folder; path && (slash = strchr(slash + 1, '/'));) {
-        *slash = '\0';
-        (void)mkdir(file->output, 0777);
-        *slash = '/';
-    }
+    if (path)
+        make_parents(file->output, file->folder);
     signals_temporary(NULL, path);
 }
 

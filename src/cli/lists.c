@@ -215,10 +215,10 @@ static const char *take_name(char *rest, char comma, const char **name)
     return more ? "more fields follow the name; a name with commas stands in quotation marks" : NULL;
 }
 
-/* The number of a vertex: 4 or v4. */
-static bool take_number(const char *text, uint32_t *number)
+/* A number, as 4, or as labels show it beside those of other kinds: v4. */
+static bool take_number(const char *text, char letter, uint32_t *number)
 {
-    return parse_integer(*text == 'v' || *text == 'V' ? text + 1 : text, number);
+    return parse_integer(*text == letter || *text == letter - 'a' + 'A' ? text + 1 : text, number);
 }
 
 /* Reads one line, whose fields are separated by `comma`. Returns why it is wrong, or NULL. Sets *titles if it may be
@@ -252,8 +252,8 @@ static const char *read_line(char *line, char comma, roberts_name *name, bool *t
         return "an edge is named by its vertices, as 4-17 or v4-v17 (some spreadsheets take 4-7 for a date)";
     if (second)
         *second++ = '\0';
-    if (second ? !take_number(number, &name->number) || !take_number(second, &name->other)
-               : !parse_integer(number, &name->number))
+    const char letter = name->of == ROBERTS_LABEL_FACES ? 'f' : name->of == ROBERTS_LABEL_BODIES ? 'b' : 'v';
+    if (!take_number(number, letter, &name->number) || (second && !take_number(second, letter, &name->other)))
         return "the number is not a whole number from 0 on";
     if (second && name->number > name->other) {
         const uint32_t smaller = name->other;

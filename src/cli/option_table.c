@@ -704,9 +704,10 @@ static const option rows[] = {
      .manual =
          "Writes the names that FILE.csv gives: a line is KIND,NUMBER,NAME, as vertex,4,A or edge,4-17,a or "
          "face,3,base or body,0,leg, in UTF-8. Fields may stand in quotation marks, and semicolons or tabs may "
-         "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same.) Lines that "
-         "begin with # are skipped, and so is a first line with the titles of the columns. Everything with a name is "
-         "labelled; with --label, the rest is labelled by its numbers. An empty name is no label."},
+         "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same, as v4, f3 and "
+         "b0 are for 4, 3 and 0.) Lines that begin with # are skipped, and so is a first line with the titles of the "
+         "columns. Everything with a name is labelled; with --label, the rest is labelled by its numbers. An empty "
+         "name is no label."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -53,7 +53,7 @@ static void in_order(void **state)
 static void spreadsheets(void **state)
 {
     (void)state;
-    static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n", "vertex\t1\tA\nedge\t7-2\ta, b\n",
+    static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n", "vertex\tv1\tA\nedge\t7-2\ta, b\n",
                                         "\"vertex\",\"1\",\"A\",,\n,,,,\n\"edge\",\"v7-v2\",\"a, b\",,\n",
                                         "\xef\xbb\xbfkind,number,name\r\nvertex,1,A\r\nedge,2-7,\"a, b\"\r\n",
                                         "# mine\n\nKind;Number;Name;\nvertex;1;A;\nedge;v2-v7;a, b;\n"};
@@ -92,6 +92,7 @@ static void faults(void **state)
         {"edge,4,A\n", 1,
          "an edge is named by its vertices, as 4-17 or v4-v17 (some spreadsheets take 4-7 for a date)"},
         {"vertex,1,\"A\",\"B\"\n", 1, "more fields follow the name; a name with commas stands in quotation marks"},
+        {"face,v1,A\n", 1, "the number is not a whole number from 0 on"},
         {"edge,4-x,A\n", 1, "the number is not a whole number from 0 on"},
         {"vertex,1,\"A\n", 1, "a field that begins with a quotation mark ends with one; two within it stand for one"},
         {"vertex,1,\"A\"B\n", 1,
