@@ -53,7 +53,8 @@ static void in_order(void **state)
 static void spreadsheets(void **state)
 {
     (void)state;
-    static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n", "vertex\tv1\tA\nedge\t7-2\ta, b\n",
+    static const char *const texts[] = {"Vertex;1;A;;\n;;;;\n EDGE ; v2-v7 ;a, b;\n",
+                                        "vertex\tv1\tA\nedge\t7-2\ta, b\n",
                                         "\"vertex\",\"1\",\"A\",,\n,,,,\n\"edge\",\"v7-v2\",\"a, b\",,\n",
                                         "\xef\xbb\xbfkind,number,name\r\nvertex,1,A\r\nedge,2-7,\"a, b\"\r\n",
                                         "# mine\n\nKind;Number;Name;\nvertex;1;A;\nedge;v2-v7;a, b;\n"};
