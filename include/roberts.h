@@ -1034,7 +1034,8 @@ typedef struct roberts_draw_options {
     bool number_layers;              /**< SVG: layers are called "1 hidden" to "11 hidden-text"; default: names without
                                           numbers */
     roberts_grouping grouping;       /**< SVG; default: ROBERTS_GROUP_CLASS */
-    const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing */
+    const char *id_prefix;           /**< SVG: all ids begin with it; default: NULL, nothing. It is a letter or _, then
+                                          letters, digits, - . or _, so that the ids are valid; this is not checked */
     roberts_plotter plotter;         /**< HP-GL; default: zeroed */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
     const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
