@@ -18,7 +18,7 @@
 #include "hide/fronts.h"
 
 /* Fronts with more corners or faces than this are bounded by their boxes alone. */
-#define FRONT_TREE_CORNERS 24
+#define FRONT_TREE_CORNERS 96
 
 /* The most pending children in a search in depth. */
 #define FRONT_TREE_WAITING 64
