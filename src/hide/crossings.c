@@ -17,6 +17,8 @@
 #define WORTH_A_THREAD 8192
 /* How many faces of a cell are kept. */
 #define KEPT_FACES 512
+/* Of pairs of faces, this many are remembered. */
+#define RECENT_PAIRS 4096
 /* Boxes that take no more than this part of a cell's width and height are in no more than two columns and rows. */
 #define MOST_OF_CELL 0.999
 /* Cells are widened by this many margins. Fronts are listed with one. */
@@ -41,7 +43,11 @@ typedef struct finder {
     uint64_t *pair; /* [pair_count] first pieces of two faces, that of one in several before that of one in one; they
                        are tested at the end */
     size_t pair_count, pair_room;
-    crossing_face *face; /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
+    uint64_t recent[RECENT_PAIRS]; /* some of the last pairs, by their hashes; 0: none */
+    struct {
+        uint32_t number, first; /* its scene_plane_number() and its first piece */
+    } whole[2];                 /* the last faces of several pieces that were asked for */
+    crossing_face *face;        /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
     four_entries *four; /* the entries of this cell */
     size_t four_room;
@@ -88,13 +94,15 @@ static void tidy_pairs(finder *t)
     t->pair_count = kept;
 }
 
-/* Two faces of many pieces give the same pair many times. So the list is tidied when it is full, and grows only if it
- * is still half full then. */
+/* Two faces of many pieces give the same pair many times. Those listed lately are passed over. The list is tidied when
+ * it is full, and grows only if it is still half full then. */
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
-    uint64_t pair = (uint64_t)f << 32 | g;
-    if (t->pair_count > 0 && t->pair[t->pair_count - 1] == pair)
+    const uint64_t pair = (uint64_t)f << 32 | g;
+    uint64_t *recent = &t->recent[bits_hash(&pair, sizeof pair) % RECENT_PAIRS];
+    if (*recent == pair)
         return true;
+    *recent = pair;
     if (t->pair_count > 0 && t->pair_count == t->pair_room) {
         tidy_pairs(t);
         if (t->pair_count > t->pair_room / 2 &&
@@ -113,6 +121,19 @@ static bool is_any_in_pieces(const finder *t, const uint32_t body[2], const uint
            scene_is_in_pieces(t->rules.scene, body[1], piece[1]);
 }
 
+/* The first piece of a face of several pieces. A face of very many, such as a plate with holes, is asked for again and
+ * again. */
+static uint32_t first_of_several(finder *t, uint32_t body, uint32_t piece)
+{
+    const uint32_t number = scene_plane_number(t->rules.scene, piece);
+    for (int k = 0; k < 2; k++)
+        if (t->whole[k].number == number)
+            return t->whole[k].first;
+    t->whole[1] = t->whole[0];
+    t->whole[0].number = number;
+    return t->whole[0].first = scene_first_piece(t->rules.scene, body, piece);
+}
+
 /* Leaves a pair of which a face is in several pieces to the end: then such a face is computed once. False: no memory.
  */
 static bool leave_pair(finder *t, const uint32_t body[2], const uint32_t piece[2])
@@ -120,8 +141,8 @@ static bool leave_pair(finder *t, const uint32_t body[2], const uint32_t piece[2
     const roberts_scene *scene = t->rules.scene;
     const bool several[2] = {scene_is_in_pieces(scene, body[0], piece[0]),
                              scene_is_in_pieces(scene, body[1], piece[1])};
-    const uint32_t first[2] = {scene_first_piece(scene, body[0], piece[0]),
-                               scene_first_piece(scene, body[1], piece[1])};
+    const uint32_t first[2] = {several[0] ? first_of_several(t, body[0], piece[0]) : piece[0],
+                               several[1] ? first_of_several(t, body[1], piece[1]) : piece[1]};
     const int k = several[0] == several[1] ? first[1] < first[0] : several[1];
     return first[0] == first[1] || add_pair(t, first[k], first[1 - k]);
 }
@@ -618,6 +639,7 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
         finders[i].grid = grid;
         finders[i].filter = filter;
         finders[i].nearest = grid->sheet.depth;
+        finders[i].whole[0].number = finders[i].whole[1].number = ROBERTS_NONE;
         finders[i].rules = (crossing_rules){.scene = fronts->scene,
                                             .touching = fronts->space.epsilon * fronts->scene->unit,
                                             .unseen = may_be_unseen(fronts->seen) ? is_unseen : NULL,
