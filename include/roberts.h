@@ -974,7 +974,7 @@ typedef struct roberts_ink {
     size_t strokes;        /**< how often the pen goes down */
     double down_mm, up_mm; /**< how far the pen travels on and above the paper, from the first stroke to the last */
     double scale;          /**< mm on paper per model unit */
-    double label_mm;       /**< height of the capitals of labels; 0: there are none */
+    double label_mm;       /**< height of the capitals of labels; 0: none are wanted */
 } roberts_ink;
 
 /** Additional columns of tables, after the usual ones. */

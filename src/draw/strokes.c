@@ -146,7 +146,7 @@ static bool draws_hatching(const roberts_draw_options *options)
     return options->hatching.on && !options->hatch.off;
 }
 
-/* With those along which the near plane cuts bodies. */
+/* How many segments there are, with those along which the near plane cuts bodies. */
 static size_t count_segments(const roberts_drawing *drawing)
 {
     return drawing->count + drawing->cut_count;

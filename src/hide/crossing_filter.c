@@ -99,13 +99,14 @@ bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker
 
 /* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
 
-/* A convex solid of more faces is not one unit. */
-#define UNIT_FACES 64
+/* A convex solid of more faces has a tree over them, if its box meets that of another unit. */
+#define FACES_WITHOUT_TREE 64
 
-/* What the tree finds: a convex solid of few faces, or one face of another body. */
+/* What the tree finds: a convex solid, or one face of another body. */
 typedef struct unit {
     hide_box in_view;     /* its box in view space */
     uint32_t body, piece; /* piece: the first of the face; ROBERTS_NONE of a solid */
+    uint32_t root;        /* of the tree over the faces of a solid; ROBERTS_NONE: there is none */
 } unit;
 
 /* The data of one thread. */
@@ -123,7 +124,7 @@ typedef struct pair_search {
     unit *unit; /* [count] */
     box3 *box;  /* [count] along the axes of the model, widened by half of `touching` */
     uint32_t count;
-    box_tree tree;
+    box_tree tree;   /* over the units: the first root; over faces of solids: further ones */
     double touching; /* model units; what is farther apart does not touch */
 } pair_search;
 
@@ -151,20 +152,15 @@ static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
     return first == end;
 }
 
-static void add_unit(pair_search *s, uint32_t body, uint32_t piece, const hide_box *in_view, const hide_bounds *model)
+/* The box of pieces first .. end - 1 along the axes of the model, widened by half of `touching`. */
+static box3 model_box_of(const pair_search *s, uint32_t first, uint32_t end)
 {
+    const roberts_scene *scene = s->fronts->scene;
+    const uint32_t *start = scene->face_start;
     const double more = 0.5 * s->touching;
     const roberts_vec3 wide = {more, more, more};
-    s->box[s->count] = (box3){vec3_sub(model->low, wide), vec3_add(model->high, wide)};
-    s->unit[s->count++] = (unit){*in_view, body, piece};
-}
-
-/* A solid that is alone meets nothing. */
-static bool is_one_unit(const hide_fronts *fronts, uint32_t body)
-{
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *own = &scene->solid[body];
-    return scene_is_convex(scene, body) && (own[1].face - own->face <= UNIT_FACES || scene->solid_count == 1);
+    const hide_bounds box = hide_bounds_of(scene->point, scene->corner + start[first], start[end] - start[first]);
+    return (box3){vec3_sub(box.low, wide), vec3_add(box.high, wide)};
 }
 
 /* The pieces of a planar face are one unit: apart they would give the same pair many times. A body that the near plane
@@ -172,25 +168,52 @@ static bool is_one_unit(const hide_fronts *fronts, uint32_t body)
 static void add_units(pair_search *s, uint32_t body)
 {
     const hide_fronts *fronts = s->fronts;
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *own = &scene->solid[body];
+    const scene_solid *own = &fronts->scene->solid[body];
+    bool convex = scene_is_convex(fronts->scene, body);
     if (own[1].vertex == own->vertex)
         return;
-    if (is_one_unit(fronts, body)) {
-        const hide_box in_view = box_of_body(fronts, body);
-        const hide_bounds model = box_of_model(scene, body);
-        add_unit(s, body, ROBERTS_NONE, &in_view, &model);
-        return;
-    }
-    for (uint32_t f = own->face, end; f < own[1].face; f = end) {
-        end = scene_is_convex(scene, body) ? f + 1 : scene_end_of_pieces(scene, body, f);
-        if (are_edge_on(fronts, f, end))
+    for (uint32_t f = own->face, end; f < (convex ? own->face + 1 : own[1].face); f = end) {
+        end = convex ? own[1].face : scene_end_of_pieces(fronts->scene, body, f);
+        if (!convex && are_edge_on(fronts, f, end))
             continue;
-        const hide_box in_view = box_of_pieces(fronts, f, end);
-        const hide_bounds model = hide_bounds_of(scene->point, scene->corner + scene->face_start[f],
-                                                 scene->face_start[end] - scene->face_start[f]);
-        add_unit(s, body, f, &in_view, &model);
+        s->box[s->count] = model_box_of(s, f, end);
+        s->unit[s->count++] = (unit){convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end), body,
+                                     convex ? ROBERTS_NONE : f, ROBERTS_NONE};
     }
+}
+
+/* Does the box of a unit meet that of another one? */
+static bool meets_any(const pair_search *s, uint32_t a)
+{
+    const box_tree *tree = &s->tree;
+    for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
+        const box_tree_node *node = &tree->node[i];
+        if (!box3_meet(&node->box, &s->box[a])) {
+            i = node->skip;
+            continue;
+        }
+        for (uint32_t k = node->first; k < node->first + node->count; k++)
+            if (tree->item[k] != a && box3_meet(&s->box[tree->item[k]], &s->box[a]))
+                return true;
+        i++;
+    }
+    return false;
+}
+
+/* Gives a large solid its tree, whose items are its faces in the scene. False: no memory. */
+static bool plant_faces(pair_search *s, uint32_t a)
+{
+    unit *of = &s->unit[a];
+    const scene_solid *own = &s->fronts->scene->solid[of->body];
+    const uint32_t count = own[1].face - own->face;
+    if (of->piece != ROBERTS_NONE || count <= FACES_WITHOUT_TREE || !meets_any(s, a))
+        return true;
+    box3 *box = alloc_array(count, sizeof *box);
+    for (uint32_t f = 0; box && f < count; f++)
+        box[f] = model_box_of(s, own->face + f, own->face + f + 1);
+    const bool enough = box && box_tree_add(&s->tree, box, count, own->face, &of->root);
+    free(box);
+    return enough;
 }
 
 /* False: no memory. */
@@ -199,32 +222,53 @@ static bool find_units(pair_search *s)
     const roberts_scene *scene = s->fronts->scene;
     size_t most = 0;
     for (uint32_t body = 0; body < scene->solid_count; body++)
-        most += is_one_unit(s->fronts, body) ? 1 : scene->solid[body + 1].face - scene->solid[body].face;
+        most += scene_is_convex(scene, body) ? 1 : scene->solid[body + 1].face - scene->solid[body].face;
     s->unit = alloc_array(most, sizeof *s->unit);
     s->box = alloc_array(most, sizeof *s->box);
     for (uint32_t body = 0; s->unit && s->box && body < scene->solid_count; body++)
         add_units(s, body);
     uint32_t root;
-    return s->unit && s->box && (s->count == 0 || box_tree_add(&s->tree, s->box, s->count, 0, &root));
+    bool enough = s->unit && s->box && (s->count == 0 || box_tree_add(&s->tree, s->box, s->count, 0, &root));
+    for (uint32_t a = 0; enough && a < s->count; a++)
+        enough = plant_faces(s, a);
+    return enough;
 }
 
-/* Lists the faces of a unit that meet a box. */
-static bool list_faces(const hide_fronts *fronts, const unit *of, const hide_box *box, face_list *to)
+/* Adds a face of unit `of` to the list, if its box meets that of the other unit. False: no memory. */
+static bool list_face(const hide_fronts *fronts, const unit *of, uint32_t f, const unit *other, face_list *to)
 {
-    const roberts_scene *scene = fronts->scene;
-    const scene_solid *own = &scene->solid[of->body];
-    bool one = of->piece != ROBERTS_NONE;
-    to->count = 0;
-    for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; f < last; f++) {
-        uint32_t end = one && !scene_is_convex(scene, of->body) ? scene_end_of_pieces(scene, of->body, f) : f + 1;
-        boxed_face item = {box_of_pieces(fronts, f, end), f};
-        if (are_edge_on(fronts, f, end) || !boxes_meet(&item.box, box))
-            continue;
-        if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
-            return false;
-        to->item[to->count++] = item;
-    }
+    const uint32_t end = of->piece != ROBERTS_NONE ? scene_end_of_pieces(fronts->scene, of->body, f) : f + 1;
+    const boxed_face item = {box_of_pieces(fronts, f, end), f};
+    if (are_edge_on(fronts, f, end) || !boxes_meet(&item.box, &other->in_view))
+        return true;
+    if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
+        return false;
+    to->item[to->count++] = item;
     return true;
+}
+
+/* Lists the faces of unit a that meet the boxes of unit b. */
+static bool list_faces(const pair_search *s, uint32_t a, uint32_t b, face_list *to)
+{
+    const unit *of = &s->unit[a], *other = &s->unit[b];
+    const scene_solid *own = &s->fronts->scene->solid[of->body];
+    const bool one = of->piece != ROBERTS_NONE, planted = of->root != ROBERTS_NONE;
+    const box_tree_node *node = s->tree.node;
+    bool enough = true;
+    to->count = 0;
+    for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; !planted && enough && f < last;
+         f++)
+        enough = list_face(s->fronts, of, f, other, to);
+    for (uint32_t i = of->root, end = planted ? node[of->root].skip : i; enough && i < end;) {
+        if (!box3_meet(&node[i].box, &s->box[b])) {
+            i = node[i].skip;
+            continue;
+        }
+        for (uint32_t k = node[i].first; enough && k < node[i].first + node[i].count; k++)
+            enough = list_face(s->fronts, of, s->tree.item[k], other, to);
+        i++;
+    }
+    return enough;
 }
 
 /* Units a and b, of different bodies or not of a convex one. False: no memory. */
@@ -238,16 +282,8 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
     if ((f->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, f->body, g->body)) ||
         (g->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, g->body, f->body)))
         return true;
-    return list_faces(s->fronts, f, &g->in_view, &w->list[0]) && list_faces(s->fronts, g, &f->in_view, &w->list[1]) &&
+    return list_faces(s, a, b, &w->list[0]) && list_faces(s, b, a, &w->list[1]) &&
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);
-}
-
-/* Do both boxes of unit a meet those of unit b? Not if they are faces of one convex solid. */
-static bool units_meet(const pair_search *s, uint32_t a, uint32_t b)
-{
-    const unit *f = &s->unit[a], *g = &s->unit[b];
-    return box3_meet(&s->box[a], &s->box[b]) && boxes_meet(&f->in_view, &g->in_view) &&
-           (f->body != g->body || !scene_is_convex(s->fronts->scene, f->body));
 }
 
 /* Compares a unit with all later units whose boxes meet its boxes. */
@@ -263,7 +299,8 @@ static bool meet_others(pair_worker *w, uint32_t a)
         }
         for (uint32_t k = node->first; k < node->first + node->count; k++) {
             uint32_t b = tree->item[k];
-            if (b > a && units_meet(s, a, b) && !meet_units(w, a, b))
+            if (b > a && box3_meet(&s->box[a], &s->box[b]) && boxes_meet(&s->unit[a].in_view, &s->unit[b].in_view) &&
+                !meet_units(w, a, b))
                 return false;
         }
         i++;

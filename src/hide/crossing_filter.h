@@ -8,7 +8,7 @@
  *
  * If hidden lines are kept, most faces are no fronts. Then face_pairs_find() finds pairs in space, whichever way the
  * faces look, through a tree of boxes along the axes of the model (base/search.h). Faces that are edge-on are left
- * out. A convex solid of few faces is first tested as a whole.
+ * out. A convex solid is first tested as a whole; a large one has a tree over its faces.
  *
  * Two faces that are left out never cross; two that are not may still be apart. */
 #ifndef ROBERTS_HIDE_CROSSING_FILTER_H

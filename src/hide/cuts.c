@@ -99,6 +99,19 @@ static size_t drop_equal(seen_line *line, size_t count, bool cap)
     return kept;
 }
 
+/* Has the near plane left all of the body? Corners without a number may lie in it even then: a face that crosses itself
+ * has some. */
+static bool is_whole(const seen *s, uint32_t body)
+{
+    const scene_solid *own = &s->source->solid[body];
+    for (uint32_t e = own->edge; e < own[1].edge; e++) {
+        const clip_edge left = seen_left_of(s, e);
+        if (left.edge == ROBERTS_NONE || left.t0 > 0.0 || left.t1 < 1.0)
+            return false;
+    }
+    return true;
+}
+
 /* Adds the lines of a body: those of its cap, or else of its faces. False: no memory. */
 static bool add_body(const hide_fronts *fronts, uint32_t body, double least, line_list *to)
 {
@@ -112,7 +125,8 @@ static bool add_body(const hide_fronts *fronts, uint32_t body, double least, lin
             if (cap || pass > 0)
                 enough = add_sides(fronts, body, f, least, to);
         }
-    to->count = first + drop_equal(to->line + first, to->count - first, capped);
+    if (to->count > first)
+        to->count = first + drop_equal(to->line + first, to->count - first, capped);
     return enough;
 }
 
@@ -125,7 +139,7 @@ bool cuts_find(const hide_fronts *fronts, seen_further *lines)
     bool enough = first != NULL;
     for (uint32_t s = 0; enough && s < bodies; s++) {
         first[s] = (uint32_t)found.count;
-        enough = fronts->culled[s] || add_body(fronts, s, least, &found);
+        enough = fronts->culled[s] || is_whole(fronts->seen, s) || add_body(fronts, s, least, &found);
     }
     if (enough)
         first[bodies] = (uint32_t)found.count;
@@ -192,14 +206,17 @@ static bool find_caps(const hide_fronts *fronts, double least, cap_pieces *caps)
     caps->box = alloc_array(scene->face_count, sizeof *caps->box);
     if (!caps->face || !caps->body || !caps->box)
         return false;
-    for (uint32_t s = 0; s < scene->solid_count; s++)
-        for (uint32_t f = scene->solid[s].face; !fronts->culled[s] && f < scene->solid[s + 1].face; f++)
+    for (uint32_t s = 0; s < scene->solid_count; s++) {
+        if (fronts->culled[s] || is_whole(fronts->seen, s))
+            continue;
+        for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
             if (is_in_cap(fronts, f, least)) {
                 const uint32_t first = scene->face_start[f];
                 caps->face[caps->count] = f;
                 caps->body[caps->count] = s;
                 caps->box[caps->count++] = picture_box(fronts, scene->corner + first, scene->face_start[f + 1] - first);
             }
+    }
     return caps->count == 0 || box_tree_add(&caps->tree, caps->box, caps->count, 0, &caps->root);
 }
 
@@ -220,10 +237,10 @@ static bool part_beside(const hide_fronts *fronts, const roberts_vec2 line[2], u
         const roberts_vec2 side = {b.x - a.x, b.y - a.y};
         const double size = vec2_length(side.x, side.y);
         double inside[2];
-        for (int k = 0; k < 2; k++)
-            inside[k] = (side.x * (line[k].y - a.y) - side.y * (line[k].x - a.x)) / size;
         if (!(size > 0.0))
             continue;
+        for (int k = 0; k < 2; k++)
+            inside[k] = (side.x * (line[k].y - a.y) - side.y * (line[k].x - a.x)) / size;
         if (fabs(inside[0]) <= touching && fabs(inside[1]) <= touching) {
             if (!takes && side.x * along.x + side.y * along.y > 0.0)
                 return false;
@@ -253,12 +270,12 @@ static bool find_parts(const hide_fronts *fronts, const cap_pieces *caps, uint32
             continue;
         }
         for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
-            const uint32_t piece = caps->tree.item[k];
+            const uint32_t piece = caps->tree.item[k], other = caps->body[piece];
+            if (other == body || !box3_meet(&caps->box[piece], &box))
+                continue;
             if (!array_reserve(&to->part, &to->part_room, to->parts + 1, sizeof *to->part))
                 return false;
-            const uint32_t other = caps->body[piece];
-            if (other != body && box3_meet(&caps->box[piece], &box))
-                to->parts += part_beside(fronts, ends, caps->face[piece], other < body, to->part[to->parts]);
+            to->parts += part_beside(fronts, ends, caps->face[piece], other < body, to->part[to->parts]);
         }
         i++;
     }

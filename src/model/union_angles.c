@@ -191,7 +191,7 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
         work->fill[i].active = false;
     for (size_t i = 0; i < work->contact_count; i++) {
         const union_contact *contact = &work->contact[i];
-        if (!(is_at(&contact->span, t)))
+        if (!is_at(&contact->span, t))
             continue;
         fill_of(work, contact->body)->active = true;
         *alone = *alone && contact->body == first;

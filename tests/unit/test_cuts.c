@@ -129,6 +129,24 @@ static void what_is_whole_has_no_cuts(void **state)
     model_free(&m);
 }
 
+/* Nor has a body whose face in the plane crosses itself. The crossings are vertices without a number, as ends of cuts
+ * are. */
+static void whole_star_has_no_cuts(void **state)
+{
+    (void)state;
+    roberts_scene *scene =
+        scene_of_text("OFF\n18 13 0\n"
+                      "0 2 0\n-1.9 0.6 0\n-1.2 -1.6 0\n1.2 -1.6 0\n1.9 0.6 0\n"
+                      "0 2 -1\n-1.9 0.6 -1\n-1.2 -1.6 -1\n1.2 -1.6 -1\n1.9 0.6 -1\n"
+                      "4 0 -1\n5 0 -1\n5 1 -1\n4 1 -1\n4 0 1\n5 0 1\n5 1 1\n4 1 1\n"
+                      "5 0 2 4 1 3\n5 8 6 9 7 5\n4 0 5 7 2\n4 2 7 9 4\n4 4 9 6 1\n4 1 6 8 3\n4 3 8 5 0\n"
+                      "4 13 12 11 10\n4 14 15 16 17\n4 10 11 15 14\n4 11 12 16 15\n4 12 13 17 16\n"
+                      "4 13 10 14 17\n");
+    expect_cuts("star", scene, &eye, false, 4, 4, 1);
+    expect_cuts("star", scene, &eye, true, 4, 4, 1);
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -136,6 +154,7 @@ int main(void)
         cmocka_unit_test(other_bodies_are_cut),
         cmocka_unit_test(cube_is_cut_in_a_hexagon),
         cmocka_unit_test(what_is_whole_has_no_cuts),
+        cmocka_unit_test(whole_star_has_no_cuts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
