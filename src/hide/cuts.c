@@ -77,10 +77,16 @@ static uint64_t pair_of(const seen_line *line)
     return a < b ? a << 32 | b : b << 32 | a;
 }
 
+/* Ties are broken, so that every machine keeps the same of several lines. */
 static int by_ends(const void *a, const void *b)
 {
-    const uint64_t p = pair_of(a), q = pair_of(b);
-    return (p > q) - (p < q);
+    const seen_line *f = a, *g = b;
+    const uint64_t p = pair_of(f), q = pair_of(g);
+    if (p != q)
+        return p < q ? -1 : 1;
+    if (f->v[0] != g->v[0])
+        return f->v[0] < g->v[0] ? -1 : 1;
+    return (f->own.key[0] > g->own.key[0]) - (f->own.key[0] < g->own.key[0]);
 }
 
 /* Of lines with the same ends, keeps one; of a cap none, because they are sides between two of its pieces. Returns how
@@ -91,7 +97,7 @@ static size_t drop_equal(seen_line *line, size_t count, bool cap)
     if (count > 1)
         qsort(line, count, sizeof *line, by_ends);
     for (size_t i = 0, next; i < count; i = next) {
-        for (next = i + 1; next < count && by_ends(&line[i], &line[next]) == 0;)
+        for (next = i + 1; next < count && pair_of(&line[i]) == pair_of(&line[next]);)
             next++;
         if (next == i + 1 || !cap)
             line[kept++] = line[i];
