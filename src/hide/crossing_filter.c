@@ -32,6 +32,13 @@ static hide_bounds box_of_model(const roberts_scene *scene, uint32_t body)
     return box;
 }
 
+/* The box of pieces first .. end - 1 along the axes of the model. */
+static hide_bounds box_of_model_pieces(const roberts_scene *scene, uint32_t first, uint32_t end)
+{
+    const uint32_t *start = scene->face_start;
+    return hide_bounds_of(scene->point, scene->corner + start[first], start[end] - start[first]);
+}
+
 /* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
 
 /* More pairs of faces of two solids than this are found by sorting. */
@@ -152,14 +159,11 @@ static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
     return first == end;
 }
 
-/* The box of pieces first .. end - 1 along the axes of the model, widened by half of `touching`. */
-static box3 model_box_of(const pair_search *s, uint32_t first, uint32_t end)
+/* Widens a box by half of `touching`. */
+static box3 widened(const pair_search *s, hide_bounds box)
 {
-    const roberts_scene *scene = s->fronts->scene;
-    const uint32_t *start = scene->face_start;
     const double more = 0.5 * s->touching;
     const roberts_vec3 wide = {more, more, more};
-    const hide_bounds box = hide_bounds_of(scene->point, scene->corner + start[first], start[end] - start[first]);
     return (box3){vec3_sub(box.low, wide), vec3_add(box.high, wide)};
 }
 
@@ -176,14 +180,18 @@ static void add_units(pair_search *s, uint32_t body)
         end = convex ? own[1].face : scene_end_of_pieces(fronts->scene, body, f);
         if (!convex && are_edge_on(fronts, f, end))
             continue;
-        s->box[s->count] = model_box_of(s, f, end);
+        s->box[s->count] =
+            widened(s, convex ? box_of_model(fronts->scene, body) : box_of_model_pieces(fronts->scene, f, end));
         s->unit[s->count++] = (unit){convex ? box_of_body(fronts, body) : box_of_pieces(fronts, f, end), body,
                                      convex ? ROBERTS_NONE : f, ROBERTS_NONE};
     }
 }
 
-/* Does the box of a unit meet that of another one? */
-static bool meets_any(const pair_search *s, uint32_t a)
+typedef bool met_unit_fn(void *context, uint32_t a, uint32_t b);
+
+/* Calls `met` for each unit b whose box meets that of unit a, and for a itself, until it returns false. False: it did.
+ */
+static bool each_met(const pair_search *s, uint32_t a, met_unit_fn *met, void *context)
 {
     const box_tree *tree = &s->tree;
     for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
@@ -193,11 +201,17 @@ static bool meets_any(const pair_search *s, uint32_t a)
             continue;
         }
         for (uint32_t k = node->first; k < node->first + node->count; k++)
-            if (tree->item[k] != a && box3_meet(&s->box[tree->item[k]], &s->box[a]))
-                return true;
+            if (box3_meet(&s->box[a], &s->box[tree->item[k]]) && !met(context, a, tree->item[k]))
+                return false;
         i++;
     }
-    return false;
+    return true;
+}
+
+static bool is_same_unit(void *context, uint32_t a, uint32_t b)
+{
+    (void)context;
+    return a == b;
 }
 
 /* Gives a large solid its tree, whose items are its faces in the scene. False: no memory. */
@@ -206,11 +220,12 @@ static bool plant_faces(pair_search *s, uint32_t a)
     unit *of = &s->unit[a];
     const scene_solid *own = &s->fronts->scene->solid[of->body];
     const uint32_t count = own[1].face - own->face;
-    if (of->piece != ROBERTS_NONE || count <= FACES_WITHOUT_TREE || !meets_any(s, a))
+    if (of->piece != ROBERTS_NONE || count <= FACES_WITHOUT_TREE ||
+        each_met(s, a, is_same_unit, NULL)) /* it meets no other unit */
         return true;
     box3 *box = alloc_array(count, sizeof *box);
     for (uint32_t f = 0; box && f < count; f++)
-        box[f] = model_box_of(s, own->face + f, own->face + f + 1);
+        box[f] = widened(s, box_of_model_pieces(s->fronts->scene, own->face + f, own->face + f + 1));
     const bool enough = box && box_tree_add(&s->tree, box, count, own->face, &of->root);
     free(box);
     return enough;
@@ -286,33 +301,19 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);
 }
 
-/* Compares a unit with all later units whose boxes meet its boxes. */
-static bool meet_others(pair_worker *w, uint32_t a)
+/* Compares a unit with a later one, if their boxes in view space meet, too. */
+static bool meet_later(void *context, uint32_t a, uint32_t b)
 {
-    const pair_search *s = w->of;
-    const box_tree *tree = &s->tree;
-    for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
-        const box_tree_node *node = &tree->node[i];
-        if (!box3_meet(&node->box, &s->box[a])) {
-            i = node->skip;
-            continue;
-        }
-        for (uint32_t k = node->first; k < node->first + node->count; k++) {
-            uint32_t b = tree->item[k];
-            if (b > a && box3_meet(&s->box[a], &s->box[b]) && boxes_meet(&s->unit[a].in_view, &s->unit[b].in_view) &&
-                !meet_units(w, a, b))
-                return false;
-        }
-        i++;
-    }
-    return true;
+    pair_worker *w = context;
+    const unit *units = w->of->unit;
+    return b <= a || !boxes_meet(&units[a].in_view, &units[b].in_view) || meet_units(w, a, b);
 }
 
 static bool meet_some(void *context, size_t first, size_t end)
 {
     pair_worker *w = (pair_worker *)context + thread_self();
     for (size_t a = first; a < end; a++)
-        if (!meet_others(w, (uint32_t)a))
+        if (!each_met(w->of, (uint32_t)a, meet_later, w))
             return false;
     return true;
 }
@@ -520,13 +521,6 @@ bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t cou
     return true;
 }
 
-/* The box of a piece along the axes of the model. */
-static hide_bounds box_of_piece(const roberts_scene *scene, uint32_t piece)
-{
-    const uint32_t *start = scene->face_start + piece;
-    return hide_bounds_of(scene->point, scene->corner + start[0], start[1] - start[0]);
-}
-
 bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 {
     const hide_front *f = &p->fronts->front[a], *g = &p->fronts->front[b];
@@ -534,7 +528,8 @@ bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
         return true;
     if (!p->fronts->seen->view.perspective || !hide_is_face(f) || !hide_is_face(g))
         return false;
-    const hide_bounds F = box_of_piece(p->fronts->scene, f->piece), G = box_of_piece(p->fronts->scene, g->piece);
+    const hide_bounds F = box_of_model_pieces(p->fronts->scene, f->piece, f->piece + 1),
+                      G = box_of_model_pieces(p->fronts->scene, g->piece, g->piece + 1);
     return filter_gap(&F, &G) > p->touching;
 }
 

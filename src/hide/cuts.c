@@ -204,8 +204,9 @@ static void free_caps(cap_pieces *caps)
 }
 
 /* False: no memory. Call free_caps() in any case. */
-static bool find_caps(const hide_fronts *fronts, double least, cap_pieces *caps)
+static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_pieces *caps)
 {
+    const double least = least_depth(fronts);
     const roberts_scene *scene = fronts->scene;
     caps->face = alloc_array(scene->face_count, sizeof *caps->face);
     caps->body = alloc_array(scene->face_count, sizeof *caps->body);
@@ -213,8 +214,8 @@ static bool find_caps(const hide_fronts *fronts, double least, cap_pieces *caps)
     if (!caps->face || !caps->body || !caps->box)
         return false;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        if (fronts->culled[s] || is_whole(fronts->seen, s))
-            continue;
+        if (lines->first[s] == lines->first[s + 1])
+            continue; /* it is not cut */
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
             if (is_in_cap(fronts, f, least)) {
                 const uint32_t first = scene->face_start[f];
@@ -336,7 +337,7 @@ bool cuts_draw(const hide_fronts *fronts, const seen_further *lines, bool unite,
 {
     cut_list list = {0};
     cap_pieces caps = {0};
-    bool enough = !unite || find_caps(fronts, least_depth(fronts), &caps);
+    bool enough = !unite || find_caps(fronts, lines, &caps);
     for (uint32_t s = 0; enough && s < fronts->scene->solid_count; s++)
         for (uint32_t k = lines->first[s]; enough && k < lines->first[s + 1]; k++)
             enough = (!unite || find_parts(fronts, &caps, s, &lines->line[k], &list)) &&
