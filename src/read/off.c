@@ -218,9 +218,7 @@ static roberts_status dimension(reader *r)
     const bool is_dxf = dimension == 0 && input_skip(&r->in) && input_at_word(&r->in, "section");
     r->in.line = line;
     if (is_dxf)
-        return read_fail(r, ROBERTS_BAD_SYNTAX,
-                         "this is DXF, but only OFF, STL, OBJ and PLY can be read; to convert it: assimp export "
-                         "model.dxf model.stl");
+        return read_refuse_format(r, "DXF", "assimp export model.dxf model.stl");
     if (dimension != 3)
         return read_fail(r, ROBERTS_BAD_SYNTAX, "the dimension is %llu, but only 3 can be drawn",
                          (unsigned long long)dimension);

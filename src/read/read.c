@@ -131,14 +131,19 @@ static const struct foreign {
     {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
 };
 
+roberts_status read_refuse_format(reader *r, const char *format, const char *command)
+{
+    return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s", format,
+                     *command ? "; to convert it: " : "", command);
+}
+
 roberts_status read_refuse_foreign(reader *r, size_t length)
 {
     for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
         const size_t first = strcspn(foreign[i].begins, " "), wanted = strlen(foreign[i].begins);
         if ((foreign[i].whole ? length == first : length >= first) && input_need(&r->in, wanted) &&
             memcmp(r->in.at, foreign[i].begins, wanted) == 0)
-            return read_fail(r, ROBERTS_BAD_SYNTAX, "this is %s, but only OFF, STL, OBJ and PLY can be read%s%s",
-                             foreign[i].format, *foreign[i].command ? "; to convert it: " : "", foreign[i].command);
+            return read_refuse_format(r, foreign[i].format, foreign[i].command);
     }
     return ROBERTS_OK;
 }

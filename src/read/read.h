@@ -49,6 +49,9 @@ roberts_status read_fail(reader *r, roberts_status status, const char *format, .
 /* Does the same if the input lacks what `format` names; see input_expected(). A binary input is then at its end. */
 roberts_status read_expected(reader *r, roberts_status status, const char *format, ...) ROBERTS_PRINTF(3, 4);
 
+/* Refuses the input, which is of that format. command: converts it, or "". */
+roberts_status read_refuse_format(reader *r, const char *format, const char *command);
+
 /* Refuses the input if the word here, of that length, begins a format that cannot be read. The message names the
  * format, and a command that converts it. ROBERTS_OK: no such format is known. */
 roberts_status read_refuse_foreign(reader *r, size_t length);
