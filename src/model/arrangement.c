@@ -354,14 +354,14 @@ static bool join_ring(face_pieces *f, double touching, bool *apart)
 
 /* Finds where lines are to be divided. If nowhere, the face is cut into triangles. first: cross_all() has not run yet.
  */
-static tiling find_stops(face_pieces *f, border *b, const face_rules *rules, bool *first, bool divided)
+static tiling find_stops(face_pieces *f, border *b, const face_rules *rules, bool *first)
 {
     b->stop_count = 0;
     if (!stop_at_nodes(f, b, rules->touching / rules->unit))
         return TILING_NO_MEMORY;
     if (b->stop_count > 0)
         return TILING_CROSSED;
-    tiling found = face_pieces_triangulate(f, b, rules->even_odd, f->planar || divided);
+    tiling found = face_pieces_triangulate(f, b, rules->even_odd);
     if (found == TILING_CROSSED && *first) {
         *first = false;
         if (!cross_all(f, b))
@@ -377,7 +377,7 @@ static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, b
     size_t corners = f->node_count;
     bool first = true;
     for (int sweeps = 0; sweeps < MOST_SWEEPS; sweeps++) {
-        tiling found = find_stops(f, b, rules, &first, *crossed);
+        tiling found = find_stops(f, b, rules, &first);
         if (found != TILING_CROSSED)
             return found;
         *crossed = true;
@@ -393,16 +393,14 @@ static tiling sweep_border(face_pieces *f, border *b, const face_rules *rules, b
     return TILING_BROKEN;
 }
 
-/* Lists the sides of pieces along the border, and the cuts if the face is not planar. False: no memory. */
+/* Lists the sides of the triangles of a face that is not planar. False: no memory. */
 static bool list_sides(face_pieces *f, const border *b)
 {
     for (uint32_t p = 0; p < f->piece_count; p++)
-        for (uint32_t i = 0; i < f->piece[p].count; i++) {
-            const face_piece *piece = &f->piece[p];
-            uint32_t to = piece->node[i + 1 < piece->count ? i + 1 : 0], label = piece->label[i];
-            bool cut = label >= b->count;
-            if (!(cut && f->planar) &&
-                !face_pieces_add_side(f, (piece_side){piece->node[i], to, p, cut ? ROBERTS_NONE : b->item[label].side}))
+        for (uint32_t i = 0; i < 3; i++) {
+            const face_piece *own = &f->piece[p];
+            uint32_t side = own->label[i] < b->count ? b->item[own->label[i]].side : ROBERTS_NONE;
+            if (!face_pieces_add_side(f, (piece_side){own->node[i], own->node[(i + 1) % 3], p, side}))
                 return false;
         }
     return true;
@@ -540,7 +538,8 @@ bool face_pieces_arrange(face_pieces *f, const face_rules *rules)
     f->bent = crossed && !f->planar;
     f->planar = f->planar || crossed;
     f->uncut = found == TILING_BROKEN;
-    bool enough = found != TILING_NO_MEMORY && list_sides(f, &b);
+    bool enough =
+        found != TILING_NO_MEMORY && (f->planar ? face_pieces_join(f, &b, rules->keep_straight) : list_sides(f, &b));
     if (enough && crossed && f->side_count > 0)
         enough = take_whole_sides(f, given, rules->touching);
     free(given);

@@ -104,7 +104,8 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
 {
     const roberts_scene *scene = a->scene;
     const double touching = bodies_touching(scene, a->mesh);
-    const face_rules rules = {a->mesh->vertex, a->options->tolerance, touching, scene->unit, a->options->even_odd};
+    const face_rules rules = {a->mesh->vertex, a->options->tolerance, touching,
+                              scene->unit,     a->options->even_odd,  false};
     surface s = {.mesh = a->mesh};
     uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
     s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
@@ -649,7 +650,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
         a.surface.name = a.name;
         a.surface.group = a.group;
         double touching = bodies_touching(scene, mesh);
-        face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd};
+        face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd, false};
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))
             status = ROBERTS_NO_MEMORY;

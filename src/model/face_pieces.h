@@ -23,7 +23,8 @@ typedef struct face_piece {
     uint32_t count;
     int32_t winding; /* how often the border winds round it, counter-clockwise about the plane's normal */
     uint32_t node[PIECE_CORNERS];
-    uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; larger labels are cuts */
+    uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; larger labels are cuts. Until the
+                                      sides are listed */
 } face_piece;
 
 /* A stretch of the face's border with the piece on its left, or a cut of a face that is not planar. */
@@ -40,7 +41,7 @@ typedef struct face_pieces {
     bool planar;      /* false: each piece is a triangle with a plane of its own */
     bool bent;        /* the border crosses or touches itself, and the face is not planar: it counts as planar */
     bool uncut;       /* the border crosses itself too often to be cut: there are no pieces */
-    bool whole_sides; /* the sides are whole sides of the face; their ends may not be corners of the pieces */
+    bool whole_sides; /* ends of sides may not be corners of their pieces */
     double unit;      /* as in face_rules */
     double turned;    /* -1 if the coordinate plane shows the normal from behind, else 1 */
     int axis;         /* the coordinate that is dropped */
@@ -61,6 +62,7 @@ typedef struct face_rules {
     double touching;  /* points nearer than this touch; model units */
     double unit;      /* a power of two near the scene's size */
     bool even_odd;
+    bool keep_straight; /* pieces with many corners keep those at which they go straight on */
 } face_rules;
 
 /* Cuts a face with any number of corners. A face without area gives no piece. False: no memory. */
@@ -68,7 +70,7 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
 
 void face_pieces_free(face_pieces *f);
 
-/* ---- internals: shared with arrangement.c and triangulate.c
+/* ---- internals: shared with arrangement.c, triangulate.c and convex_pieces.c
  * -------------------------------------------------------- */
 
 /* A line of a border between two nodes, v[0] < v[1]. */
@@ -105,8 +107,12 @@ typedef enum tiling {
 } tiling;
 
 /* Cuts the region that the border winds round into triangles. Labels of pieces are lines, or cuts from b->count on.
- * `merge`: join triangles to convex polygons. (triangulate.c) */
-tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool merge);
+ * (triangulate.c) */
+tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd);
+
+/* Joins these triangles to convex pieces, and lists their sides along the border. keep_straight: as in face_rules.
+ * False: no memory. (convex_pieces.c) */
+bool face_pieces_join(face_pieces *f, const border *b, bool keep_straight);
 
 /* Cuts a face that is not convex, whether its border crosses itself or not. False: no memory. (arrangement.c) */
 bool face_pieces_arrange(face_pieces *f, const face_rules *rules);

@@ -1,5 +1,4 @@
-/* triangulate.c - cuts the region that the lines of a border wind round into triangles, and joins these to convex
- * polygons.
+/* triangulate.c - cuts the region that the lines of a border wind round into triangles.
  *
  * A sweep line moves over the nodes in the order of x, then y. Between two adjacent lines on it lies a region, filled
  * or not. The uncut part of a filled region is bounded on its left by a chain of nodes, which turns inward everywhere
@@ -8,9 +7,7 @@
  * n). Only adjacent lines are tested for crossings (M. I. Shamos, D. Hoey, "Geometric intersection problems", FOCS
  * 1976). If they cross, the crossing is recorded and one of the two lines is removed, so one sweep finds many
  * crossings; then nothing is cut. Every decision is the exact sign of a turn. So the triangles tile the filled region,
- * without overlaps or gaps.
- *
- * Afterwards, cuts that convex pieces do not need are removed (also by Hertel and Mehlhorn). */
+ * without overlaps or gaps. */
 #include <stdlib.h>
 
 #include "base/array.h"
@@ -489,86 +486,7 @@ static bool meet(sweep *s, uint32_t node)
     return true;
 }
 
-/* ---- joining --------------------------------------------------------------------------------------------------- */
-
-/* Returns the side of a piece with this label; if there is none, the number of its sides. */
-static uint32_t find_label(const face_piece *p, uint32_t label)
-{
-    uint32_t i = 0;
-    while (i < p->count && p->label[i] != label)
-        i++;
-    return i;
-}
-
-static roberts_vec2 piece_corner(const face_pieces *f, const face_piece *p, uint32_t i)
-{
-    return f->node[p->node[i % p->count]].at;
-}
-
-/* Joins q to p across a cut, side i of p and side j of q, if the result is convex. */
-static bool join(const face_pieces *f, face_piece *p, const face_piece *q, uint32_t i, uint32_t j)
-{
-    face_piece all = {.count = p->count + q->count - 2, .winding = p->winding};
-    if (all.count > PIECE_CORNERS ||
-        orient2d(piece_corner(f, p, i + p->count - 1), piece_corner(f, p, i), piece_corner(f, q, j + 2)) < 0.0 ||
-        orient2d(piece_corner(f, q, j + q->count - 1), piece_corner(f, q, j), piece_corner(f, p, i + 2)) < 0.0)
-        return false;
-    uint32_t to = 0;
-    for (uint32_t k = 1; k < p->count; k++, to++) {
-        all.node[to] = p->node[(i + k) % p->count];
-        all.label[to] = p->label[(i + k) % p->count];
-    }
-    for (uint32_t k = 1; k < q->count; k++, to++) {
-        all.node[to] = q->node[(j + k) % q->count];
-        all.label[to] = q->label[(j + k) % q->count];
-    }
-    *p = all;
-    return true;
-}
-
-/* Removes cuts that are not needed. Labels from `count` on are cuts. False: no memory. */
-static bool join_pieces(face_pieces *f, uint32_t count, uint32_t cuts)
-{
-    uint32_t(*of)[2] = alloc_array(cuts, sizeof *of); /* the pieces at each cut, which may later be joined to others */
-    uint32_t *parent = alloc_array(f->piece_count, sizeof *parent);
-    bool enough = of && parent;
-    for (uint32_t c = 0; enough && c < cuts; c++)
-        of[c][0] = of[c][1] = ROBERTS_NONE;
-    for (uint32_t p = 0; enough && p < f->piece_count; p++) {
-        parent[p] = p;
-        for (uint32_t i = 0; i < 3; i++)
-            if (f->piece[p].label[i] >= count) {
-                uint32_t *own = of[f->piece[p].label[i] - count];
-                own[own[0] != ROBERTS_NONE] = p;
-            }
-    }
-    for (uint32_t c = 0; enough && c < cuts; c++) {
-        uint32_t p = of[c][0], q = of[c][1];
-        if (p == ROBERTS_NONE || q == ROBERTS_NONE)
-            continue;
-        for (; parent[p] != p; p = parent[p])
-            parent[p] = parent[parent[p]];
-        for (; parent[q] != q; q = parent[q])
-            parent[q] = parent[parent[q]];
-        uint32_t i = find_label(&f->piece[p], count + c), j = find_label(&f->piece[q], count + c);
-        if (p == q || i == f->piece[p].count || j == f->piece[q].count)
-            continue;
-        if (join(f, &f->piece[p], &f->piece[q], i, j)) {
-            parent[q] = p;
-            f->piece[q].count = 0;
-        }
-    }
-    size_t to = 0;
-    for (size_t p = 0; enough && p < f->piece_count; p++)
-        if (f->piece[p].count > 0)
-            f->piece[to++] = f->piece[p];
-    f->piece_count = enough ? to : 0;
-    free(of);
-    free(parent);
-    return enough;
-}
-
-tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool merge)
+tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd)
 {
     sweep s = {.f = f, .b = b, .even_odd = even_odd};
     bool enough = prepare_sweep(&s);
@@ -576,12 +494,9 @@ tiling face_pieces_triangulate(face_pieces *f, border *b, bool even_odd, bool me
     b->stop_count = 0;
     for (size_t i = 0; enough && i < s.event_count; i++)
         enough = meet(&s, s.event[i].node);
-    uint32_t cuts = s.cuts;
     tiling found = !enough ? TILING_NO_MEMORY : s.crossed ? TILING_CROSSED : s.broken ? TILING_BROKEN : TILING_DONE;
     free_sweep(&s);
     if (found != TILING_DONE)
         f->piece_count = 0;
-    else if (merge && cuts > 0 && !join_pieces(f, (uint32_t)b->count, cuts))
-        found = TILING_NO_MEMORY;
     return found;
 }

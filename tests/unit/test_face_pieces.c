@@ -279,7 +279,7 @@ static void cases_have_their_area(void **unused)
         for (uint32_t i = 0; i < 12; i++)
             corner[i] = listed ? c->corner[i] : i;
         count = listed ? count : c->count;
-        face_rules rules = {c->point, 1e-5, 1e-11, 1.0, c->even_odd};
+        face_rules rules = {c->point, 1e-5, 1e-11, 1.0, c->even_odd, false};
         assert_true(face_pieces_cut(&f, &rules, corner, count));
         require_sound(&f, c->name);
         double area = sum_of_areas(&f);
@@ -297,6 +297,77 @@ static void cases_have_their_area(void **unused)
                                   : (roberts_vec2){f.turned * p.x, p.y};
         }
         require_tiling(&f, at, count, c->even_odd, c->name);
+    }
+    face_pieces_free(&f);
+}
+
+/* Each part of the border is listed once, and lies on the border of its piece. */
+static void require_sides(const face_pieces *f, uint32_t count, const char *name)
+{
+    uint8_t *met = calloc(count, 1);
+    assert_non_null(met);
+    assert_int_equal(f->side_count, count);
+    for (size_t i = 0; i < f->side_count; i++) {
+        const piece_side *s = &f->side[i];
+        const face_piece *own = &f->piece[s->piece];
+        bool along = false;
+        for (uint32_t k = 0; k < own->count; k++) {
+            roberts_vec2 a = f->node[own->node[k]].at, b = f->node[own->node[(k + 1) % own->count]].at;
+            double from = orient2d(a, b, f->node[s->from].at), to = orient2d(a, b, f->node[s->to].at);
+            if (from < 0.0 || to < 0.0)
+                fail_msg("%s: side %u leaves its piece", name, s->side);
+            along = along || (from == 0.0 && to == 0.0);
+        }
+        if (!along || met[s->side]++)
+            fail_msg("%s: side %u is listed twice, or inside its piece", name, s->side);
+    }
+    free(met);
+}
+
+/* How many sides of pieces are neither on the border nor sides of another piece? */
+static size_t count_lone_sides(const face_pieces *f)
+{
+    size_t count = 0, lone = 0;
+    uint64_t *side = malloc((f->piece_count * PIECE_CORNERS + f->side_count) * sizeof *side);
+    assert_non_null(side);
+    for (size_t p = 0; p < f->piece_count; p++)
+        for (uint32_t i = 0; i < f->piece[p].count; i++)
+            side[count++] = (uint64_t)f->piece[p].node[i] << 32 | f->piece[p].node[(i + 1) % f->piece[p].count];
+    for (size_t i = 0; i < f->side_count; i++)
+        side[count++] = (uint64_t)f->side[i].to << 32 | f->side[i].from;
+    qsort(side, count, sizeof *side, compare_u64);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t back = side[i] << 32 | side[i] >> 32;
+        lone += !bsearch(&back, side, count, sizeof *side, compare_u64);
+    }
+    free(side);
+    return lone;
+}
+
+/* The profile of a heat sink: each fin is one piece, and so is the plate, unless pieces keep all corners. */
+static void straight_corners_are_dropped(void **unused)
+{
+    enum { FINS = 500, COUNT = 4 * FINS + 4 };
+    roberts_vec3 point[COUNT] = {{0, 0, 0}, {0, 5, 0}};
+    uint32_t corner[COUNT];
+    face_pieces f = {0};
+    (void)unused;
+    for (uint32_t i = 0; i < 4 * FINS; i++)
+        point[i + 2] = (roberts_vec3){i / 2 + 1, (i + 1) / 2 % 2 ? 15 : 5, 0};
+    point[COUNT - 2] = (roberts_vec3){2 * FINS + 1, 5, 0};
+    point[COUNT - 1] = (roberts_vec3){2 * FINS + 1, 0, 0};
+    for (uint32_t i = 0; i < COUNT; i++)
+        corner[i] = i;
+    for (int keep = 0; keep < 2; keep++) {
+        face_rules rules = {point, 1e-5, 1e-9, 1.0, false, keep == 1};
+        assert_true(face_pieces_cut(&f, &rules, corner, COUNT));
+        require_sound(&f, "heat sink");
+        require_sides(&f, COUNT, "heat sink");
+        assert_true(fabs(sum_of_areas(&f) - 5.0 * (2 * FINS + 1) - 10.0 * FINS) < 1e-6);
+        if (keep)
+            assert_int_equal(count_lone_sides(&f), 0);
+        else
+            assert_int_equal(f.piece_count, FINS + 1);
     }
     face_pieces_free(&f);
 }
@@ -348,7 +419,7 @@ static void random_faces_are_tiled(void **unused)
                 corner[i] = any() < 0.8 ? i : (uint32_t)(any() * count);
             bool even_odd = any() < 0.3;
             double size = family == FAR_AWAY ? 2e6 : family == ON_A_LATTICE || family == NEARLY_ON_A_LATTICE ? 4 : 1;
-            face_rules rules = {point, 1e-5, fmax(1e-11 * size, 16 * 0x1p-52 * size), 1.0, even_odd};
+            face_rules rules = {point, 1e-5, fmax(1e-11 * size, 16 * 0x1p-52 * size), 1.0, even_odd, false};
             snprintf(name, sizeof name, "%s, seed %d", names[family], (int)seed);
             assert_true(face_pieces_cut(&f, &rules, corner, count));
             require_sound(&f, name);
@@ -372,7 +443,7 @@ static void large_faces_come_out(void **unused)
     roberts_vec3 *point = malloc(MANY * sizeof *point);
     uint32_t *corner = malloc(MANY * sizeof *corner);
     face_pieces f = {0};
-    face_rules rules = {point, 1e-5, 1e-9, 1.0, false};
+    face_rules rules = {point, 1e-5, 1e-9, 1.0, false, false};
     (void)unused;
     assert_non_null(point);
     assert_non_null(corner);
@@ -475,7 +546,7 @@ static void quadrilaterals_have_one_diagonal(void **unused)
                 point[i] = vec3_add(quads[q].point[i], (roberts_vec3){way / 8 * 16.0, 0, 0});
                 corner[i] = way & 4 ? (way + 4 - i) % 4 : (way + i) % 4;
             }
-            const face_rules rules = {point, 1e-9, 1e-9, 1.0, false};
+            const face_rules rules = {point, 1e-9, 1e-9, 1.0, false, false};
             assert_true(face_pieces_cut(&f, &rules, corner, 4));
             assert_int_equal(f.piece_count, 2);
             for (uint32_t i = 0; i < 3; i++) /* both pieces have the ends of the diagonal */
@@ -493,6 +564,7 @@ int main(void)
         cmocka_unit_test(cases_have_their_area),
         cmocka_unit_test(random_faces_are_tiled),
         cmocka_unit_test(large_faces_come_out),
+        cmocka_unit_test(straight_corners_are_dropped),
         cmocka_unit_test(order_of_lines),
         cmocka_unit_test(turns_are_exact),
     };
