@@ -132,7 +132,7 @@ typedef struct pair_search {
     box3 *box;  /* [count] along the axes of the model, widened by half of `touching` */
     uint32_t count;
     box_tree tree;   /* over the units: the first root; over faces of solids: further ones */
-    double touching; /* model units; what is farther apart does not touch */
+    double touching; /* as in crossing_filter */
 } pair_search;
 
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
@@ -318,9 +318,9 @@ static bool meet_some(void *context, size_t first, size_t end)
     return true;
 }
 
-bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context)
+bool face_pairs_find(const crossing_filter *p, int threads, face_pairs_fn *take, void *context)
 {
-    pair_search s = {.fronts = fronts, .take = take, .context = context, .touching = touching_distance(fronts)};
+    pair_search s = {.fronts = p->fronts, .take = take, .context = context, .touching = p->touching};
     pair_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     bool lost = !worker || !find_units(&s);
     for (int i = 0; worker && i < threads; i++) {
@@ -466,11 +466,12 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     const uint32_t bodies = fronts->scene->solid_count;
     const bool singles = fronts->front_count > fronts->whole_count,
                simple = singles && fronts->late && !fronts->scene->low, boxed = simple || (singles && bodies > 1);
-    *p = (crossing_filter){.fronts = fronts,
-                           .star = grid->star,
-                           .alone = threads == 1,
-                           .whole = fronts->scene->low ? 0 : fronts->whole_count};
-    p->touching = p->whole > 0 || singles ? touching_distance(fronts) : 0.0;
+    *p = (crossing_filter){.fronts = fronts, .touching = touching_distance(fronts)};
+    if (fronts->seen->rules.hidden)
+        return true;
+    p->star = grid->star;
+    p->alone = threads == 1;
+    p->whole = fronts->scene->low ? 0 : fronts->whole_count;
     p->model = alloc_array(p->whole, sizeof *p->model);
     p->by_front = !simple && fronts->front_count < bodies;
     const uint32_t boxes = p->by_front ? fronts->front_count : bodies;
@@ -540,9 +541,8 @@ bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 /* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
  * outside. */
 #define LOOSE 4.0
-/* A corner this many touching distances off a plane does not touch it; the error of a height, in roundings. */
-#define TOUCHING 4.0
-#define HEIGHT_ROUNDINGS 64.0
+/* Error of a dot product, part of the sum of its terms' sizes. */
+#define DOT_ROUNDING 0x1p-50
 
 static double sum_of_parts(roberts_vec3 d)
 {
@@ -577,37 +577,6 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
     return false;
 }
 
-/* Do all corners of triangle g lie plainly on one side of the plane of triangle f, except for one that both share?
- * Heights are in lengths of the normal. Rounding in each is below the margin. */
-static bool is_beside_plane(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
-{
-    const roberts_vec3 *P = fronts->P;
-    roberts_vec3 A = P[f->corner[0]], AB = vec3_sub(P[f->corner[1]], A), AC = vec3_sub(P[f->corner[2]], A);
-    roberts_vec3 n = vec3_cross(AB, AC);
-    double size = sum_of_parts(AB) + sum_of_parts(AC), rounding = fronts->space.depth_rounding;
-    double touching = TOUCHING * sum_of_parts(n) * (fronts->space.epsilon + rounding);
-    int side = 0;
-    for (uint32_t k = 0; k < 3; k++) {
-        uint32_t v = g->corner[k];
-        if (v == f->corner[0] || v == f->corner[1] || v == f->corner[2])
-            continue;
-        roberts_vec3 d = vec3_sub(P[v], A);
-        double h = vec3_dot(n, d), margin = touching + HEIGHT_ROUNDINGS * rounding * size * (size + sum_of_parts(d));
-        if (!(fabs(h) > margin) || (h > 0.0 ? side < 0 : side > 0))
-            return false;
-        side = h > 0.0 ? 1 : -1;
-    }
-    return true;
-}
-
-/* Are two faces plainly apart in space? Used only if all faces are triangles, with planes of their own, and the view is
- * parallel. */
-static bool is_apart(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
-{
-    return !fronts->scene->face_plane && !fronts->seen->view.perspective &&
-           (is_beside_plane(fronts, f, g) || is_beside_plane(fronts, g, f));
-}
-
 /* A side from u to v of one is a side from v to u of the other if both are wound alike, or else from u to v. */
 bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g)
 {
@@ -627,12 +596,94 @@ bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g)
     return false;
 }
 
+/* The corners of a piece. */
+typedef struct ring {
+    const uint32_t *v; /* [count] */
+    uint32_t count;
+    roberts_vec3 n; /* a normal of the plane of three corners */
+} ring;
+
+static ring ring_of(const roberts_scene *scene, uint32_t f)
+{
+    const uint32_t *v = scene->corner + scene->face_start[f];
+    const roberts_vec3 A = scene->point[v[0]], AB = vec3_sub(scene->point[v[1]], A),
+                       AC = vec3_sub(scene->point[v[2]], A);
+    return (ring){v, scene->face_start[f + 1] - scene->face_start[f], vec3_cross(AB, AC)};
+}
+
+/* A direction in which f ends at some of its corners. */
+typedef struct axis {
+    roberts_vec3 along;
+    const uint32_t *end; /* [ends] */
+    uint32_t ends;
+} axis;
+
+static bool is_end(const axis *x, uint32_t v)
+{
+    uint32_t i = 0;
+    while (i < x->ends && x->end[i] != v)
+        i++;
+    return i < x->ends;
+}
+
+/* Is g beyond f along an axis, farther than `touching`, except for corners at which f ends? */
+static bool is_beyond(const roberts_vec3 *P, const ring *f, const ring *g, const axis *x, double touching)
+{
+    const roberts_vec3 A = P[x->end[0]];
+    const double wide = sum_of_parts(x->along);
+    double gap = INFINITY, bulge = 0.0; /* how far f extends beyond its ends, by rounding */
+    for (uint32_t k = 0; k < g->count && gap > 0.0; k++) {
+        const roberts_vec3 d = vec3_sub(P[g->v[k]], A);
+        const double most = wide * (touching + DOT_ROUNDING * sum_of_parts(d));
+        gap = is_end(x, g->v[k]) ? gap : lesser(gap, vec3_dot(x->along, d) - most);
+    }
+    for (uint32_t k = 0; k < f->count && gap > bulge; k++) {
+        const roberts_vec3 d = vec3_sub(P[f->v[k]], A);
+        bulge = greater(bulge, vec3_dot(x->along, d) + wide * DOT_ROUNDING * sum_of_parts(d));
+    }
+    return gap > bulge;
+}
+
+/* Is g on one side of the plane of f? */
+static bool is_beside_plane(const roberts_vec3 *P, const ring *f, const ring *g, double touching)
+{
+    axis x = {f->n, f->v, f->count};
+    uint32_t k = 0;
+    while (k + 1 < g->count && is_end(&x, g->v[k]))
+        k++;
+    if (vec3_dot(f->n, vec3_sub(P[g->v[k]], P[f->v[0]])) < 0.0)
+        x.along = vec3_scale(-1.0, f->n);
+    return is_beyond(P, f, g, &x, touching);
+}
+
+/* Does a plane through a side of f, perpendicular to f, separate them? */
+static bool is_beside_in_plane(const roberts_vec3 *P, const ring *f, const ring *g, double touching)
+{
+    for (uint32_t i = 0; i < f->count; i++) {
+        const uint32_t end[] = {f->v[i], f->v[i + 1 < f->count ? i + 1 : 0]};
+        const axis out = {vec3_cross(vec3_sub(P[end[1]], P[end[0]]), f->n), end, 2};
+        if (is_beyond(P, f, g, &out, touching))
+            return true;
+    }
+    return false;
+}
+
+bool filter_pieces(const crossing_filter *p, uint32_t f, uint32_t g)
+{
+    const ring F = ring_of(p->fronts->scene, f), G = ring_of(p->fronts->scene, g);
+    const roberts_vec3 *P = p->fronts->scene->point;
+    const double t = p->touching;
+    return F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+           (is_beside_plane(P, &F, &G, t) || is_beside_plane(P, &G, &F, t) || is_beside_in_plane(P, &F, &G, t) ||
+            is_beside_in_plane(P, &G, &F, t));
+}
+
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
     uint32_t turned[2][SEEN_TURNED] = {{0}};
     hide_face F = hide_outline(fronts, a, turned[0]), G = hide_outline(fronts, b, turned[1]);
-    return is_apart(fronts, &F, &G) || (F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
-                                        (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F)));
+    return F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
+           (is_beside_a_side(fronts, &F, &G) || is_beside_a_side(fronts, &G, &F));
 }
 
 /* A direction in the picture, and how far beside it a point may lie to count as on it, times its length. */

@@ -57,12 +57,6 @@ static inline bool boxes_meet(const hide_box *a, const hide_box *b)
     return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
 }
 
-/* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
-
-/* Gives all pairs of faces, by their first pieces, except those of one convex body. All bodies must be mapped. threads:
- * exactly this many. False: no memory. */
-bool face_pairs_find(const hide_fronts *fronts, int threads, face_pairs_fn *take, void *context);
-
 /* ---- two fronts -------------------------------------------------------------------------------------------------- */
 
 /* The box of a whole solid along the axes of the model. Many solids are such boxes themselves. */
@@ -82,12 +76,12 @@ typedef struct crossing_filter {
     uint8_t *simple;    /* [solid_count] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
     bool by_front;      /* `body` has a box for each front; then `simple` is NULL */
     uint32_t whole;     /* number of whole solids, which come before single faces */
-    double touching;    /* model units; bodies farther apart do not touch */
+    double touching;    /* model units; what is farther apart does not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
     bool alone;         /* there is one thread */
 } crossing_filter;
 
-/* False: no memory; call filter_end() in any case. */
+/* If hidden lines are kept, only finds the touching distance. False: no memory; call filter_end() in any case. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads);
 void filter_end(crossing_filter *p);
 
@@ -107,6 +101,9 @@ bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t cou
 /* Have two convex faces of few corners a side in common? Then they do not cross: both lie on one side of that line,
  * each in its plane. */
 bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g);
+
+/* Does a side of one of two faces of few corners keep them apart in space? */
+bool filter_pieces(const crossing_filter *p, uint32_t f, uint32_t g);
 
 /* Are two faces plainly apart, in the picture or in space? */
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
@@ -143,5 +140,11 @@ static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b
     const double gap = filter_gap(&p->model[a].is, &p->model[b].is);
     return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
 }
+
+/* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
+
+/* Gives all pairs of faces, by their first pieces, except those of one convex body. All bodies must be mapped. threads:
+ * exactly this many. False: no memory. */
+bool face_pairs_find(const crossing_filter *p, int threads, face_pairs_fn *take, void *context);
 
 #endif

@@ -170,7 +170,8 @@ static bool meet_pair(void *context, int thread, const face_pair *pair)
         return true;
     if (is_any_in_pieces(t, pair->body, pair->piece))
         return leave_pair(t, pair->body, pair->piece);
-    return filter_share_side(scene, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
+    return filter_share_side(scene, pair->piece[0], pair->piece[1]) ||
+           filter_pieces(t->filter, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
@@ -249,7 +250,7 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true;
     if (is_any_in_pieces(t, body, piece))
         return leave_pair(t, body, piece);
-    if (filter_share_side(fronts->scene, f->piece, g->piece))
+    if (filter_share_side(fronts->scene, f->piece, g->piece) || filter_pieces(t->filter, f->piece, g->piece))
         return true;
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
@@ -732,9 +733,9 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     finder *finders = alloc_zeroed((size_t)count, sizeof *finders);
     crossing_filter filter = {0};
     bool hidden = fronts->seen->rules.hidden;
-    bool enough = finders && (hidden || filter_begin(&filter, fronts, grid, count)) &&
+    bool enough = finders && filter_begin(&filter, fronts, grid, count) &&
                   finders_init(finders, count, fronts, grid, &filter) &&
-                  (hidden ? face_pairs_find(fronts, count, meet_pair, finders) : meet_all(finders, grid, count)) &&
+                  (hidden ? face_pairs_find(&filter, count, meet_pair, finders) : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {
