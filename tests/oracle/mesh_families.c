@@ -446,6 +446,42 @@ static void overlaps(workshop *w)
     }
 }
 
+/* A body over a profile of many corners, most of them on a few lines: fins, steps, towers, teeth. A triangle lies
+ * anywhere, and may go through it. */
+static void profiles(workshop *w)
+{
+    enum { FINS, STEPS, TOWERS, TEETH, MOST = 36 };
+    const int kind = any(w, FINS, TEETH), count = any(w, 18, MOST), foot = any(w, 1, 6), high = any(w, 1, 9);
+    const int wide = kind == STEPS ? count : 2 * count;
+    uint32_t below[4 * MOST + 3], above[4 * MOST + 3];
+    int n = 0, at[4 * MOST + 3][2];
+    for (int i = 0; i < count; i++) {
+        const int top = kind == STEPS ? foot + i : kind == TOWERS ? foot + any(w, 0, high) : foot + high;
+        const int corner[][2] = {{2 * i, foot}, {2 * i, top}, {2 * i + 1, top}, {2 * i + 1, foot}};
+        const int step[][2] = {{i, top}, {i + 1, top}};
+        for (int k = kind == TEETH ? 1 : 0; k < (kind == STEPS ? 2 : 4); k++) {
+            at[n][0] = kind == STEPS ? step[k][0] : corner[k][0];
+            at[n++][1] = kind == STEPS ? step[k][1] : corner[k][1];
+        }
+    }
+    for (int k = 0; k < 2; k++) {
+        at[n][0] = k == 0 ? wide : 0;
+        at[n++][1] = 0;
+    }
+    for (int i = 0; i < n; i++) {
+        below[i] = vertex(w, at[i][0], at[i][1], 0);
+        above[i] = vertex(w, at[i][0], at[i][1], 4);
+    }
+    for (int i = 0; i < n; i++)
+        face(w, (uint32_t[]){below[i], below[(i + 1) % n], above[(i + 1) % n], above[i]}, 4);
+    face(w, below, n);
+    face(w, above, n);
+    uint32_t loose[3];
+    for (int k = 0; k < 3; k++)
+        loose[k] = vertex(w, any(w, 0, wide), any(w, -5, 2 * foot + high), any(w, -3, 7));
+    triangle(w, loose[0], loose[1], loose[2]);
+}
+
 static const mesh_family families[] = {
     {"blocks", blocks},
     {"strips", blocks_in_strips},
@@ -465,6 +501,7 @@ static const mesh_family families[] = {
     {"stars", stars},
     {"slits", slits},
     {"overlaps", overlaps},
+    {"profiles", profiles},
 };
 
 enum { OWN = sizeof families / sizeof families[0] };

@@ -7,7 +7,7 @@
 #include "mesh_families.h"
 #include "shapes.h"
 
-enum { FACE_CORNERS = 64 };
+enum { FACE_CORNERS = 160 };
 
 typedef struct workshop {
     mesh_scene *scene;
