@@ -19,13 +19,14 @@
 #define SPARE ((size_t)4096)
 
 /* Asks the system for large pages. Otherwise it interrupts the program for every 4 KiB that is written for the first
- * time, which takes up to half of the time of large scenes. */
+ * time, which takes up to half of the time of large scenes. The end of the array is where malloc() puts it: if one page
+ * were left out, realloc() could not move the array without copying it. */
 static void *in_large_pages(void *array, size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
-    size_t before = (uintptr_t)array % (uintptr_t)sysconf(_SC_PAGESIZE);
+    size_t before = (uintptr_t)array % (uintptr_t)sysconf(_SC_PAGESIZE), end = (bytes + 23) / 16 * 16 - 8;
     if (array && bytes >= LARGE_PAGE)
-        madvise((char *)array - before, bytes + before, MADV_HUGEPAGE);
+        madvise((char *)array - before, before + end, MADV_HUGEPAGE);
 #else
     (void)bytes;
 #endif
@@ -49,6 +50,17 @@ void *alloc_sparse(size_t count, size_t size)
     if (count == 0 || size == 0)
         return malloc(1);
     return malloc(count * size);
+}
+
+void array_expect(void *first, size_t bytes)
+{
+#ifdef MADV_POPULATE_WRITE
+    size_t before = (uintptr_t)first % (uintptr_t)sysconf(_SC_PAGESIZE);
+    madvise((char *)first - before, bytes + before, MADV_POPULATE_WRITE);
+#else
+    (void)first;
+    (void)bytes;
+#endif
 }
 
 void *alloc_zeroed(size_t count, size_t size)

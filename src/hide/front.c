@@ -244,6 +244,22 @@ static double set_trust(const hide_fronts *fronts, uint32_t solid, const scene_s
     return width * (0.5 * (v->epsilon + departure) / (PLANE_ROUNDINGS * v->rounding + departure) - 1.0);
 }
 
+/* Faces of a tile get their memory at once for this many. */
+#define FACES_AT_ONCE 256
+
+/* Expects `count` faces more at the tile's place. */
+static void expect_faces(const hide_fronts *fronts, front_tile *tile, uint32_t count)
+{
+    const uint32_t first = tile->expected_face, most = tile->end_face - first;
+    if (count <= first - tile->face)
+        return;
+    count -= first - tile->face;
+    count = count < FACES_AT_ONCE ? FACES_AT_ONCE : count;
+    count = count < most ? count : most;
+    array_expect(fronts->face + first, count * sizeof *fronts->face);
+    tile->expected_face = first + count;
+}
+
 /* Finds the facing of the solid's faces, and stores the front faces at the tile's place.
  *
  * The fitted plane alone decides whether a face is front or back, even if corners lie beside the plane and the eye is
@@ -255,6 +271,7 @@ static front_faces find_faces(hide_fronts *fronts, front_tile *tile, uint32_t so
     const roberts_scene *scene = fronts->scene;
     uint32_t end = scene->solid[solid + 1].face;
     front_faces found = {.face = fronts->face + tile->face, .reach = INFINITY, .steepest = 1.0};
+    expect_faces(fronts, tile, end - scene->solid[solid].face);
     for (uint32_t face = scene->solid[solid].face; face < end; face++) {
         seen_face look;
         int facing = seen_front_face(fronts->seen, face, &look);

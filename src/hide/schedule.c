@@ -80,7 +80,8 @@ static void set_places(const tiles *t, const tile_sizes *size, const hide_fronts
         to->first = to->end = sum.solids;
         to->first_whole = to->whole = sum.wholes;
         to->first_surface = to->surface = sum.surfaces;
-        to->face = sum.faces;
+        to->face = to->expected_face = sum.faces;
+        to->end_face = sum.faces + size[k].faces;
         to->outline = sum.vertices;
         sum.solids += size[k].solids;
         sum.wholes += size[k].wholes;

@@ -44,6 +44,7 @@ typedef struct front_tile {
                                             bodies that are not convex */
     uint32_t whole, surface;             /* the next entries to be written there ... */
     uint32_t face, outline;              /* ... and in the arrays of faces and outlines */
+    uint32_t expected_face, end_face;    /* the faces before this one have memory; where the tile's faces end */
     hide_front *single;                  /* [single_count] faces of convex solids, as fronts of their own */
     hide_box *single_box;
     size_t single_count, single_room, single_box_room;

@@ -24,12 +24,9 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
     return status;
 }
 
-/* Entries of bodies that are not mapped are never written, and untouched memory costs nothing. Nearly all of a mesh is
- * mapped. */
 bool seen_begin_points(seen *s)
 {
-    s->P = s->scene->surface ? alloc_array(s->scene->vertex_count, sizeof *s->P)
-                             : alloc_sparse(s->scene->vertex_count, sizeof *s->P);
+    s->P = alloc_array(s->scene->vertex_count, sizeof *s->P);
     s->facing = alloc_zeroed(s->scene->face_count, sizeof *s->facing);
     if (s->scene->surface)
         s->turned = alloc_sparse(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
