@@ -67,7 +67,7 @@ void *alloc_zeroed(size_t count, size_t size)
 {
     if (size && count > (size_t)PTRDIFF_MAX / size)
         return NULL;
-    return calloc(count ? count : 1, size ? size : 1);
+    return in_large_pages(calloc(count ? count : 1, size ? size : 1), count * size);
 }
 
 /* Makes the array larger. On the way to large pages it is copied here: realloc() would write to the new memory before

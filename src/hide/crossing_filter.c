@@ -125,14 +125,13 @@ typedef struct pair_worker {
 } pair_worker;
 
 typedef struct pair_search {
-    const hide_fronts *fronts;
+    const crossing_filter *filter;
     face_pairs_fn *take;
     void *context;
     unit *unit; /* [count] */
     box3 *box;  /* [count] along the axes of the model, widened by half of `touching` */
     uint32_t count;
-    box_tree tree;   /* over the units: the first root; over faces of solids: further ones */
-    double touching; /* as in crossing_filter */
+    box_tree tree; /* over the units: the first root; over faces of solids: further ones */
 } pair_search;
 
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
@@ -162,7 +161,7 @@ static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
 /* Widens a box by half of `touching`. */
 static box3 widened(const pair_search *s, hide_bounds box)
 {
-    const double more = 0.5 * s->touching;
+    const double more = 0.5 * s->filter->touching;
     const roberts_vec3 wide = {more, more, more};
     return (box3){vec3_sub(box.low, wide), vec3_add(box.high, wide)};
 }
@@ -171,7 +170,7 @@ static box3 widened(const pair_search *s, hide_bounds box)
  * has removed has no vertices. */
 static void add_units(pair_search *s, uint32_t body)
 {
-    const hide_fronts *fronts = s->fronts;
+    const hide_fronts *fronts = s->filter->fronts;
     const scene_solid *own = &fronts->scene->solid[body];
     bool convex = scene_is_convex(fronts->scene, body);
     if (own[1].vertex == own->vertex)
@@ -218,14 +217,14 @@ static bool is_same_unit(void *context, uint32_t a, uint32_t b)
 static bool plant_faces(pair_search *s, uint32_t a)
 {
     unit *of = &s->unit[a];
-    const scene_solid *own = &s->fronts->scene->solid[of->body];
+    const scene_solid *own = &s->filter->fronts->scene->solid[of->body];
     const uint32_t count = own[1].face - own->face;
     if (of->piece != ROBERTS_NONE || count <= FACES_WITHOUT_TREE ||
         each_met(s, a, is_same_unit, NULL)) /* it meets no other unit */
         return true;
     box3 *box = alloc_array(count, sizeof *box);
     for (uint32_t f = 0; box && f < count; f++)
-        box[f] = widened(s, box_of_model_pieces(s->fronts->scene, own->face + f, own->face + f + 1));
+        box[f] = widened(s, box_of_model_pieces(s->filter->fronts->scene, own->face + f, own->face + f + 1));
     const bool enough = box && box_tree_add(&s->tree, box, count, own->face, &of->root);
     free(box);
     return enough;
@@ -234,7 +233,7 @@ static bool plant_faces(pair_search *s, uint32_t a)
 /* False: no memory. */
 static bool find_units(pair_search *s)
 {
-    const roberts_scene *scene = s->fronts->scene;
+    const roberts_scene *scene = s->filter->fronts->scene;
     size_t most = 0;
     for (uint32_t body = 0; body < scene->solid_count; body++)
         most += scene_is_convex(scene, body) ? 1 : scene->solid[body + 1].face - scene->solid[body].face;
@@ -266,21 +265,21 @@ static bool list_face(const hide_fronts *fronts, const unit *of, uint32_t f, con
 static bool list_faces(const pair_search *s, uint32_t a, uint32_t b, face_list *to)
 {
     const unit *of = &s->unit[a], *other = &s->unit[b];
-    const scene_solid *own = &s->fronts->scene->solid[of->body];
+    const scene_solid *own = &s->filter->fronts->scene->solid[of->body];
     const bool one = of->piece != ROBERTS_NONE, planted = of->root != ROBERTS_NONE;
     const box_tree_node *node = s->tree.node;
     bool enough = true;
     to->count = 0;
     for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; !planted && enough && f < last;
          f++)
-        enough = list_face(s->fronts, of, f, other, to);
+        enough = list_face(s->filter->fronts, of, f, other, to);
     for (uint32_t i = of->root, end = planted ? node[of->root].skip : i; enough && i < end;) {
         if (!box3_meet(&node[i].box, &s->box[b])) {
             i = node[i].skip;
             continue;
         }
         for (uint32_t k = node[i].first; enough && k < node[i].first + node[i].count; k++)
-            enough = list_face(s->fronts, of, s->tree.item[k], other, to);
+            enough = list_face(s->filter->fronts, of, s->tree.item[k], other, to);
         i++;
     }
     return enough;
@@ -294,8 +293,8 @@ static bool meet_units(pair_worker *w, uint32_t a, uint32_t b)
     const face_taker to = {s->take, s->context, w->self};
     if (f->piece != ROBERTS_NONE && g->piece != ROBERTS_NONE)
         return s->take(s->context, w->self, &(face_pair){{f->body, g->body}, {f->piece, g->piece}});
-    if ((f->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, f->body, g->body)) ||
-        (g->piece == ROBERTS_NONE && bodies_are_apart(s->fronts, g->body, f->body)))
+    if ((f->piece == ROBERTS_NONE && bodies_are_apart(s->filter->fronts, f->body, g->body)) ||
+        (g->piece == ROBERTS_NONE && bodies_are_apart(s->filter->fronts, g->body, f->body)))
         return true;
     return list_faces(s, a, b, &w->list[0]) && list_faces(s, b, a, &w->list[1]) &&
            face_lists_meet(w->list, (uint32_t[]){f->body, g->body}, &to);
@@ -320,7 +319,7 @@ static bool meet_some(void *context, size_t first, size_t end)
 
 bool face_pairs_find(const crossing_filter *p, int threads, face_pairs_fn *take, void *context)
 {
-    pair_search s = {.fronts = p->fronts, .take = take, .context = context, .touching = p->touching};
+    pair_search s = {.filter = p, .take = take, .context = context};
     pair_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     bool lost = !worker || !find_units(&s);
     for (int i = 0; worker && i < threads; i++) {
@@ -536,13 +535,14 @@ bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 
 /* ---- two fronts: sides and planes between them ------------------------------------------------------------------- */
 
-/* Faces with more corners are not tested in the picture. */
+/* Faces with more corners are not tested. */
 #define FEW_CORNERS 8
 /* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
  * outside. */
 #define LOOSE 4.0
-/* Error of a dot product, part of the sum of its terms' sizes. */
+/* Error of a dot product: part of the sum of its terms' sizes, and what underflow adds. */
 #define DOT_ROUNDING 0x1p-50
+#define DOT_UNDERFLOW 0x1p-1070
 
 static double sum_of_parts(roberts_vec3 d)
 {
@@ -611,14 +611,14 @@ static ring ring_of(const roberts_scene *scene, uint32_t f)
     return (ring){v, scene->face_start[f + 1] - scene->face_start[f], vec3_cross(AB, AC)};
 }
 
-/* A direction in which f ends at some of its corners. */
-typedef struct axis {
+/* A direction in which a piece reaches farthest at some of its corners. */
+typedef struct outward {
     roberts_vec3 along;
     const uint32_t *end; /* [ends] */
     uint32_t ends;
-} axis;
+} outward;
 
-static bool is_end(const axis *x, uint32_t v)
+static bool is_end(const outward *x, uint32_t v)
 {
     uint32_t i = 0;
     while (i < x->ends && x->end[i] != v)
@@ -626,30 +626,34 @@ static bool is_end(const axis *x, uint32_t v)
     return i < x->ends;
 }
 
-/* Is g beyond f along an axis, farther than `touching`, except for corners at which f ends? */
-static bool is_beyond(const roberts_vec3 *P, const ring *f, const ring *g, const axis *x, double touching)
+/* Is g beyond f in that direction, farther than `touching`, except for corners at which f ends? */
+static bool is_beyond(const roberts_vec3 *P, const ring *f, const ring *g, const outward *x, double touching)
 {
     const roberts_vec3 A = P[x->end[0]];
     const double wide = sum_of_parts(x->along);
     double gap = INFINITY, bulge = 0.0; /* how far f extends beyond its ends, by rounding */
     for (uint32_t k = 0; k < g->count && gap > 0.0; k++) {
         const roberts_vec3 d = vec3_sub(P[g->v[k]], A);
-        const double most = wide * (touching + DOT_ROUNDING * sum_of_parts(d));
+        const double most = wide * (touching + DOT_ROUNDING * sum_of_parts(d)) + DOT_UNDERFLOW;
         gap = is_end(x, g->v[k]) ? gap : lesser(gap, vec3_dot(x->along, d) - most);
     }
     for (uint32_t k = 0; k < f->count && gap > bulge; k++) {
         const roberts_vec3 d = vec3_sub(P[f->v[k]], A);
-        bulge = greater(bulge, vec3_dot(x->along, d) + wide * DOT_ROUNDING * sum_of_parts(d));
+        bulge = greater(bulge, vec3_dot(x->along, d) + wide * DOT_ROUNDING * sum_of_parts(d) + DOT_UNDERFLOW);
     }
     return gap > bulge;
 }
 
-/* Is g on one side of the plane of f? */
+/* Is g on one side of the plane of f? If a side of g joins two corners of f, g may end on f there: it is no side of f,
+ * since filter_share_side() has found none in common. */
 static bool is_beside_plane(const roberts_vec3 *P, const ring *f, const ring *g, double touching)
 {
-    axis x = {f->n, f->v, f->count};
+    outward x = {f->n, f->v, f->count};
     uint32_t k = 0;
-    while (k + 1 < g->count && is_end(&x, g->v[k]))
+    for (uint32_t i = 0; i < g->count; i++)
+        if (is_end(&x, g->v[i]) && is_end(&x, g->v[i + 1 < g->count ? i + 1 : 0]))
+            return false;
+    while (is_end(&x, g->v[k])) /* at most every other corner is one */
         k++;
     if (vec3_dot(f->n, vec3_sub(P[g->v[k]], P[f->v[0]])) < 0.0)
         x.along = vec3_scale(-1.0, f->n);
@@ -661,7 +665,7 @@ static bool is_beside_in_plane(const roberts_vec3 *P, const ring *f, const ring 
 {
     for (uint32_t i = 0; i < f->count; i++) {
         const uint32_t end[] = {f->v[i], f->v[i + 1 < f->count ? i + 1 : 0]};
-        const axis out = {vec3_cross(vec3_sub(P[end[1]], P[end[0]]), f->n), end, 2};
+        const outward out = {vec3_cross(vec3_sub(P[end[1]], P[end[0]]), f->n), end, 2};
         if (is_beyond(P, f, g, &out, touching))
             return true;
     }
@@ -670,12 +674,15 @@ static bool is_beside_in_plane(const roberts_vec3 *P, const ring *f, const ring 
 
 bool filter_pieces(const crossing_filter *p, uint32_t f, uint32_t g)
 {
-    const ring F = ring_of(p->fronts->scene, f), G = ring_of(p->fronts->scene, g);
-    const roberts_vec3 *P = p->fronts->scene->point;
+    const roberts_scene *scene = p->fronts->scene;
+    const uint32_t *start = scene->face_start;
+    if (start[f + 1] - start[f] > FEW_CORNERS || start[g + 1] - start[g] > FEW_CORNERS)
+        return false;
+    const ring F = ring_of(scene, f), G = ring_of(scene, g);
+    const roberts_vec3 *P = scene->point;
     const double t = p->touching;
-    return F.count <= FEW_CORNERS && G.count <= FEW_CORNERS &&
-           (is_beside_plane(P, &F, &G, t) || is_beside_plane(P, &G, &F, t) || is_beside_in_plane(P, &F, &G, t) ||
-            is_beside_in_plane(P, &G, &F, t));
+    return is_beside_plane(P, &F, &G, t) || is_beside_plane(P, &G, &F, t) || is_beside_in_plane(P, &F, &G, t) ||
+           is_beside_in_plane(P, &G, &F, t);
 }
 
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b)

@@ -102,10 +102,11 @@ bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t cou
  * each in its plane. */
 bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g);
 
-/* Does a side of one of two faces of few corners keep them apart in space? */
+/* Does the plane of one of two faces of few corners, or a plane through a side of one, keep them apart in space? Call
+ * it only if they have no side in common. */
 bool filter_pieces(const crossing_filter *p, uint32_t f, uint32_t g);
 
-/* Are two faces plainly apart, in the picture or in space? */
+/* Does a side of one of two faces of few corners keep them apart in the picture? */
 bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
 
 /* Two triangles share corner f[i], and no other. Does a side at that corner separate them in the picture? For

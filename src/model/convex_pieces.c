@@ -1,9 +1,9 @@
 /* convex_pieces.c - joins the triangles of a planar face to convex pieces.
  *
- * First, cuts are flipped until each is the shorter diagonal of the quadrilateral round it. Otherwise the slivers of a
- * long face would lie over one another's boxes, and each line behind them would be hidden bit by bit. Then cuts that
- * convex pieces do not need are removed (S. Hertel, K. Mehlhorn, "Fast triangulation of the plane with respect to
- * simple polygons", Information and Control 64, 1985).
+ * In a face of many triangles, cuts are first flipped until each is the shorter diagonal of the quadrilateral round it,
+ * if both lie inside. Otherwise the slivers of a long face would lie over one another's boxes, and each line behind
+ * them would be hidden bit by bit. Then cuts that convex pieces do not need are removed (S. Hertel, K. Mehlhorn, "Fast
+ * triangulation of the plane with respect to simple polygons", Information and Control 64, 1985).
  *
  * If a piece would have too many corners, those at which it does not turn are dropped. So the back of a comb is one
  * piece. */
@@ -35,9 +35,7 @@ typedef struct joining {
     uint32_t *cut;      /* [cuts] one half of each cut; ROBERTS_NONE: none */
     uint32_t *parent;   /* [triangles] a triangle of the same piece; the last one stands for the piece */
     uint32_t *turns;    /* [triangles] of the one that stands for a piece: how often the piece turns */
-    uint32_t *wait;     /* [cuts] cuts to be looked at */
-    uint8_t *waits;     /* [cuts] */
-    uint32_t triangles, cuts, waiting;
+    uint32_t triangles, cuts;
 } joining;
 
 /* Takes the triangles. False: no memory. */
@@ -54,9 +52,7 @@ static bool take_triangles(joining *j)
     j->cut = alloc_array(j->cuts, sizeof *j->cut);
     j->parent = alloc_array(j->triangles, sizeof *j->parent);
     j->turns = alloc_array(j->triangles, sizeof *j->turns);
-    j->wait = alloc_array(j->cuts, sizeof *j->wait);
-    j->waits = alloc_zeroed(j->cuts, sizeof *j->waits);
-    if (!j->half || !j->cut || !j->parent || !j->turns || !j->wait || !j->waits)
+    if (!j->half || !j->cut || !j->parent || !j->turns)
         return false;
     for (uint32_t c = 0; c < j->cuts; c++)
         j->cut[c] = ROBERTS_NONE;
@@ -123,30 +119,47 @@ static bool flip(joining *j, uint32_t cut)
     return true;
 }
 
-static void look_later(joining *j, uint32_t label)
+/* Cuts to be looked at. */
+typedef struct waiting_cuts {
+    uint32_t *cut; /* [count] */
+    uint8_t *is;   /* [all cuts] */
+    uint32_t count;
+} waiting_cuts;
+
+static void look_later(waiting_cuts *w, uint32_t cut)
 {
-    if (label < j->b->count || j->waits[label - j->b->count])
-        return;
-    j->waits[label - j->b->count] = 1;
-    j->wait[j->waiting++] = label - (uint32_t)j->b->count;
+    if (!w->is[cut])
+        w->cut[w->count++] = cut;
+    w->is[cut] = 1;
 }
 
-/* Flips cuts until no flip makes one shorter. Each flip makes their sum less, so this ends. */
-static void flip_cuts(joining *j)
+/* Looks later at the other two sides of the triangle, if they are cuts. */
+static void look_at_sides(const joining *j, waiting_cuts *w, uint32_t h)
 {
-    for (uint32_t c = 0; c < j->cuts; c++)
-        look_later(j, (uint32_t)j->b->count + c);
-    for (uint64_t looks = LOOKS_AT_CUT * (uint64_t)j->cuts; j->waiting > 0 && looks > 0; looks--) {
-        uint32_t c = j->wait[--j->waiting];
-        j->waits[c] = 0;
-        if (!flip(j, c))
-            continue;
-        const half *h = &j->half[j->cut[c]], *g = &j->half[h->twin];
-        look_later(j, j->half[h->next].label);
-        look_later(j, j->half[h->prev].label);
-        look_later(j, j->half[g->next].label);
-        look_later(j, j->half[g->prev].label);
+    const uint32_t label[] = {j->half[j->half[h].next].label, j->half[j->half[h].prev].label};
+    for (int i = 0; i < 2; i++)
+        if (label[i] >= j->b->count)
+            look_later(w, label[i] - (uint32_t)j->b->count);
+}
+
+/* Flips cuts until no flip makes one shorter. Each flip makes their sum less, so this ends. False: no memory. */
+static bool flip_cuts(joining *j)
+{
+    waiting_cuts w = {alloc_array(j->cuts, sizeof *w.cut), alloc_zeroed(j->cuts, sizeof *w.is), 0};
+    const bool enough = w.cut && w.is;
+    for (uint32_t c = 0; enough && c < j->cuts; c++)
+        look_later(&w, c);
+    for (uint64_t looks = LOOKS_AT_CUT * (uint64_t)j->cuts; enough && w.count > 0 && looks > 0; looks--) {
+        const uint32_t c = w.cut[--w.count];
+        w.is[c] = 0;
+        if (flip(j, c)) {
+            look_at_sides(j, &w, j->cut[c]);
+            look_at_sides(j, &w, j->half[j->cut[c]].twin);
+        }
     }
+    free(w.cut);
+    free(w.is);
+    return enough;
 }
 
 /* ---- joining --------------------------------------------------------------------------------------------------- */
@@ -263,19 +276,15 @@ bool face_pieces_join(face_pieces *f, const border *b, bool keep_straight)
 {
     joining j = {.f = f, .b = b, .keep_straight = keep_straight};
     bool enough = take_triangles(&j);
-    if (enough && j.triangles <= WORTH_A_FLIP) {
-        for (uint32_t c = 0; c < j.cuts; c++)
+    if (enough && j.triangles > WORTH_A_FLIP)
+        enough = flip_cuts(&j) && join_longest(&j);
+    else
+        for (uint32_t c = 0; enough && c < j.cuts; c++)
             join(&j, c);
-    } else if (enough) {
-        flip_cuts(&j);
-        enough = join_longest(&j);
-    }
     enough = enough && store_pieces(&j);
     free(j.half);
     free(j.cut);
     free(j.parent);
     free(j.turns);
-    free(j.wait);
-    free(j.waits);
     return enough;
 }

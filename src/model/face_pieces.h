@@ -23,8 +23,8 @@ typedef struct face_piece {
     uint32_t count;
     int32_t winding; /* how often the border winds round it, counter-clockwise about the plane's normal */
     uint32_t node[PIECE_CORNERS];
-    uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; larger labels are cuts. Until the
-                                      sides are listed */
+    uint32_t label[PIECE_CORNERS]; /* a side of the ring or a line of the border; larger labels are cuts. Not
+                                      valid once the sides are listed */
 } face_piece;
 
 /* A stretch of the face's border with the piece on its left, or a cut of a face that is not planar. */
@@ -70,8 +70,7 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
 
 void face_pieces_free(face_pieces *f);
 
-/* ---- internals: shared with arrangement.c, triangulate.c and convex_pieces.c
- * -------------------------------------------------------- */
+/* ---- internals of arrangement.c, triangulate.c and convex_pieces.c ----------------------------------------------- */
 
 /* A line of a border between two nodes, v[0] < v[1]. */
 typedef struct border_line {

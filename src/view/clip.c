@@ -658,7 +658,8 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
 {
     roberts_scene *to = &c->clip->scene;
     face_pieces pieces = {0};
-    face_rules rules = {to->point, CAP_TOLERANCE, c->touching, to->unit, true, true}; /* see hide/cuts.c */
+    /* Straight corners are kept: hide/cuts.c leaves out what is a side of two pieces, with the same ends. */
+    face_rules rules = {to->point, CAP_TOLERANCE, c->touching, to->unit, true, true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
     plane F = near_plane(c);
