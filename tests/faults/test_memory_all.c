@@ -185,6 +185,20 @@ static const char *fan(void)
     return text;
 }
 
+/* One face with more corners than are cut without flips. */
+static const char *comb(void)
+{
+    enum { TEETH = 40 };
+    static char text[4000];
+    size_t n = (size_t)sprintf(text, "OFF %d 1 0\n0 0 0\n%d 0 0\n", 2 * TEETH + 2, 2 * TEETH);
+    for (int i = 2 * TEETH; i > 0; i--)
+        n += (size_t)sprintf(text + n, "%d %d 0\n", i, 1 + i % 2);
+    n += (size_t)sprintf(text + n, "%d", 2 * TEETH + 2);
+    for (int i = 0; i < 2 * TEETH + 2; i++)
+        n += (size_t)sprintf(text + n, " %d", i);
+    return text;
+}
+
 /* More sheets above one another than a list has without a tree. */
 static const char *pile(void)
 {
@@ -237,6 +251,7 @@ static void files(void **state)
         survives(&cases[i]);
     survives(&(run_case){"a dent", NULL, dented_prism(), ISO, true, 0, ROBERTS_SVG, false, false});
     survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false, false});
+    survives(&(run_case){"a comb", NULL, comb(), ISO, true, 0, ROBERTS_SVG, false, false});
     survives(&(run_case){"a pile in one cell", NULL, pile(), ISO, false, 1, ROBERTS_SVG, false, false});
 }
 
