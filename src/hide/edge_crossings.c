@@ -25,6 +25,7 @@ typedef struct edge_finder {
     size_t count, room;
     crossing_kept touching, touched; /* the faces of the last touch */
     crossing_list *out;
+    bool lost; /* no memory */
 } edge_finder;
 
 /* ---- the faces of an edge -------------------------------------------------------------------------------------- */
@@ -41,8 +42,8 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
 }
 
 /* Finds the edge's face of smallest number that does not lie in the plane of g. False: there is none, or the edge's
- * faces do not lie on both sides of that plane. */
-static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
+ * faces do not lie on both sides of that plane, or e->lost. */
+static bool first_across(edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
 {
     const roberts_scene *scene = e->fronts->scene;
     uint32_t room[2], least = ROBERTS_NONE;
@@ -54,6 +55,10 @@ static bool first_across(const edge_finder *e, uint32_t body, uint32_t edge, cro
         if (e->fronts->seen->facing[f] == VIEW_EDGE_ON)
             continue;
         crossing_face F = crossing_face_of(e->rules, body, f);
+        if (g == &e->touched.face && !crossing_limit(&e->touched, e->rules, &F)) {
+            e->lost = true;
+            return false;
+        }
         crossing_lie lie = crossing_lie_of(e->rules, &F, g);
         over = over || lie.over;
         under = under || lie.under;
@@ -83,7 +88,7 @@ static bool find_inside(edge_finder *e, const touching_edge *t)
     const scene_edge edge = scene_edge_at(e->fronts->scene, t->of.body[0], t->edge);
     crossing_face F, *G = crossing_keep(&e->touched, e->rules, t->of.body[1], t->of.face[1]);
     if (!first_across(e, t->of.body[0], t->edge, G, &F))
-        return true;
+        return !e->lost;
     bool enough = crossing_limit(&e->touched, e->rules, &F) && crossing_find_in(e->rules, &F, edge.v, G, e->out);
     name_edges(e->out, from, t->edge, ROBERTS_NONE);
     return enough;
@@ -99,7 +104,7 @@ static bool find_common(edge_finder *e, const touching_edge *a, const touching_e
     crossing_face F, H, *G = crossing_keep(&e->touched, e->rules, a->of.body[1], a->of.face[1]);
     if (a->edge == b->edge || !crossing_may_have_common(e->rules, own, first.v, G, second.v) ||
         !first_across(e, a->of.body[0], a->edge, G, &F) || !first_across(e, b->of.body[0], b->edge, &F, &H))
-        return true;
+        return !e->lost;
     bool enough = crossing_find_common(e->rules, &F, first.v, &H, second.v, e->out);
     name_edges(e->out, from, a->edge, b->edge);
     return enough;
