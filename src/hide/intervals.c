@@ -152,12 +152,23 @@ void hide_intervals_join(hide_intervals *intervals, double epsilon, double lengt
     intervals->count = kept;
 }
 
+size_t hide_intervals_first(const hide_intervals *intervals, double t)
+{
+    size_t low = 0, high = intervals->count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (intervals->item[middle].part.t1 > t)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
 bool hide_intervals_split(hide_intervals *intervals, double t)
 {
-    size_t i = 0;
-    while (i < intervals->count && !(intervals->item[i].part.t0 < t && t < intervals->item[i].part.t1))
-        i++;
-    if (i == intervals->count)
+    const size_t i = hide_intervals_first(intervals, t);
+    if (i == intervals->count || !(intervals->item[i].part.t0 < t))
         return true;
     if (!array_reserve(&intervals->item, &intervals->room, intervals->count + 1, sizeof *intervals->item))
         return false;

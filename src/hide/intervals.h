@@ -91,6 +91,9 @@ static inline void hide_intervals_unite(hide_intervals *intervals, double epsilo
         hide_intervals_reach_ends(intervals, epsilon, length);
 }
 
+/* Returns the number of the first part that ends after t; their count if none does. The parts are sorted and apart. */
+size_t hide_intervals_first(const hide_intervals *intervals, double t);
+
 /* Splits the part that contains t, if there is one, in two. False: no memory. */
 bool hide_intervals_split(hide_intervals *intervals, double t);
 

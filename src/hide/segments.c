@@ -276,7 +276,8 @@ static void put_parts(const line_writer *w, const line_row *row, const hide_line
 {
     double near = w->seen->view.epsilon / line->e.length3;
     hide_interval shown = {.t0 = all->t0};
-    for (size_t i = 0; i < line->intervals.count; i++) {
+    for (size_t i = hide_intervals_first(&line->intervals, all->t0);
+         i < line->intervals.count && line->intervals.item[i].part.t0 < all->t1; i++) {
         hide_interval hidden = line->intervals.item[i].part;
         if (!clip_hidden(&hidden, all, near))
             continue;
