@@ -7,13 +7,10 @@
 #include "base/box.h"
 #include "base/sort.h"
 #include "base/threads.h"
-#include "hide/edge.h"
 #include "hide/layers.h"
 
-/* A list has a tree if it is longer than LONG_LIST, and longer than LONG_FOR_LINE for each line that passes over it
- * with others of its body. Shorter lists are passed over as fast, four fronts at a time, and need no building. */
+/* A longer list has a tree. Shorter ones are passed over as fast, four fronts at a time, and need no building. */
 #define LONG_LIST 768
-#define LONG_FOR_LINE 25
 /* With fewer fronts than this for each, another thread does not pay. */
 #define WORTH_A_THREAD 8192
 
@@ -35,7 +32,6 @@ typedef struct filling {
     uint32_t *place; /* [cells] first counts, then the places of the next entries */
     lister *lister;  /* [threads] */
     int threads;
-    uint32_t longest; /* lists of more fronts than this have trees */
 } filling;
 
 /* Adds one to a count that other threads may change too. Returns the count before. */
@@ -254,20 +250,12 @@ static bool link_lists(objet *grid, const hide_fronts *fronts)
     return grid->next != NULL;
 }
 
-/* How many fronts may a list have without a tree? */
-static uint32_t longest_plain(const roberts_scene *scene)
-{
-    const uint32_t lines = scene->solid_count > 0 ? scene->edge_count / scene->solid_count : 0,
-                   together = lines < HIDE_GROUP ? lines : HIDE_GROUP;
-    return together * LONG_FOR_LINE > LONG_LIST ? together * LONG_FOR_LINE : LONG_LIST;
-}
-
 static bool has_longer(const filling *job)
 {
     const objet *grid = job->grid;
     size_t cells = scan_cells(&grid->frame);
     for (size_t c = 0; c < cells; c++)
-        if (grid->start[c + 1] - grid->start[c] > job->longest)
+        if (grid->start[c + 1] - grid->start[c] > LONG_LIST)
             return true;
     return false;
 }
@@ -277,7 +265,7 @@ static bool plant_tree(const filling *job, size_t cell)
     objet *grid = job->grid;
     const objet_entry *entry = grid->entry + grid->start[cell];
     uint32_t count = grid->start[cell + 1] - grid->start[cell];
-    if (count <= job->longest)
+    if (count <= LONG_LIST)
         return true;
     uint32_t *front = alloc_array(count, sizeof *front);
     for (uint32_t k = 0; front && k < count; k++)
@@ -327,10 +315,8 @@ static void free_listers(filling *job)
 
 roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, uint32_t threads)
 {
-    filling job = {.grid = grid,
-                   .fronts = fronts,
-                   .threads = threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD),
-                   .longest = longest_plain(fronts->scene)};
+    filling job = {
+        .grid = grid, .fronts = fronts, .threads = threads_for(threads, 1 + fronts->front_count / WORTH_A_THREAD)};
     layers sheets = {0};
     *grid = (objet){.frame = frame};
     for (int i = 0; i < 4; i++) {
