@@ -18,15 +18,23 @@
 /* Bytes that malloc() adds to what lies outside its heap, at most. */
 #define SPARE ((size_t)4096)
 
+#ifdef MADV_HUGEPAGE
+/* Advises the system about all pages that have some of these bytes. */
+static void advise(void *first, size_t bytes, int advice)
+{
+    size_t before = (uintptr_t)first % (uintptr_t)sysconf(_SC_PAGESIZE);
+    madvise((char *)first - before, before + bytes, advice);
+}
+#endif
+
 /* Asks the system for large pages. Otherwise it interrupts the program for every 4 KiB that is written for the first
  * time, which takes up to half of the time of large scenes. The end of the array is where malloc() puts it: if one page
  * were left out, realloc() could not move the array without copying it. */
 static void *in_large_pages(void *array, size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
-    size_t before = (uintptr_t)array % (uintptr_t)sysconf(_SC_PAGESIZE), end = (bytes + 23) / 16 * 16 - 8;
     if (array && bytes >= LARGE_PAGE)
-        madvise((char *)array - before, before + end, MADV_HUGEPAGE);
+        advise(array, (bytes + 23) / 16 * 16 - 8, MADV_HUGEPAGE);
 #else
     (void)bytes;
 #endif
@@ -52,22 +60,21 @@ void *alloc_sparse(size_t count, size_t size)
     return malloc(count * size);
 }
 
-void array_expect(void *first, size_t bytes)
-{
-#ifdef MADV_POPULATE_WRITE
-    size_t before = (uintptr_t)first % (uintptr_t)sysconf(_SC_PAGESIZE);
-    madvise((char *)first - before, bytes + before, MADV_POPULATE_WRITE);
-#else
-    (void)first;
-    (void)bytes;
-#endif
-}
-
 void *alloc_zeroed(size_t count, size_t size)
 {
     if (size && count > (size_t)PTRDIFF_MAX / size)
         return NULL;
     return in_large_pages(calloc(count ? count : 1, size ? size : 1), count * size);
+}
+
+void array_expect(void *first, size_t bytes)
+{
+#ifdef MADV_POPULATE_WRITE
+    advise(first, bytes, MADV_POPULATE_WRITE);
+#else
+    (void)first;
+    (void)bytes;
+#endif
 }
 
 /* Makes the array larger. On the way to large pages it is copied here: realloc() would write to the new memory before

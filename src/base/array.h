@@ -13,12 +13,12 @@ void *alloc_array(size_t count, size_t size);
 /* Does the same for an array of which large parts may never be written. Such parts cost no memory. */
 void *alloc_sparse(size_t count, size_t size);
 
-/* Tells the system that these bytes of such an array will be written soon: it provides their memory at once, and need
- * not interrupt the program for each page. */
-void array_expect(void *first, size_t bytes);
-
 /* Allocates the same, zeroed. */
 void *alloc_zeroed(size_t count, size_t size);
+
+/* Tells the system that these bytes of an array from alloc_sparse() will be written soon: it provides their memory at
+ * once, and need not interrupt the program for each page. */
+void array_expect(void *first, size_t bytes);
 
 /* Makes `*array` hold at least `need` elements of `size` bytes, and at least doubles `*room`, so that appending takes
  * amortized constant time. False: no memory; nothing has changed. */

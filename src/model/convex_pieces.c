@@ -11,6 +11,7 @@
 
 #include "base/array.h"
 #include "base/orient.h"
+#include "base/sets.h"
 #include "model/face_pieces.h"
 
 /* In faces of fewer triangles no cut is flipped: their slivers cost little, and the sweep's cuts leave fewer pieces. */
@@ -164,12 +165,10 @@ static bool flip_cuts(joining *j)
 
 /* ---- joining --------------------------------------------------------------------------------------------------- */
 
-static uint32_t piece_of(joining *j, uint32_t h)
+/* Returns the triangle that stands for the piece of half h. */
+static uint32_t piece_of(const joining *j, uint32_t h)
 {
-    uint32_t t = h / 3;
-    for (; j->parent[t] != t; t = j->parent[t])
-        j->parent[t] = j->parent[j->parent[t]];
-    return t;
+    return sets_root(j->parent, h / 3);
 }
 
 /* Joins the two pieces at a cut, if the result is convex and does not turn too often. */
