@@ -96,6 +96,16 @@ static bool group_components(const assembly *a, const uint8_t *open, uint8_t *li
     return any;
 }
 
+/* How the faces of these bodies are cut into pieces. *touching*: in model units. */
+static face_rules rules_of(const assembly *a, double touching)
+{
+    return (face_rules){.point = a->mesh->vertex,
+                        .tolerance = a->options->tolerance,
+                        .touching = touching,
+                        .unit = a->scene->unit,
+                        .even_odd = a->options->even_odd};
+}
+
 /* A closed component looks open if vertices lie on its edges, or slits lead to its holes. It is complete, and needs no
  * welding. Finds the edges of each component as if it were alone. If all have an even number of faces, it is marked as
  * not open. Its vertices are a group of their own, so that its edges are not compared with those of other bodies.
@@ -104,8 +114,7 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
 {
     const roberts_scene *scene = a->scene;
     const double touching = bodies_touching(scene, a->mesh);
-    const face_rules rules = {a->mesh->vertex, a->options->tolerance, touching,
-                              scene->unit,     a->options->even_odd,  false};
+    const face_rules rules = rules_of(a, touching);
     surface s = {.mesh = a->mesh};
     uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
     s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
@@ -650,7 +659,7 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
         a.surface.name = a.name;
         a.surface.group = a.group;
         double touching = bodies_touching(scene, mesh);
-        face_rules rules = {mesh->vertex, options->tolerance, touching, scene->unit, options->even_odd, false};
+        const face_rules rules = rules_of(&a, touching);
         if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
             !list_all(&a) || !number_bodies(&a))
             status = ROBERTS_NO_MEMORY;

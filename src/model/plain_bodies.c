@@ -891,7 +891,11 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
 {
     plain_work w = {.scene = scene,
                     .mark = mark,
-                    .rules = {scene->point, options->tolerance, touching, scene->unit, options->even_odd},
+                    .rules = {.point = scene->point,
+                              .tolerance = options->tolerance,
+                              .touching = touching,
+                              .unit = scene->unit,
+                              .even_odd = options->even_odd},
                     .edges = {.scene = scene},
                     .first = alloc_zeroed(scene->solid_count, sizeof *w.first),
                     .count = alloc_zeroed(scene->solid_count, sizeof *w.count),

@@ -659,7 +659,12 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
     roberts_scene *to = &c->clip->scene;
     face_pieces pieces = {0};
     /* Straight corners are kept: hide/cuts.c leaves out what is a side of two pieces, with the same ends. */
-    face_rules rules = {to->point, CAP_TOLERANCE, c->touching, to->unit, true, true};
+    const face_rules rules = {.point = to->point,
+                              .tolerance = CAP_TOLERANCE,
+                              .touching = c->touching,
+                              .unit = to->unit,
+                              .even_odd = true,
+                              .keep_straight = true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
     plane F = near_plane(c);
