@@ -36,6 +36,19 @@ static inline double vec3_length(roberts_vec3 a)
     return sqrt(vec3_dot(a, a));
 }
 
+/* The sum of the sizes of the parts. */
+static inline double vec3_sum(roberts_vec3 d)
+{
+    return fabs(d.x) + fabs(d.y) + fabs(d.z);
+}
+
+/* Bounds the rounding error of vec3_dot(a, d) for a difference d of two points: part of the product of their sums, and
+ * what underflow adds. */
+static inline double vec3_dot_error(roberts_vec3 a, roberts_vec3 d)
+{
+    return vec3_sum(a) * (0x1p-50 * vec3_sum(d)) + 0x1p-1070;
+}
+
 /* The length of (x, y), if that is far from overflow: with the same bits everywhere, unlike hypot(). */
 static inline double vec2_length(double x, double y)
 {

@@ -466,6 +466,9 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     const bool singles = fronts->front_count > fronts->whole_count,
                simple = singles && fronts->late && !fronts->scene->low, boxed = simple || (singles && bodies > 1);
     *p = (crossing_filter){.fronts = fronts, .touching = touching_distance(fronts)};
+    if (singles && (grid->tree || fronts->seen->rules.hidden) &&
+        !flat_patches_find(&p->flat, fronts->scene, fronts->space.epsilon, p->touching / fronts->scene->unit))
+        return false;
     if (fronts->seen->rules.hidden)
         return true;
     p->star = grid->star;
@@ -495,6 +498,7 @@ void filter_end(crossing_filter *p)
     free(p->model);
     free(p->body);
     free(p->simple);
+    flat_patches_free(&p->flat);
     *p = (crossing_filter){0};
 }
 
@@ -540,14 +544,6 @@ bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 /* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
  * outside. */
 #define LOOSE 4.0
-/* Error of a dot product: part of the sum of its terms' sizes, and what underflow adds. */
-#define DOT_ROUNDING 0x1p-50
-#define DOT_UNDERFLOW 0x1p-1070
-
-static double sum_of_parts(roberts_vec3 d)
-{
-    return fabs(d.x) + fabs(d.y) + fabs(d.z);
-}
 
 /* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
 static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
@@ -630,16 +626,15 @@ static bool is_end(const outward *x, uint32_t v)
 static bool is_beyond(const roberts_vec3 *P, const ring *f, const ring *g, const outward *x, double touching)
 {
     const roberts_vec3 A = P[x->end[0]];
-    const double wide = sum_of_parts(x->along);
+    const double near = vec3_sum(x->along) * touching;
     double gap = INFINITY, bulge = 0.0; /* how far f extends beyond its ends, by rounding */
     for (uint32_t k = 0; k < g->count && gap > 0.0; k++) {
         const roberts_vec3 d = vec3_sub(P[g->v[k]], A);
-        const double most = wide * (touching + DOT_ROUNDING * sum_of_parts(d)) + DOT_UNDERFLOW;
-        gap = is_end(x, g->v[k]) ? gap : lesser(gap, vec3_dot(x->along, d) - most);
+        gap = is_end(x, g->v[k]) ? gap : lesser(gap, vec3_dot(x->along, d) - near - vec3_dot_error(x->along, d));
     }
     for (uint32_t k = 0; k < f->count && gap > bulge; k++) {
         const roberts_vec3 d = vec3_sub(P[f->v[k]], A);
-        bulge = greater(bulge, vec3_dot(x->along, d) + wide * DOT_ROUNDING * sum_of_parts(d) + DOT_UNDERFLOW);
+        bulge = greater(bulge, vec3_dot(x->along, d) + vec3_dot_error(x->along, d));
     }
     return gap > bulge;
 }

@@ -16,6 +16,7 @@
 
 #include <stdatomic.h>
 
+#include "hide/flat_patches.h"
 #include "hide/objet.h"
 
 /* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
@@ -79,9 +80,11 @@ typedef struct crossing_filter {
     double touching;    /* model units; what is farther apart does not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
     bool alone;         /* there is one thread */
+    flat_patches flat;  /* looked for if many faces are near one another */
 } crossing_filter;
 
-/* If hidden lines are kept, only finds the touching distance. False: no memory; call filter_end() in any case. */
+/* If hidden lines are kept, only finds the touching distance and flat patches. False: no memory; call filter_end() in
+ * any case. */
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads);
 void filter_end(crossing_filter *p);
 

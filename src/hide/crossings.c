@@ -32,6 +32,12 @@ typedef struct four_entries {
     uint32_t kin[4];     /* two fronts with the same number do not cross */
 } four_entries;
 
+/* Whether nothing in the cell last searched crosses a patch. */
+typedef struct asked_patch {
+    uint32_t cell;
+    bool alone;
+} asked_patch;
+
 /* The data of one thread. */
 typedef struct finder {
     const hide_fronts *fronts;
@@ -50,7 +56,9 @@ typedef struct finder {
     crossing_face *face;        /* [KEPT_FACES] of the entries of this cell, where `kept` says so */
     bool kept[KEPT_FACES];
     four_entries *four; /* the entries of this cell */
-    size_t four_room;
+    uint32_t *patch;    /* of the nodes of this cell's tree: see find_patches() */
+    size_t four_room, patch_room;
+    asked_patch *asked; /* [patches] see is_alone() */
     face_list list[2];
     crossing_kept last; /* the first face of the last pair */
     char apart[THREADS_APART];
@@ -161,12 +169,19 @@ static bool meet_whole(finder *t, const uint32_t body[2], const uint32_t first[2
     return crossing_limit(&t->last, &t->rules, &other) && meet_faces(t, f, &other);
 }
 
+/* Do flat patches keep two faces apart? */
+static bool are_flat_apart(const flat_patches *flat, uint32_t f, uint32_t g)
+{
+    return flat->count > 0 && (flat_patches_beside(flat, f, flat->of[g]) || flat_patches_beside(flat, g, flat->of[f]));
+}
+
 /* Tests the faces of two pieces. Nothing crosses a cap: everything ends at the near plane. */
 static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
     const roberts_scene *scene = t->rules.scene;
-    if (seen_is_cap(scene, pair->piece[0]) || seen_is_cap(scene, pair->piece[1]))
+    if (seen_is_cap(scene, pair->piece[0]) || seen_is_cap(scene, pair->piece[1]) ||
+        are_flat_apart(&t->filter->flat, pair->piece[0], pair->piece[1]))
         return true;
     if (is_any_in_pieces(t, pair->body, pair->piece))
         return leave_pair(t, pair->body, pair->piece);
@@ -444,9 +459,65 @@ static bool meet_solids_behind(finder *t, const cell_list *c, uint32_t i)
     return true;
 }
 
+/* The flat patch of an entry; ROBERTS_NONE: it has none. */
+static uint32_t patch_at(const finder *t, const cell_list *c, uint32_t k)
+{
+    const hide_front *front = &t->fronts->front[c->list[k].front];
+    return hide_is_face(front) ? flat_patches_of(&t->filter->flat, front->piece) : ROBERTS_NONE;
+}
+
+/* Finds the flat patch to which all fronts below each node of a cell's tree belong; ROBERTS_NONE: there is none. The
+ * children of a node follow it. False: no memory. */
+static bool find_patches(finder *t, const cell_list *c, const front_tree *tree)
+{
+    if (t->filter->flat.count == 0)
+        return true;
+    if (!array_reserve(&t->patch, &t->patch_room, tree->count, sizeof *t->patch))
+        return false;
+    for (uint32_t n = tree->count; n-- > 0;) {
+        bool any = false;
+        for (int k = 0; k < 4; k++) {
+            const uint32_t child = tree->node[n].child[k], place = child & ~FRONT_TREE_LEAF;
+            if (child == 0) /* it is unused */
+                continue;
+            const uint32_t own = place == child ? t->patch[place] : patch_at(t, c, place);
+            t->patch[n] = !any || own == t->patch[n] ? own : ROBERTS_NONE;
+            any = true;
+        }
+    }
+    return true;
+}
+
+/* Is it certain that entry k crosses no face of a patch? */
+static bool lies_beside(const finder *t, const cell_list *c, uint32_t k, uint32_t patch)
+{
+    const hide_front *front = &t->fronts->front[c->list[k].front];
+    return patch != ROBERTS_NONE && hide_is_face(front) && flat_patches_beside(&t->filter->flat, front->piece, patch);
+}
+
+/* Is it certain that nothing in the cell crosses the patch of entry i? Asked once for each patch in the cell. */
+static bool is_alone(finder *t, const cell_list *c, uint32_t patch)
+{
+    if (patch == ROBERTS_NONE)
+        return false;
+    const uint32_t cell = c->column * t->grid->frame.ny + c->row;
+    uint32_t k = 0;
+    if (t->asked[patch].cell != cell) {
+        while (k < c->count && lies_beside(t, c, k, patch))
+            k++;
+        t->asked[patch].cell = cell;
+        t->asked[patch].alone = k == c->count;
+    }
+    return t->asked[patch].alone;
+}
+
 /* Tests entry i with those that follow it, as the tree of the cell finds them. */
 static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, uint32_t i)
 {
+    const uint32_t patch = patch_at(t, c, i);
+    const bool flat = t->filter->flat.count > 0;
+    if (is_alone(t, c, patch))
+        return true;
     uint32_t stack[FRONT_TREE_WAITING] = {0}, depth = 1;
     const hide_box *box = t->fronts->front_box;
     const bool packed = t->fronts->front_count > t->fronts->whole_count;
@@ -454,13 +525,15 @@ static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, 
     front_shape_of(&shape, t->fronts, c->list[i].front);
     while (depth > 0) {
         const uint32_t child = stack[--depth], k = child & ~FRONT_TREE_LEAF;
+        if (flat && lies_beside(t, c, i, k == child ? t->patch[k] : patch_at(t, c, k)))
+            continue;
         if (k == child) {
             for (unsigned met = front_node_touches(&tree->node[k], &shape, i); met; met &= met - 1)
                 stack[depth++] = tree->node[k].child[bits_trailing_zeros(met)];
             continue;
         }
         if (k <= i || k >= c->count || (packed && are_kin(t, i, k)) ||
-            !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) ||
+            !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) || lies_beside(t, c, k, patch) ||
             filter_apart(t->filter, c->list[i].front, c->list[k].front) ||
             (packed && !drop_neighbours(t, &t->four[i / 4], i % 4, &t->four[k / 4], 1u << k % 4)))
             continue;
@@ -490,6 +563,8 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
             return false;
     }
     const front_tree *tree = grid->tree && grid->tree[cell].node ? &grid->tree[cell] : NULL;
+    if (tree && !find_patches(t, &c, tree))
+        return false;
     for (uint32_t i = 0; i + 1 < c.count; i++)
         if (!(tree     ? meet_by_tree(t, &c, tree, i)
               : solids ? meet_solids_behind(t, &c, i)
@@ -646,8 +721,11 @@ static bool finders_init(finder *finders, int threads, const hide_fronts *fronts
                                             .unseen = may_be_unseen(fronts->seen) ? is_unseen : NULL,
                                             .context = &finders[i]};
         finders[i].face = alloc_array(KEPT_FACES, sizeof *finders[i].face);
-        if (!finders[i].face)
+        finders[i].asked = alloc_array(filter->flat.count, sizeof *finders[i].asked);
+        if (!finders[i].face || !finders[i].asked)
             return false;
+        for (size_t k = 0; k < filter->flat.count; k++)
+            finders[i].asked[k].cell = ROBERTS_NONE;
     }
     return true;
 }
@@ -744,6 +822,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
         free(finders[i].pair);
         free(finders[i].face);
         free(finders[i].four);
+        free(finders[i].patch);
+        free(finders[i].asked);
         free(finders[i].list[0].item);
         free(finders[i].list[1].item);
     }

@@ -212,6 +212,20 @@ static const char *pile(void)
     return text;
 }
 
+/* A disc of more slivers than a list has without a tree. */
+static const char *slivers(void)
+{
+    enum { CORNERS = 900 };
+    static char text[80000];
+    size_t n = (size_t)sprintf(text, "OFF %d %d 0\n", CORNERS, CORNERS - 2);
+    for (int i = 0; i < CORNERS; i++)
+        n += (size_t)sprintf(text + n, "%.17g %.17g 0\n", cos(8 * atan(1) * i / CORNERS),
+                             sin(8 * atan(1) * i / CORNERS));
+    for (int i = 1; i < CORNERS - 1; i++)
+        n += (size_t)sprintf(text + n, "3 0 %d %d\n", i, i + 1);
+    return text;
+}
+
 static const run_case cases[] = {
     {.name = "bodies as one", .file = "models/compound-of-three-cubes.off", .camera = ISO, .unite = true},
     {.name = "bodies as one, hidden lines, the near plane",
@@ -253,6 +267,7 @@ static void files(void **state)
     survives(&(run_case){"a fan", NULL, fan(), ISO, true, 0, ROBERTS_SVG, false, false});
     survives(&(run_case){"a comb", NULL, comb(), ISO, true, 0, ROBERTS_SVG, false, false});
     survives(&(run_case){"a pile in one cell", NULL, pile(), ISO, false, 1, ROBERTS_SVG, false, false});
+    survives(&(run_case){"slivers in one cell", NULL, slivers(), ISO, false, 1, ROBERTS_SVG, false, false});
 }
 
 int main(void)
