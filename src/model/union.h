@@ -71,10 +71,7 @@ typedef struct union_bodies {
     uint32_t *root;    /* [solid_count] root of the tree over each body's faces; ROBERTS_NONE: it has few faces */
     uint32_t bodies;   /* root of the tree over the closed bodies; ROBERTS_NONE: there are none */
     box_tree tree;
-    /* [face_count] NULL: parity decides what a body fills, for all of them. Of a body with faces whose borders wind
-     * round some points twice, how often each piece counts when a line of sight leaves the body there (n . line > 0);
-     * 0: parity decides for this body, too. */
-    int32_t *winding;
+    int32_t *winding; /* [face_count] see winding_find() */
 } union_bodies;
 
 typedef struct union_contact union_contact;
