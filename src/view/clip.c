@@ -16,6 +16,7 @@
 #include "base/sort.h"
 #include "model/face_pieces.h"
 #include "model/face_plane.h"
+#include "model/winding.h"
 
 /* The default distance of the near plane: this fraction of the look-at point's distance, and at least this fraction of
  * the scene's diameter. Nearer things would appear a thousand times as large as at the look-at point. */
@@ -47,6 +48,7 @@ typedef struct cutter {
     scene_solid first; /* first vertex, face and edge of the current solid in the clipped scene */
     bool whole;        /* no vertex of the current solid is in front of the near plane: it is not cut */
     double *depth;     /* [vertex_count of from] distance from the eye's plane */
+    int32_t *winding;  /* [face_count of from] see winding_find() */
     uint32_t *vertex;  /* [vertex_count of from] number in the clipped scene, or ROBERTS_NONE */
     uint32_t *cut;     /* [edge_count of from] vertex at which the edge is cut, or ROBERTS_NONE */
     uint32_t *next; /* [edge_count of from] next cut edge round the cap, counter-clockwise; a permutation of a solid's
@@ -413,6 +415,8 @@ static bool add_plane_of(cutter *c, uint32_t plane_of)
 /* A stretch of the cut, where a clipped face ends in the plane. */
 typedef struct cut_line {
     uint32_t from, to;
+    int32_t winding; /* how often it counts from `from` to `to`; 0: parity decides what the body fills */
+    uint32_t left;   /* how often it is still to be used in the ring of the cap */
 } cut_line;
 
 typedef struct cut_lines {
@@ -426,7 +430,7 @@ static bool cut_piece(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *li
     const roberts_scene *from = c->from;
     uint32_t first = from->face_start[face], end = from->face_start[face + 1];
     uint32_t begin = (uint32_t)c->clip->scene.corner_count;
-    cut_line line = {ROBERTS_NONE, ROBERTS_NONE};
+    cut_line line = {ROBERTS_NONE, ROBERTS_NONE, c->winding ? c->winding[face] : 0, 0};
     for (uint32_t k = first; k < end; k++) {
         uint32_t a = from->corner[k], b = from->corner[k + 1 < end ? k + 1 : first];
         if (cutter_keeps(c, a) && !cutter_add_corner(c, c->vertex[a]))
@@ -543,18 +547,21 @@ static int compare_lines(const void *pa, const void *pb)
     const cut_line *a = pa, *b = pb;
     if (a->from != b->from)
         return a->from < b->from ? -1 : 1;
-    return (a->to > b->to) - (a->to < b->to);
+    if (a->to != b->to)
+        return a->to < b->to ? -1 : 1;
+    return (a->winding > b->winding) - (a->winding < b->winding);
 }
 
-/* Moves the vertices that begin or end an odd number of lines to the front, each once, ascending. Returns how many. */
-static size_t keep_odd(uint32_t *vertex, size_t count)
+/* Moves the vertices that begin or end an odd number of lines, or all, to the front, each once, ascending. Returns how
+ * many. */
+static size_t keep_odd(uint32_t *vertex, size_t count, bool all)
 {
     size_t odd = 0;
     qsort(vertex, count, sizeof *vertex, compare_u32);
     for (size_t i = 0, next; i < count; i = next) {
         for (next = i + 1; next < count && vertex[next] == vertex[i];)
             next++;
-        if ((next - i) % 2)
+        if (all || (next - i) % 2)
             vertex[odd++] = vertex[i];
     }
     return odd;
@@ -575,7 +582,7 @@ static bool join_lines(const cutter *c, cut_lines *lines)
         end[2 * i] = lines->item[i].from;
         end[2 * i + 1] = lines->item[i].to;
     }
-    if (enough && (odd = keep_odd(end, ends)) > 0)
+    if (enough && (odd = keep_odd(end, ends, lines->item[0].winding != 0)) > 0)
         enough = point_grid_build(&grid, point, end, odd);
     for (size_t i = 0; enough && i < odd; i++) {
         first[i] = end[i];
@@ -600,31 +607,31 @@ static bool join_lines(const cutter *c, cut_lines *lines)
     return enough;
 }
 
-/* Marks a line as used, in both directions. */
-static void use_line(const cut_line *both, size_t count, uint8_t *used, size_t i)
+/* Uses a line once, in both directions. */
+static void use_line(cut_line *both, size_t count, size_t i)
 {
-    const cut_line back = {both[i].to, both[i].from};
-    used[i] = 1;
+    const cut_line back = {both[i].to, both[i].from, -both[i].winding, 0};
+    both[i].left--;
     for (size_t k = find_numbered(both, count, sizeof *both, back.from); k < count && both[k].from == back.from; k++)
-        if (both[k].to == back.to && !used[k]) {
-            used[k] = 1;
+        if (compare_lines(&both[k], &back) == 0 && both[k].left > 0) {
+            both[k].left--;
             return;
         }
 }
 
-/* Adds a loop to the ring, from the start of a line on: each line is followed by one that begins or ends where it
- * ends. Returns the length of the ring. */
-static size_t add_loop(const cut_line *both, size_t count, uint8_t *used, uint32_t start, uint32_t *ring, size_t length)
+/* Adds a loop to the ring, from the start of a line on: each line is followed by one that begins where it ends. Returns
+ * the length of the ring. */
+static size_t add_loop(cut_line *both, size_t count, uint32_t start, uint32_t *ring, size_t length)
 {
     uint32_t at = start;
     ring[length++] = start;
     for (;;) {
         size_t low = find_numbered(both, count, sizeof *both, at);
-        while (low < count && both[low].from == at && used[low])
+        while (low < count && both[low].from == at && (both[low].left == 0 || both[low].winding < 0))
             low++;
         if (low == count || both[low].from != at)
             break;
-        use_line(both, count, used, low);
+        use_line(both, count, low);
         at = both[low].to;
         ring[length++] = at;
     }
@@ -634,27 +641,37 @@ static size_t add_loop(const cut_line *both, size_t count, uint8_t *used, uint32
     return length;
 }
 
+/* Returns how many paths begin where line i does, the first one there. If parity decides, a path does if the number of
+ * lines is odd; otherwise as many do as more lines begin there than end there. */
+static int64_t paths_from(const cut_line *both, size_t count, size_t i)
+{
+    int64_t all = 0, ahead = 0;
+    for (size_t k = i; k < count && both[k].from == both[i].from; k++) {
+        all += both[k].left;
+        ahead += both[k].winding > 0 ? (int64_t)both[k].left : -(int64_t)both[k].left;
+    }
+    return both[i].winding == 0 ? all % 2 : ahead;
+}
+
 /* Joins all lines into one ring. What rounding leaves open is walked from end to end, then come closed loops. Between
- * them, the ring goes to its first vertex and back: by the odd-even rule, a path that runs both ways bounds nothing.
- * `both` lists each line in both directions, sorted; used[] has an entry for each of them. */
-static size_t make_ring(const cut_line *both, size_t count, uint8_t *used, uint32_t *ring)
+ * them, the ring goes to its first vertex and back: a path that runs both ways bounds nothing. `both` lists each line
+ * in both directions, sorted. With a winding, it is used in the direction in which that is positive. */
+static size_t make_ring(cut_line *both, size_t count, uint32_t *ring)
 {
     size_t length = 0;
-    for (size_t i = 0, next; i < count; i = next) {
-        bool odd = false;
-        for (next = i; next < count && both[next].from == both[i].from; next++)
-            odd = odd != !used[next];
-        if (odd)
-            length = add_loop(both, count, used, both[i].from, ring, length);
+    for (size_t i = 0; i < count; i++) {
+        const bool first = i == 0 || both[i].from != both[i - 1].from;
+        for (int64_t paths = first ? paths_from(both, count, i) : 0; paths > 0; paths--)
+            length = add_loop(both, count, both[i].from, ring, length);
     }
     for (size_t i = 0; i < count; i++)
-        if (!used[i])
-            length = add_loop(both, count, used, both[i].from, ring, length);
+        while (both[i].left > 0 && both[i].winding >= 0)
+            length = add_loop(both, count, both[i].from, ring, length);
     return length;
 }
 
 /* Adds the cap's pieces as faces without a number. They hide, but have no edges. False: no memory. */
-static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
+static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool even_odd)
 {
     roberts_scene *to = &c->clip->scene;
     face_pieces pieces = {0};
@@ -663,7 +680,7 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
                               .tolerance = CAP_TOLERANCE,
                               .touching = c->touching,
                               .unit = to->unit,
-                              .even_odd = true,
+                              .even_odd = even_odd,
                               .keep_straight = true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
@@ -686,27 +703,28 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count)
     return enough;
 }
 
+/* Fills the cut of a closed body. False: no memory. */
 static bool cap_lines(cutter *c, cut_lines *lines)
 {
-    size_t count = 0;
-    if (!join_lines(c, lines))
-        return false;
-    cut_line *both = alloc_array(2 * lines->count, sizeof *both);
-    uint8_t *used = alloc_zeroed(2 * lines->count, 1);
-    uint32_t *ring = alloc_array(6 * lines->count + 1, sizeof *ring);
-    bool enough = both && used && ring;
+    size_t count = 0, uses = 0;
+    cut_line *both = NULL;
+    uint32_t *ring = NULL;
+    bool enough = join_lines(c, lines) && (both = alloc_array(2 * lines->count, sizeof *both));
     for (size_t i = 0; enough && i < lines->count; i++) {
-        if (lines->item[i].from == lines->item[i].to)
+        const cut_line *own = &lines->item[i];
+        const uint32_t times = own->winding == 0 ? 1 : (uint32_t)abs(own->winding);
+        if (own->from == own->to)
             continue;
-        both[count++] = lines->item[i];
-        both[count++] = (cut_line){lines->item[i].to, lines->item[i].from};
+        both[count++] = (cut_line){own->from, own->to, own->winding, times};
+        both[count++] = (cut_line){own->to, own->from, -own->winding, times};
+        uses += times;
     }
-    if (enough && count > 0) {
+    if (count > 0) {
         qsort(both, count, sizeof *both, compare_lines);
-        enough = add_cap_pieces(c, ring, make_ring(both, count, used, ring));
+        ring = alloc_array(6 * uses + 1, sizeof *ring);
+        enough = ring && add_cap_pieces(c, ring, make_ring(both, count, ring), both[0].winding == 0);
     }
     free(both);
-    free(used);
     free(ring);
     return enough;
 }
@@ -806,7 +824,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     to->centre = from->centre;
     to->unit = from->unit;
     to->steps = from->steps;
-    if (!map || !begin_arrays(c) || (from->surface && !begin_surface(c))) {
+    if (!map || !begin_arrays(c) || (from->surface && !(begin_surface(c) && winding_find(from, &c->winding)))) {
         free(map);
         return error_no_memory(error);
     }
@@ -891,6 +909,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
     free(c.vertex);
     free(c.cut);
     free(c.next);
+    free(c.winding);
     free(c.ring);
     free(c.side);
     if (status != ROBERTS_OK)

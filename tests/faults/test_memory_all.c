@@ -255,6 +255,8 @@ static const run_case cases[] = {
     {"hulls of what is open, and a solid beside it", NULL, half_open, ISO, true, 0, ROBERTS_SVG, true, false},
     {"the hull of points", NULL, points, ISO, true, 0, ROBERTS_SVG, true, false},
     {"bodies of all kinds", NULL, mixture, ISO, true, 0, ROBERTS_SVG, false, false},
+    {"a star at the near plane", "models/star/pentagrammic-prism.off", NULL, EYE(3, -2.2, 2, 4.1), true, 0, ROBERTS_SVG,
+     false, false},
     {"bodies of all kinds at the near plane", NULL, mixture, EYE(5, -3, 1, 3.5), true, 0, ROBERTS_CSV, false, false},
 };
 

@@ -3,6 +3,7 @@
 
 #include "build_scene.h"
 #include "scenes.h"
+#include "star_prism.h"
 
 static const roberts_camera eye = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true, .near_distance = 10};
 
@@ -22,6 +23,18 @@ static bool are_closed(const roberts_drawing *d)
     return closed;
 }
 
+/* The length of the cuts, and the area to their left. */
+static void measure_cuts(const roberts_drawing *d, double *length, double *area)
+{
+    *length = *area = 0.0;
+    for (size_t i = d->count; i < d->count + d->cut_count; i++) {
+        const roberts_segment *s = &d->segment[i];
+        assert_true(s->state == ROBERTS_VISIBLE && s->line == ROBERTS_OUTLINE && s->v0 == ROBERTS_NONE);
+        *length += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
+        *area += 0.5 * (s->p0.x * s->p1.y - s->p0.y * s->p1.x);
+    }
+}
+
 /* The cuts of a scene: how many, their length, and the area to their left. */
 static void expect_cuts(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool unite,
                         size_t count, double length, double area)
@@ -29,13 +42,8 @@ static void expect_cuts(const char *name, const roberts_scene *scene, const robe
     roberts_hide_options options = roberts_hide_options_default();
     options.unite = unite;
     roberts_drawing d = drawing_of(scene, camera, &options);
-    double sum = 0.0, inside = 0.0;
-    for (size_t i = d.count; i < d.count + d.cut_count; i++) {
-        const roberts_segment *s = &d.segment[i];
-        assert_true(s->state == ROBERTS_VISIBLE && s->line == ROBERTS_OUTLINE && s->v0 == ROBERTS_NONE);
-        sum += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
-        inside += 0.5 * (s->p0.x * s->p1.y - s->p0.y * s->p1.x);
-    }
+    double sum, inside;
+    measure_cuts(&d, &sum, &inside);
     if (d.cut_count != count || fabs(sum - length) > 1e-9)
         fail_msg("%s: %zu cuts, %.12g long, in place of %zu, %.12g", name, d.cut_count, sum, count, length);
     if (area > 0.0 && (fabs(inside - area) > 1e-9 || !are_closed(&d)))
@@ -147,6 +155,76 @@ static void whole_star_has_no_cuts(void **state)
     roberts_scene_free(scene);
 }
 
+/* By the odd-even rule, only its points are. */
+static void the_middle_of_a_star_is_filled(void **state)
+{
+    double length[2], area[2];
+    model m = {0};
+    (void)state;
+    put_star(&m, true, -1, 1, 0);
+    for (int odd = 0; odd < 2; odd++) {
+        roberts_scene *scene = scene_of_mesh(&m.mesh, &(roberts_scene_options){.even_odd = odd});
+        roberts_drawing d = drawing_of(scene, &eye, NULL);
+        measure_cuts(&d, &length[odd], &area[odd]);
+        assert_int_equal(d.cut_count, odd ? 15 : 10);
+        assert_true(are_closed(&d));
+        roberts_drawing_free(&d);
+        roberts_scene_free(scene);
+    }
+    model_free(&m);
+    /* the border of the pentagram winds once round its points and twice round its middle */
+    assert_true(fabs(2 * area[0] - area[1] - 51) < 1e-9);
+    assert_true(area[0] > area[1] + 1 && length[0] < length[1] - 1);
+}
+
+/* The area of the caps that are seen. */
+static double area_of_caps(const roberts_scene *scene, const roberts_camera *camera)
+{
+    roberts_region_list list;
+    double sum = 0.0;
+    assert_int_equal(roberts_regions(scene, camera, NULL, &list, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < list.count; i++)
+        sum += list.region[i].face == ROBERTS_NONE ? list.region[i].area : 0.0;
+    roberts_regions_free(&list);
+    return sum;
+}
+
+/* Any plane cuts a prism over a pentagram as one over a decagon, whatever the winding of the faces. Rays find the same,
+ * and the caps are regions. */
+static void stars_are_cut_as_if_no_faces_crossed(void **state)
+{
+    rng r = {83};
+    double all = 0.0;
+    (void)state;
+    for (int round = 0; round < 100; round++) {
+        const roberts_vec3 dir = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)};
+        const roberts_vec3 at = {rng_between(&r, -3, 3), rng_between(&r, -3, 3), rng_between(&r, -3, 3)};
+        const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_add(at, vec3_scale(30 / vec3_length(dir), dir)),
+                                       .look_at = at, .has_look_at = true, .near_distance = 30};
+        const unsigned turned = (unsigned)rng_int(&r, 0, 4095);
+        double length[2], area[2];
+        for (int k = 0; k < 2; k++) {
+            model m = {0};
+            put_star(&m, k == 0, -4, 3, k == 0 ? turned : 0);
+            roberts_scene *scene = model_build(&m);
+            roberts_drawing d = drawing_of(scene, &camera, NULL);
+            roberts_verification found;
+            measure_cuts(&d, &length[k], &area[k]);
+            assert_int_equal(roberts_verify(scene, &camera, &d, NULL, &found, NULL), ROBERTS_OK);
+            assert_int_equal(found.contradictions, 0);
+            assert_true(fabs(area_of_caps(scene, &camera) - area[k]) < 1e-7);
+            roberts_drawing_free(&d);
+            roberts_scene_free(scene);
+            model_free(&m);
+        }
+        if (fabs(length[0] - length[1]) > 1e-7 || fabs(area[0] - area[1]) > 1e-7)
+            fail_msg("round %d: %.12g long in place of %.12g, round %.12g in place of %.12g", round, length[0],
+                     length[1], area[0], area[1]);
+        all += area[0];
+    }
+    assert_true(all > 1000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -155,6 +233,8 @@ int main(void)
         cmocka_unit_test(cube_is_cut_in_a_hexagon),
         cmocka_unit_test(what_is_whole_has_no_cuts),
         cmocka_unit_test(whole_star_has_no_cuts),
+        cmocka_unit_test(the_middle_of_a_star_is_filled),
+        cmocka_unit_test(stars_are_cut_as_if_no_faces_crossed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
