@@ -180,12 +180,12 @@ static bool meet_pair(void *context, int thread, const face_pair *pair)
 {
     finder *t = &((finder *)context)[thread];
     const roberts_scene *scene = t->rules.scene;
-    if (seen_is_cap(scene, pair->piece[0]) || seen_is_cap(scene, pair->piece[1]) ||
-        are_flat_apart(&t->filter->flat, pair->piece[0], pair->piece[1]))
+    if (seen_is_cap(scene, pair->piece[0]) || seen_is_cap(scene, pair->piece[1]))
         return true;
     if (is_any_in_pieces(t, pair->body, pair->piece))
         return leave_pair(t, pair->body, pair->piece);
-    return filter_share_side(scene, pair->piece[0], pair->piece[1]) ||
+    return are_flat_apart(&t->filter->flat, pair->piece[0], pair->piece[1]) ||
+           filter_share_side(scene, pair->piece[0], pair->piece[1]) ||
            filter_pieces(t->filter, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
 }
 

@@ -33,6 +33,12 @@ typedef struct flat_case {
 
 static const flat_case cases[] = {
     {"a wall through the disc", "-3 1 -2\n3 1 -2\n3 1 2\n-3 1 2\n", "4 1000 1001 1002 1003\n", 4, 1, 6},
+    {"a wall with a foot through it", "-3 1 3\n3 1 3\n3 1 -2\n2 1 -2\n2 1 2\n-3 1 2\n",
+     "6 1000 1001 1002 1003 1004 1005\n", 6, 1, 1},
+    {"... with the other foot", "3 1 3\n-3 1 3\n-3 1 -2\n-2 1 -2\n-2 1 2\n3 1 2\n", "6 1000 1001 1002 1003 1004 1005\n",
+     6, 1, 1},
+    {"... with a foot between", "3 1 3\n-3 1 3\n-3 1 2\n-1 1 2\n-1 1 -2\n1 1 -2\n1 1 2\n3 1 2\n",
+     "8 1000 1001 1002 1003 1004 1005 1006 1007\n", 8, 1, 2},
     {"a wall that stands on it", "-3 1 0\n3 1 0\n3 1 2\n-3 1 2\n", "4 1000 1001 1002 1003\n", 4, 1, 0},
     {"a wall above it", "-3 1 .5\n3 1 .5\n3 1 2\n-3 1 2\n", "4 1000 1001 1002 1003\n", 4, 1, 0},
     {"two walls that meet in a chord", "0 0 2\n0 0 -2\n", "3 100 600 1000\n3 600 100 1001\n", 2, 2, 20},
