@@ -27,7 +27,7 @@ static void package_draws_as_the_program(void **state)
 {
     (void)state;
     NEED_WEB();
-    assert_int_equal(shell("timeout 300 node tests/web/npm.js \"$BUILD/roberts\" \"$BUILD/web/npm\" models "
+    assert_int_equal(shell("timeout 300 node --expose-gc tests/web/npm.js \"$BUILD/roberts\" \"$BUILD/web/npm\" models "
                            "models/archimedean models/star models/shapes models/tests >\"$HERE/said\" 2>&1 || "
                            "{ cat \"$HERE/said\" >&2; exit 1; }"),
                      0);

@@ -68,10 +68,12 @@ const server = await serve(page),
   browser = new Browser(findBrowser(), here("profile"));
 const wrong = [],
   asked = [];
+let saved = 0; // files; one that is there may still be empty
 browser.listeners.push(({ method, params }) => {
   if (method === "Runtime.exceptionThrown")
     wrong.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
   if (method === "Network.requestWillBeSent") asked.push(params.request.url);
+  if (method === "Browser.downloadProgress" && params.state === "completed") saved++;
 });
 
 const text = (selector) => browser.evaluate(`document.querySelector("${selector}").textContent`);
@@ -82,15 +84,14 @@ const rest = (command) =>
   browser.until(`${drawn} && document.querySelector("#command").textContent.includes(${JSON.stringify(command)})`);
 
 async function save(format) {
+  const before = saved;
   await browser.click(`[data-format=${format}]`);
   const end = Date.now() + 30000;
-  const complete = () =>
-    readdirSync(here("saved")).find((name) => !name.endsWith(".crdownload") && !name.startsWith(".org."));
-  while (!complete()) {
+  while (saved === before) {
     assert.ok(Date.now() < end, `nothing was saved as ${format}`);
     await new Promise((resolve) => setTimeout(resolve, 30));
   }
-  const name = complete();
+  const [name] = readdirSync(here("saved"));
   renameSync(here(`saved/${name}`), here("saved.part"));
   return { name, bytes: readFileSync(here("saved.part")) };
 }
@@ -118,7 +119,11 @@ async function choose(name, presses) {
 }
 
 try {
-  await browser.send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: here("saved") });
+  await browser.send("Browser.setDownloadBehavior", {
+    behavior: "allow",
+    downloadPath: here("saved"),
+    eventsEnabled: true,
+  });
   await browser.open(server.address);
   await browser.send("Network.enable");
 
