@@ -67,7 +67,8 @@ static void find_sets(const flat_patches *p, double near, uint32_t *set)
         set[f] = sets_root(set, f);
 }
 
-/* Numbers the large sets, and fills p->of. The plane of a patch is that of its largest face. False: no memory. */
+/* Numbers the large sets, and fills p->of. The normal of a patch is the sum of those of its faces, turned alike: of
+ * each, the larger part the larger the face. False: no memory. */
 static bool number_patches(flat_patches *p, const uint32_t *set)
 {
     const uint32_t faces = p->scene->face_count;
@@ -84,8 +85,8 @@ static bool number_patches(flat_patches *p, const uint32_t *set)
             continue;
         flat_patch *patch = &p->patch[p->of[f]];
         const roberts_vec3 n = normal_of(p->scene, f);
-        if (vec3_dot(n, n) > vec3_dot(patch->n, patch->n))
-            *patch = (flat_patch){.n = n, .at = p->scene->corner[p->scene->face_start[f]]};
+        patch->n = vec3_add(patch->n, vec3_dot(n, patch->n) < 0.0 ? vec3_scale(-1.0, n) : n);
+        patch->at = p->scene->corner[p->scene->face_start[f]];
     }
     free(size);
     return size && p->patch;
@@ -106,7 +107,7 @@ static void measure_patches(flat_patches *p, double near)
     }
     for (uint32_t f = 0; f < scene->face_count; f++) {
         const flat_patch *patch = p->of[f] == ROBERTS_NONE ? NULL : &p->patch[p->of[f]];
-        if (patch && !(patch->over + patch->under <= near * vec3_length(patch->n)))
+        if (patch && !(patch->over + patch->under <= 2.0 * near * vec3_length(patch->n)))
             p->of[f] = ROBERTS_NONE;
     }
 }
