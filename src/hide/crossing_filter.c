@@ -402,7 +402,7 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front)
     const roberts_scene *scene = p->fronts->scene;
     const scene_solid *s = &scene->solid[p->fronts->front[front].solid];
     const scene_edge *edge = scene->edge + s->stored, *end = edge + (s[1].edge - s->edge);
-    while (edge < end && !seen_is_flat(scene->face_plane + s->face, edge, p->fronts->seen->rules.crease_chord))
+    while (edge < end && !seen_is_flat(scene, s->face, edge, p->fronts->seen->rules.crease_chord))
         edge++;
     unsigned char flat = edge < end ? FLAT_SOMEWHERE : FLAT_NOWHERE;
     atomic_store_explicit(&p->model[front].flat, flat, memory_order_relaxed);

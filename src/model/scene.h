@@ -281,6 +281,30 @@ static inline double scene_bend(plane F, plane G, uint8_t is)
     return scene_chord(F, G, scene_way(is));
 }
 
+/* Were coordinates rounded, to 32-bit floats or to few digits? */
+static inline bool scene_is_rounded(const roberts_scene *scene)
+{
+    return scene->steps.float32 > 0.0 || scene->steps.decimal > 0.0;
+}
+
+/* Coordinates that were rounded turn the plane of a narrow face. This is the most by which that may bend an edge, as a
+ * distance of unit normals; beyond it, an edge is an edge. */
+#define SCENE_ROUNDED_BEND 0.125
+
+/* Returns the squared distance of unit normals below which two faces are flat with one another: `crease`, or more if
+ * coordinates were rounded. Rounding moves a corner by at most sqrt(3)/4 of a step. So it turns a plane by at most
+ * twice that over the least width of the face, of a triangle half of that over scene_width(). crease: 0: none are
+ * flat. */
+static inline double scene_flat_below(const roberts_scene *scene, uint32_t f, uint32_t g, double crease)
+{
+    if (!scene_is_rounded(scene) || !(crease > 0.0))
+        return crease;
+    const double step = greater(scene->steps.float32, scene->steps.decimal);
+    const double bend = 0.5 * step * (1.0 / scene_width(scene, f) + 1.0 / scene_width(scene, g));
+    const double chord = sqrt(crease) + lesser(bend, SCENE_ROUNDED_BEND);
+    return chord * chord;
+}
+
 /* Returns a bend as a byte that ascends with it: its binary exponent and two digits more. Most bends differ so much
  * from a crease angle that the byte decides which is greater. */
 static inline uint8_t scene_bend_code(double bend)

@@ -87,6 +87,19 @@ static double angle_between(plane F, plane G, bool turned)
     return atan2(vec3_length(vec3_cross(m, n)), turned ? -vec3_dot(m, n) : vec3_dot(m, n)) * (180.0 / PI);
 }
 
+/* Subtracts what rounding of the coordinates explains from the angle between two faces; degrees. A corner is at most
+ * half a step from where it was, so the plane of a narrow face may have turned by that over its width. */
+static double less_rounding(const verifier *f, uint32_t p, uint32_t q, double angle)
+{
+    const roberts_scene *scene = f->seen.scene;
+    const double off = 0.5 * fmax(scene->steps.float32, scene->steps.decimal);
+    if (!(off > 0.0))
+        return angle;
+    const double turned = off / scene_width(scene, p) + off / scene_width(scene, q);
+    const double chord = 2.0 * sin(angle * (PI / 360.0)) - fmin(turned, SCENE_ROUNDED_BEND);
+    return asin(fmax(0.5 * chord, 0.0)) * (360.0 / PI);
+}
+
 /* Must the drawing show the edge where nothing hides it? It must if the edge is an outline, or bent by more than the
  * crease angle. */
 static bool is_surely_drawn(const verifier *f, const scene_edge *e)
@@ -97,8 +110,8 @@ static bool is_surely_drawn(const verifier *f, const scene_edge *e)
         f->o.s.facing[e->f[1]] == SIGHT_NOT_FRONT)
         return true;
     const roberts_scene *scene = f->seen.scene;
-    return angle_between(scene_plane(scene, e->f[0]), scene_plane(scene, e->f[1]), false) >
-           f->options.crease_degrees + CREASE_MARGIN;
+    const double bent = angle_between(scene_plane(scene, e->f[0]), scene_plane(scene, e->f[1]), false);
+    return less_rounding(f, e->f[0], e->f[1], bent) > f->options.crease_degrees + CREASE_MARGIN;
 }
 
 /* How the faces of an edge lie around it in the picture. */
@@ -123,7 +136,8 @@ static void add_side_of_face(const verifier *f, uint32_t face, bool on_right, ui
     double bent = angle_between(scene_plane(f->seen.scene, first), F, false);
     double whole =
         angle_between(scene_whole_plane(f->seen.scene, first), scene_whole_plane(f->seen.scene, face), false);
-    to->bent = fmax(to->bent, fmax(fmin(bent, 180.0 - bent), fmin(whole, 180.0 - whole)));
+    bent = fmax(fmin(bent, 180.0 - bent), fmin(whole, 180.0 - whole));
+    to->bent = fmax(to->bent, less_rounding(f, first, face, bent));
 }
 
 static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
@@ -138,8 +152,9 @@ static edge_sides sides_of(const verifier *f, uint32_t solid, uint32_t index)
     if (count == 2 && !(scene->surface->edge_is[index] & EDGE_MANY)) {
         const bool alike = !((face[0] ^ face[1]) & MANY_TURNED);
         const uint32_t p = face[0] & ~MANY_TURNED, q = face[1] & ~MANY_TURNED;
-        found.bent = fmax(angle_between(scene_plane(scene, p), scene_plane(scene, q), alike),
-                          angle_between(scene_whole_plane(scene, p), scene_whole_plane(scene, q), alike));
+        const double bent = angle_between(scene_plane(scene, p), scene_plane(scene, q), alike);
+        const double whole = angle_between(scene_whole_plane(scene, p), scene_whole_plane(scene, q), alike);
+        found.bent = less_rounding(f, p, q, fmax(bent, whole));
     }
     return found;
 }

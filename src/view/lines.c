@@ -41,9 +41,10 @@ static bool is_fold(const edge_faces *faces)
  * if they are wound differently. */
 static bool are_flat(const roberts_scene *scene, uint32_t f, uint32_t g, double way, double crease)
 {
-    return scene_chord(scene_plane(scene, f), scene_plane(scene, g), way) < crease &&
+    const double most = scene_flat_below(scene, f, g, crease);
+    return scene_chord(scene_plane(scene, f), scene_plane(scene, g), way) < most &&
            (!scene_has_bent_faces(scene) ||
-            scene_chord(scene_whole_plane(scene, f), scene_whole_plane(scene, g), way) < crease);
+            scene_chord(scene_whole_plane(scene, f), scene_whole_plane(scene, g), way) < most);
 }
 
 /* Does a face lie within the crease angle of the first one, or of its back? */
@@ -57,7 +58,7 @@ static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_e
 {
     const scene_surface *surface = scene->surface;
     uint8_t code = scene_bend_code(crease);
-    if (surface->bend && surface->bend[e] != code)
+    if (surface->bend && (surface->bend[e] < code || (surface->bend[e] > code && !scene_is_rounded(scene))))
         return surface->bend[e] < code;
     return are_flat(scene, first + edge->f[0], first + edge->f[1], scene_way(surface->edge_is[e]), crease);
 }
@@ -195,8 +196,7 @@ static bool taken_of_solid(const seen_walk *w, seen_line *line)
     uint32_t first = source->solid[w->body].face;
     int f = facing_of_face(w->of, source, first + edge->f[0]), g = facing_of_face(w->of, source, first + edge->f[1]);
     line->class = seen_class((f == VIEW_FRONT) + (g == VIEW_FRONT), f, g);
-    return line->class == ROBERTS_OUTLINE || w->all ||
-           !seen_is_flat(source->face_plane + first, edge, w->of->rules.crease_chord);
+    return line->class == ROBERTS_OUTLINE || w->all || !seen_is_flat(source, first, edge, w->of->rules.crease_chord);
 }
 
 /* The line of an edge without a union. False: it is no line. For bodies that are not convex, everything but the class
@@ -217,7 +217,7 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
     bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
     if (is_line && convex && w->of->rules.rest)
-        is_line = line->class != ROBERTS_OUTLINE && seen_is_flat(w->plane, stored, w->of->rules.crease_chord);
+        is_line = line->class != ROBERTS_OUTLINE && seen_is_flat(scene, w->face, stored, w->of->rules.crease_chord);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
@@ -236,7 +236,7 @@ bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge)
         return false;
     if (scene_is_convex(scene, body))
         return !s->rules.all_edges && seen_fronts(s->facing + first, e) != 1 &&
-               seen_is_flat(scene->face_plane + first, e, s->rules.crease_chord);
+               seen_is_flat(scene, first, e, s->rules.crease_chord);
     return !classify(&walk, scene, edge, &line);
 }
 
@@ -304,8 +304,8 @@ static bool is_lone_solid_line(const seen_walk *w, const seen_line *line)
 {
     const roberts_scene *source = w->of->source;
     return w->of->rules.all_edges || line->class == ROBERTS_OUTLINE ||
-           !seen_is_flat(source->face_plane + source->solid[w->body].face,
-                         scene_edge_stored(source, w->body, line->edge), w->of->rules.crease_chord);
+           !seen_is_flat(source, source->solid[w->body].face, scene_edge_stored(source, w->body, line->edge),
+                         w->of->rules.crease_chord);
 }
 
 /* The line of an edge with a union. If an edge of a convex body has no front face, its own body hides it, whatever the
@@ -359,8 +359,8 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .all = s->rules.all_edges,
                    .stored = scene->edge + own->stored,
                    .facing = s->facing + own->face,
-                   .plane = scene->face_plane ? scene->face_plane + own->face : NULL,
                    .vertex = own->vertex,
+                   .face = own->face,
                    .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->clip.clipped &&
                               !s->edges.first};
     if (!s->clip.clipped || !scene_is_convex(scene, body))

@@ -253,11 +253,10 @@ typedef struct seen_walk {
     bool passing;       /* seen_pass_flat() may be called */
     bool hidden, all;   /* as in seen_rules */
     size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
-    /* pointers to the body's first in seen.scene: */
+    /* the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
-    const plane *plane; /* of a convex body */
-    uint32_t vertex;
+    uint32_t vertex, face;
 } seen_walk;
 
 /* Begins a walk. The body's points must be mapped and its faces classified, unless the near plane has removed all of
@@ -279,8 +278,8 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .all = s->rules.all_edges,
                        .stored = scene->edge + own->stored,
                        .facing = s->facing + own->face,
-                       .plane = scene->face_plane + own->face,
-                       .vertex = own->vertex};
+                       .vertex = own->vertex,
+                       .face = own->face};
 }
 
 /* Do corners of faces and ends of edges have the same numbers, and does no vertex lie on a side of a face? Then each
@@ -330,12 +329,14 @@ static inline int seen_fronts(const unsigned char *facing, const scene_edge *edg
     return (facing[edge->f[0]] == VIEW_FRONT) + (facing[edge->f[1]] == VIEW_FRONT);
 }
 
-/* Is the edge flatter than the crease angle? Compares the normals in the model, which perspective does not bend. */
-static inline bool seen_is_flat(const plane *of, const scene_edge *edge, double chord)
+/* Is the edge of a convex body flatter than the crease angle? Compares the normals in the model, which perspective does
+ * not bend. first: the first face of the body. */
+static inline bool seen_is_flat(const roberts_scene *scene, uint32_t first, const scene_edge *edge, double chord)
 {
-    plane F = of[edge->f[0]], G = of[edge->f[1]];
-    double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c;
-    return a * a < chord && a * a + b * b + c * c < chord;
+    const plane F = scene->face_plane[first + edge->f[0]], G = scene->face_plane[first + edge->f[1]];
+    const double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c, own = a * a + b * b + c * c;
+    return (a * a < chord && own < chord) ||
+           (scene_is_rounded(scene) && own < scene_flat_below(scene, first + edge->f[0], first + edge->f[1], chord));
 }
 
 /* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an
@@ -345,7 +346,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     int fronts = seen_fronts(w->facing, edge);
     w->surviving += fronts > 0;
     if ((fronts == 0 && !w->hidden) ||
-        (fronts != 1 && !w->all && seen_is_flat(w->plane, edge, w->of->rules.crease_chord)))
+        (fronts != 1 && !w->all && seen_is_flat(w->of->scene, w->face, edge, w->of->rules.crease_chord)))
         return false;
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
