@@ -253,6 +253,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * frame->size;
     frame->loose = frame_loose(tolerance, largest * scale, frame->size);
+    frame->loose32 = frame->allowed + (double)FLT_EPSILON * largest * scale;
     frame->flat = FLAT_PART * frame->size;
     /* if any number is not finite, neither is the sum */
     return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;
@@ -261,25 +262,30 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
 /* Of the sixth digit: a coordinate nearer than this to a number of six digits was given to six. */
 static const double SIX_DIGITS = 1e-8;
 
-/* A coordinate of six digits at most, or of float32, may be off by more than a small part of a solid far away. */
-static bool is_rounded(double x)
+/* Does a number have six digits at most? */
+static bool has_six_digits(double x)
 {
-    if (x == 0.0 || (fabs(x) <= (double)FLT_MAX && (double)(float)x == x))
-        return true;
-    double six = fabs(x) * pow(10.0, 5.0 - floor(log10(fabs(x))));
+    const double six = x == 0.0 ? 0.0 : fabs(x) * pow(10.0, 5.0 - floor(log10(fabs(x))));
     return fabs(six - rint(six)) <= SIX_DIGITS;
+}
+
+static bool is_float32(double x)
+{
+    return fabs(x) <= (double)FLT_MAX && (double)(float)x == x;
 }
 
 bool frame_loosen(solid_frame *frame, const roberts_scene *scene)
 {
-    if (!(frame->loose > frame->allowed))
-        return false;
-    for (uint32_t v = frame->vertex_first; v < frame->vertex_first + frame->vertex_count; v++) {
-        roberts_vec3 P = scene->point[v];
-        if (!is_rounded(P.x) || !is_rounded(P.y) || !is_rounded(P.z))
-            return false;
+    bool six = true, float32 = true;
+    for (uint32_t v = frame->vertex_first; v < frame->vertex_first + frame->vertex_count && (six || float32); v++) {
+        const roberts_vec3 P = scene->point[v];
+        six = six && has_six_digits(P.x) && has_six_digits(P.y) && has_six_digits(P.z);
+        float32 = float32 && is_float32(P.x) && is_float32(P.y) && is_float32(P.z);
     }
-    frame->allowed = frame->loose;
+    const double allowed = six ? frame->loose : float32 ? frame->loose32 : 0.0;
+    if (!(allowed > frame->allowed))
+        return false;
+    frame->allowed = allowed;
     return true;
 }
 

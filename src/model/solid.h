@@ -79,7 +79,7 @@ typedef struct solid_frame {
     double scene_units;      /* the scene's units (of deviation and width) per unit of this frame */
     double size;             /* diagonal of the box */
     double allowed;          /* the tolerance as a length */
-    double loose;            /* the same if coordinates are rounded: see frame_loosen() */
+    double loose, loose32;   /* the same if coordinates are rounded: see frame_loosen() */
     double flat;             /* a solid thinner than this is flat */
     size_t point_room, face_room, ring_room;
 } solid_frame;
@@ -97,8 +97,8 @@ static inline double frame_loose(double tolerance, double largest, double size)
     return tolerance * greater(size, lesser(largest, FRAME_FAR * size));
 }
 
-/* Allows `loose`, if that is more and all coordinates have six digits at most, or are those of float32: then each may
- * be off by a part of itself. False: nothing has changed. */
+/* Allows `loose` if all coordinates have six digits at most, `loose32` if they are those of float32: then each may be
+ * off by a part of itself. False: nothing has changed, or that is not more. */
 bool frame_loosen(solid_frame *frame, const roberts_scene *scene);
 
 /* Copies the corners of face f (relative to the solid's first face) to frame->ring, relative to the first corner.
