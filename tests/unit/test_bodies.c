@@ -196,6 +196,21 @@ static void lines_have_their_classes(void **state)
     }
 }
 
+/* A cube far from the origin, with a shallow dent in its top. Its coordinates are 32-bit floats of more than six
+ * digits, which are off by far less than the dent. */
+static void a_dent_far_away(void **state)
+{
+    roberts_scene *scene = scene_of_text("OFF\n9 9 0\n3000.0009765625 -2000 1500\n3020.0009765625 -2000 1500\n"
+                                         "3020.0009765625 -1980 1500\n3000.0009765625 -1980 1500\n"
+                                         "3000.0009765625 -2000 1520\n3020.0009765625 -2000 1520\n"
+                                         "3020.0009765625 -1980 1520\n3000.0009765625 -1980 1520\n"
+                                         "3010.0009765625 -1990 1519.984375\n4 3 2 1 0\n4 0 1 5 4\n4 1 2 6 5\n"
+                                         "4 2 3 7 6\n4 3 0 4 7\n3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n");
+    (void)state;
+    assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
+    roberts_scene_free(scene);
+}
+
 /* Five cubes as one body; two of them touch in an edge, at which four faces meet. The last face can be left out. */
 #define CUBES                                                                                                          \
     "0 0 1\n0 1 1\n0 1 0\n0 0 0\n1 0 0\n1 1 0\n1 1 1\n1 0 1\n0 0 2\n0 1 2\n1 0 2\n1 1 2\n2 0 1\n2 1 1\n2 1 2\n2 0 2\n" \
@@ -357,9 +372,10 @@ static void what_is_left_out_is_said(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(winding_decides_nothing),
-        cmocka_unit_test(the_fill_rule_decides),    cmocka_unit_test(solids_are_asked_for),
-        cmocka_unit_test(what_is_left_out_is_said), cmocka_unit_test(four_faces_at_an_edge),
+        cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(a_dent_far_away),
+        cmocka_unit_test(winding_decides_nothing),  cmocka_unit_test(the_fill_rule_decides),
+        cmocka_unit_test(solids_are_asked_for),     cmocka_unit_test(what_is_left_out_is_said),
+        cmocka_unit_test(four_faces_at_an_edge),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }
