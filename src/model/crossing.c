@@ -59,6 +59,19 @@ static uint32_t corners_of(const crossing_rules *rules, const crossing_face *f)
     return rules->scene->face_start[f->end] - rules->scene->face_start[f->first];
 }
 
+/* Finds how far rounding may have turned the plane. */
+static void find_turn(const crossing_rules *rules, crossing_face *f)
+{
+    const roberts_scene *scene = rules->scene;
+    roberts_vec3 far = {0.0, 0.0, 0.0};
+    for (uint32_t k = scene->face_start[f->first]; k < scene->face_start[f->end]; k++) {
+        const roberts_vec3 d = seen_from(rules, scene->corner[k], f->origin, f->low);
+        far = vec3_dot(d, d) > vec3_dot(far, far) ? d : far;
+    }
+    f->axis = vec3_scale(1.0 / vec3_length(far), far);
+    f->turn = f->length * lesser(scene_turn(scene, f->first), SCENE_ROUNDED_BEND);
+}
+
 crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint32_t piece)
 {
     const roberts_scene *scene = rules->scene;
@@ -79,6 +92,8 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     const double deviation = scene_deviation(scene, f.first);
     f.bent = deviation > rules->touching;
     f.touch = f.length * (rules->touching + deviation) / scene->unit;
+    if (scene_is_rounded(scene) && f.length > 0.0)
+        find_turn(rules, &f);
     return f;
 }
 
@@ -140,20 +155,27 @@ typedef struct corner_height {
     int sign;        /* 0: on it */
 } corner_height;
 
+/* How far the plane of f may have turned away at d, seen from its origin; in lengths of its n. */
+static double turned_by(const crossing_face *f, roberts_vec3 d)
+{
+    return f->turn * vec3_length(vec3_sub(d, vec3_scale(vec3_dot(d, f->axis), f->axis)));
+}
+
 /* Vertex v, of `body`, over the plane of f. Whether it is a corner of f is asked only where that may matter, since f
  * may have thousands: if f is plane, none is farther off than f.touch and the error. */
 static corner_height height_of(const crossing_rules *rules, crossing_face *f, uint32_t body, uint32_t v)
 {
     roberts_vec3 d = seen_from(rules, v, f->origin, f->low);
     corner_height at = {.h = vec3_dot(f->n, d) - f->mean, .error = f->error * (vec3_largest(d) + f->chord)};
-    const bool clear = fabs(at.h) > at.error + f->touch;
+    const double touch = f->turn > 0.0 ? f->touch + turned_by(f, d) : f->touch;
+    const bool clear = fabs(at.h) > at.error + touch;
     if (body == f->body && (!clear || f->bent) && has_corner(rules, f, v))
         return (corner_height){0.0, 0.0, 0};
     if (at.error > TRUSTED * f->touch && !clear) {
         at.h = exact_height(rules, f, v).hi;
         at.error = 0x1p-52 * fabs(at.h);
     }
-    at.sign = (at.h > f->touch) - (at.h < -f->touch);
+    at.sign = (at.h > touch) - (at.h < -touch);
     return at;
 }
 
@@ -660,7 +682,8 @@ static bool find_in_pieces(const pair *w, crossing_list *out)
 static double near_margin(const crossing_rules *rules, const crossing_face *f, const crossing_face *g)
 {
     const double sine = vec3_length(vec3_cross(f->n, g->n)) / (f->length * g->length);
-    const double touch = (f->touch / f->length + g->touch / g->length) * rules->scene->unit;
+    const double touch = ((f->touch + f->turn * f->chord) / f->length + (g->touch + g->turn * g->chord) / g->length) *
+                         rules->scene->unit;
     return sine > PARALLEL ? 8.0 * touch / sine : INFINITY;
 }
 

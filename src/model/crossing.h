@@ -46,6 +46,9 @@ typedef struct crossing_face {
     double error;             /* of n.(P - origin) - mean, for each unit of |P - origin| + chord */
     double chord;             /* no corner is farther from the origin */
     double touch;             /* of the plane; in lengths of n */
+    double turn;              /* the same for each unit of the distance from the line through the origin along `axis`:
+                                 rounding of the coordinates turns the plane of a narrow face about its length */
+    roberts_vec3 axis;        /* unit vector, if turn > 0 */
     bool bent;                /* it departs from its plane by more than the touching distance */
     dd3 exact_n;              /* if `refined` */
     dd exact_mean;

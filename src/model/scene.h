@@ -291,16 +291,21 @@ static inline bool scene_is_rounded(const roberts_scene *scene)
  * distance of unit normals; beyond it, an edge is an edge. */
 #define SCENE_ROUNDED_BEND 0.125
 
+/* Returns how far rounding may have turned the plane of a face, as a distance of unit normals. It moves a corner by at
+ * most sqrt(3)/4 of a step. So it turns a plane by at most twice that over the least width of the face, of a triangle
+ * half of that over scene_width(). */
+static inline double scene_turn(const roberts_scene *scene, uint32_t face)
+{
+    return 0.5 * greater(scene->steps.float32, scene->steps.decimal) / scene_width(scene, face);
+}
+
 /* Returns the squared distance of unit normals below which two faces are flat with one another: `crease`, or more if
- * coordinates were rounded. Rounding moves a corner by at most sqrt(3)/4 of a step. So it turns a plane by at most
- * twice that over the least width of the face, of a triangle half of that over scene_width(). crease: 0: none are
- * flat. */
+ * coordinates were rounded. crease: 0: none are flat. */
 static inline double scene_flat_below(const roberts_scene *scene, uint32_t f, uint32_t g, double crease)
 {
     if (!scene_is_rounded(scene) || !(crease > 0.0))
         return crease;
-    const double step = greater(scene->steps.float32, scene->steps.decimal);
-    const double bend = 0.5 * step * (1.0 / scene_width(scene, f) + 1.0 / scene_width(scene, g));
+    const double bend = scene_turn(scene, f) + scene_turn(scene, g);
     const double chord = sqrt(crease) + lesser(bend, SCENE_ROUNDED_BEND);
     return chord * chord;
 }
