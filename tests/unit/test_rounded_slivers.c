@@ -1,5 +1,7 @@
-/* test_rounded_creases.c - in a flat face given as slivers, rounding of the coordinates makes no creases. */
+/* test_rounded_slivers.c - slivers of a flat face, with rounded coordinates: no creases, borders or intersections where
+ * there are none. */
 #include "build_scene.h"
+#include "read/mesh.h"
 #include "scenes.h"
 
 #include <stdarg.h>
@@ -106,8 +108,51 @@ static void a_disc(void **state)
     test_free(t.at);
 }
 
+/* The scene of coordinates that were read as 32-bit floats. */
+static roberts_scene *scene_of_floats(const char *text)
+{
+    roberts_mesh mesh = mesh_of_text(text);
+    mesh_float32(&mesh);
+    return build_scene(&mesh);
+}
+
+/* Two narrow triangles in one plane, one across the other, turned anyhow. */
+static void strips(void **state)
+{
+    roberts_scene *scene =
+        scene_of_floats("OFF\n6 2 0\n-0.265728116 27.9072762 27.5919685\n0.0891593397 27.7847004 "
+                        "27.2702732\n12.4298458 26.4682236 18.7312717\n9.24903011 27.1209679 21.2138767\n8.44766998 "
+                        "25.5464363 20.2764988\n8.48820019 25.4853306 20.3444939\n3 0 1 2\n3 3 4 5\n");
+    const roberts_camera camera = {.dir = {0.3, -0.8, 0.5}};
+    (void)state;
+    for (int hidden = 0; hidden < 2; hidden++) {
+        roberts_hide_options options = roberts_hide_options_default();
+        options.keep_hidden = hidden;
+        roberts_drawing drawing = drawing_of(scene, &camera, &options);
+        assert_int_equal(drawing.crossing_count, 0);
+        roberts_drawing_free(&drawing);
+    }
+    roberts_scene_free(scene);
+}
+
+/* A plate of the shape of an L, turned anyhow. A corner lies beside the middle of a side, by little more than the
+ * touching distance, and there are slivers along that side. The plate is closed. */
+static void a_sliver_along_a_side(void **state)
+{
+    roberts_scene *scene = scene_of_floats(
+        "OFF\n14 24 0\n0 0 10\n40 -1.99999995e-05 10\n100 0 10\n100 0 0\n40 -1.99999995e-05 0\n0 0 0\n60 50 10\n60 50 "
+        "0\n100 50 10\n100 50 0\n0 90 10\n0 90 0\n60 90 10\n60 90 0\n3 0 1 2\n3 3 4 5\n3 0 2 6\n3 7 3 5\n3 2 8 6\n3 7 "
+        "9 3\n3 0 6 10\n3 11 7 5\n3 6 12 10\n3 11 13 7\n3 5 4 1\n3 5 1 0\n3 4 3 2\n3 4 2 1\n3 3 9 8\n3 3 8 2\n3 9 7 "
+        "6\n3 9 6 8\n3 7 13 12\n3 7 12 6\n3 13 11 10\n3 13 10 12\n3 11 5 0\n3 11 0 10\n");
+    (void)state;
+    assert_int_equal(roberts_scene_solid_count(scene), 1);
+    assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fans), cmocka_unit_test(a_disc)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fans), cmocka_unit_test(a_disc), cmocka_unit_test(strips),
+                                       cmocka_unit_test(a_sliver_along_a_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
