@@ -22,7 +22,7 @@
 enum {
     FEW = 24, /* lines in a box that are compared with one another */
     CELLS_PER_LINE = 1,
-    IDLE_HALVINGS = 8 /* cuts in a row that separate hardly anything; then all lines are compared */
+    IDLE_HALVINGS = 2 /* cuts in a row that separate hardly anything; then all lines are compared */
 };
 
 /* A line, or the part of it that a box holds. */
@@ -79,8 +79,14 @@ static void compare_nodes(map_search *s, uint32_t p, uint32_t q)
         s->fate[p].open = s->fate[q].open = true;
 }
 
+/* Many lines may end in the node, or in others that it has become: most of these follow one another, and are added
+ * once. */
 static void add_stop(map_search *s, uint32_t line, uint32_t node)
 {
+    node = map_search_node(s, node);
+    if (s->last_stop[line] == node)
+        return;
+    s->last_stop[line] = node;
     if (!array_reserve(&s->stop, &s->stop_room, s->stop_count + 1, sizeof *s->stop)) {
         s->lost = true;
         return;
@@ -107,10 +113,21 @@ static bool compare_with_node(map_search *s, uint32_t line, uint32_t node)
     return false;
 }
 
-/* Adds a node where two lines cross. */
+/* Adds a node where two lines cross, unless the last stop of one of them is there already: near the corner of a fan of
+ * slivers, thousands of lines may cross another one in one place. */
 static void add_crossing(map_search *s, uint32_t i, uint32_t j, roberts_vec2 X)
 {
     planar_map *m = s->m;
+    const uint32_t last[] = {s->last_stop[i], s->last_stop[j]};
+    for (int k = 0; k < 2; k++) {
+        const roberts_vec2 d =
+            last[k] == ROBERTS_NONE ? (roberts_vec2){INFINITY, 0.0} : map_between(m->node[last[k]], X);
+        if (map_product(d, d) <= 0.25 * s->touching * s->touching) {
+            add_stop(s, i, last[k]);
+            add_stop(s, j, last[k]);
+            return;
+        }
+    }
     if (!array_reserve(&m->node, &m->node_room, m->node_count + 1, sizeof *m->node) ||
         !array_reserve(&s->fate, &s->fate_room, m->node_count + 1, sizeof *s->fate)) {
         s->lost = true;
@@ -151,10 +168,12 @@ static void compare_apart(map_search *s, uint32_t i, uint32_t j, const map_box *
     if (is_beside(A, map_between(A, B), C, D, s->margin) || is_beside(C, map_between(C, D), A, B, s->margin))
         return;
     for (int k = 0; k < 2; k++) {
-        touching = compare_with_node(s, i, w[k]) || touching;
-        touching = compare_with_node(s, j, v[k]) || touching;
         compare_nodes(s, v[k], w[0]);
         compare_nodes(s, v[k], w[1]);
+    }
+    for (int k = 0; k < 2; k++) {
+        touching = compare_with_node(s, i, w[k]) || touching;
+        touching = compare_with_node(s, j, v[k]) || touching;
     }
     if (touching || !differ(orient2d(A, B, C), orient2d(A, B, D)))
         return;
@@ -478,7 +497,10 @@ bool map_search_all(map_search *s)
     s->joined = false;
     free(s->crowded);
     s->crowded = alloc_zeroed(m->line_count, 1);
-    bool enough = s->crowded && array_reserve(&s->fate, &s->fate_room, m->node_count, sizeof *s->fate);
+    s->last_stop = alloc_array(m->line_count, sizeof *s->last_stop);
+    for (size_t i = 0; s->last_stop && i < m->line_count; i++)
+        s->last_stop[i] = ROBERTS_NONE;
+    bool enough = s->crowded && s->last_stop && array_reserve(&s->fate, &s->fate_room, m->node_count, sizeof *s->fate);
     for (uint32_t n = 0; enough && n < m->node_count; n++)
         s->fate[n] = (map_fate){n, false};
     for (size_t i = 0; enough && i < m->line_count; i++)
@@ -488,6 +510,7 @@ bool map_search_all(map_search *s)
     for (size_t row = 0; enough && row < g.rows; row++)
         for (size_t column = 0; column < g.columns && !s->lost; column++)
             visit_cell(s, &g, column, row);
+    free(s->last_stop);
     free(g.busy);
     free(g.start);
     free(g.entry);

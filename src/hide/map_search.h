@@ -27,10 +27,11 @@ typedef struct map_search {
     double margin;    /* things nearer than this are near: the same in each round */
     uint8_t *loose;   /* [loose_count] nodes at which one line ended; what is nearer to them than `reach` is joined */
     size_t loose_count;
-    double reach;   /* less in each round */
-    map_item *item; /* [count] boxes within boxes; the items of the current box come last */
-    map_stop *stop; /* [stop_count] */
-    map_fate *fate; /* [fate_room] of each node */
+    double reach;        /* less in each round */
+    map_item *item;      /* [count] boxes within boxes; the items of the current box come last */
+    map_stop *stop;      /* [stop_count] */
+    uint32_t *last_stop; /* [line_count] the node of each line's last stop, or ROBERTS_NONE; during one round */
+    map_fate *fate;      /* [fate_room] of each node */
     size_t count, room, stop_count, stop_room, fate_room;
     bool joined, lost; /* lost: no memory */
 } map_search;
