@@ -168,7 +168,7 @@ roberts_vec3 slope_upright(const roberts_camera *camera)
 {
     const roberts_vec3 up = {sign(camera->up.x), sign(camera->up.y), sign(camera->up.z)};
     const bool from_above = camera->dir.x == 0.0 && camera->dir.y == 0.0 && camera->dir.z != 0.0;
-    const bool along_axis = fabs(up.x) + fabs(up.y) + fabs(up.z) == 1.0;
+    const bool along_axis = vec3_sum(up) == 1.0;
     return along_axis && !from_above ? up : (roberts_vec3){0, 0, 1};
 }
 

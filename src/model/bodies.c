@@ -223,7 +223,7 @@ double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
-    return fmax(fmax(TOUCHING_OF_DIAMETER * diameter, rounding), fmax(scene->steps.float32, scene->steps.decimal));
+    return fmax(fmax(TOUCHING_OF_DIAMETER * diameter, rounding), scene_step(scene));
 }
 
 /* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];

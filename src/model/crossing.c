@@ -92,7 +92,7 @@ crossing_face crossing_face_of(const crossing_rules *rules, uint32_t body, uint3
     const double deviation = scene_deviation(scene, f.first);
     f.bent = deviation > rules->touching;
     f.touch = f.length * (rules->touching + deviation) / scene->unit;
-    if (scene_is_rounded(scene) && f.length > 0.0)
+    if (scene_step(scene) > 0.0 && f.length > 0.0)
         find_turn(rules, &f);
     return f;
 }

@@ -281,10 +281,11 @@ static inline double scene_bend(plane F, plane G, uint8_t is)
     return scene_chord(F, G, scene_way(is));
 }
 
-/* Were coordinates rounded, to 32-bit floats or to few digits? */
-static inline bool scene_is_rounded(const roberts_scene *scene)
+/* Returns the step of the rounding of coordinates, to 32-bit floats or to few digits; model units, see mesh_steps. 0:
+ * they were not rounded. */
+static inline double scene_step(const roberts_scene *scene)
 {
-    return scene->steps.float32 > 0.0 || scene->steps.decimal > 0.0;
+    return greater(scene->steps.float32, scene->steps.decimal);
 }
 
 /* Coordinates that were rounded turn the plane of a narrow face. This is the most by which that may bend an edge, as a
@@ -296,14 +297,14 @@ static inline bool scene_is_rounded(const roberts_scene *scene)
  * half of that over scene_width(). */
 static inline double scene_turn(const roberts_scene *scene, uint32_t face)
 {
-    return 0.5 * greater(scene->steps.float32, scene->steps.decimal) / scene_width(scene, face);
+    return 0.5 * scene_step(scene) / scene_width(scene, face);
 }
 
 /* Returns the squared distance of unit normals below which two faces are flat with one another: `crease`, or more if
  * coordinates were rounded. crease: 0: none are flat. */
 static inline double scene_flat_below(const roberts_scene *scene, uint32_t f, uint32_t g, double crease)
 {
-    if (!scene_is_rounded(scene) || !(crease > 0.0))
+    if (!(scene_step(scene) > 0.0 && crease > 0.0))
         return crease;
     const double bend = scene_turn(scene, f) + scene_turn(scene, g);
     const double chord = sqrt(crease) + lesser(bend, SCENE_ROUNDED_BEND);

@@ -277,16 +277,15 @@ static bool is_float32(double x)
 bool frame_loosen(solid_frame *frame, const roberts_scene *scene)
 {
     bool six = true, float32 = true;
+    if (!(frame->loose > frame->allowed)) /* its coordinates are not larger than the solid */
+        return false;
     for (uint32_t v = frame->vertex_first; v < frame->vertex_first + frame->vertex_count && (six || float32); v++) {
         const roberts_vec3 P = scene->point[v];
         six = six && has_six_digits(P.x) && has_six_digits(P.y) && has_six_digits(P.z);
         float32 = float32 && is_float32(P.x) && is_float32(P.y) && is_float32(P.z);
     }
-    const double allowed = six ? frame->loose : float32 ? frame->loose32 : 0.0;
-    if (!(allowed > frame->allowed))
-        return false;
-    frame->allowed = allowed;
-    return true;
+    frame->allowed = six ? frame->loose : float32 ? frame->loose32 : frame->allowed;
+    return six || float32;
 }
 
 uint32_t frame_ring(const solid_frame *frame, const roberts_scene *scene, uint32_t f)

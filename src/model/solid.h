@@ -97,8 +97,8 @@ static inline double frame_loose(double tolerance, double largest, double size)
     return tolerance * greater(size, lesser(largest, FRAME_FAR * size));
 }
 
-/* Allows `loose` if all coordinates have six digits at most, `loose32` if they are those of float32: then each may be
- * off by a part of itself. False: nothing has changed, or that is not more. */
+/* If the solid lies far from the origin, allows `loose` if all coordinates have six digits at most, `loose32` if they
+ * are those of float32: then each may be off by a part of itself. False: nothing has changed. */
 bool frame_loosen(solid_frame *frame, const roberts_scene *scene);
 
 /* Copies the corners of face f (relative to the solid's first face) to frame->ring, relative to the first corner.

@@ -92,7 +92,7 @@ static double angle_between(plane F, plane G, bool turned)
 static double less_rounding(const verifier *f, uint32_t p, uint32_t q, double angle)
 {
     const roberts_scene *scene = f->seen.scene;
-    const double off = 0.5 * fmax(scene->steps.float32, scene->steps.decimal);
+    const double off = 0.5 * scene_step(scene);
     if (!(off > 0.0))
         return angle;
     const double turned = off / scene_width(scene, p) + off / scene_width(scene, q);

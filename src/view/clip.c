@@ -554,7 +554,7 @@ static int compare_lines(const void *pa, const void *pb)
 
 /* Moves the vertices that begin or end an odd number of lines, or all, to the front, each once, ascending. Returns how
  * many. */
-static size_t keep_odd(uint32_t *vertex, size_t count, bool all)
+static size_t keep_ends(uint32_t *vertex, size_t count, bool all)
 {
     size_t odd = 0;
     qsort(vertex, count, sizeof *vertex, compare_u32);
@@ -582,7 +582,7 @@ static bool join_lines(const cutter *c, cut_lines *lines)
         end[2 * i] = lines->item[i].from;
         end[2 * i + 1] = lines->item[i].to;
     }
-    if (enough && (odd = keep_odd(end, ends, lines->item[0].winding != 0)) > 0)
+    if (enough && (odd = keep_ends(end, ends, lines->item[0].winding != 0)) > 0)
         enough = point_grid_build(&grid, point, end, odd);
     for (size_t i = 0; enough && i < odd; i++) {
         first[i] = end[i];

@@ -57,9 +57,9 @@ static bool is_flat_with(const roberts_scene *scene, uint32_t first, uint32_t fa
 static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
 {
     const scene_surface *surface = scene->surface;
-    uint8_t code = scene_bend_code(crease);
-    if (surface->bend && (surface->bend[e] < code || (surface->bend[e] > code && !scene_is_rounded(scene))))
-        return surface->bend[e] < code;
+    const int order = surface->bend ? surface->bend[e] - scene_bend_code(crease) : 0;
+    if (order < 0 || (order > 0 && !(scene_step(scene) > 0.0)))
+        return order < 0;
     return are_flat(scene, first + edge->f[0], first + edge->f[1], scene_way(surface->edge_is[e]), crease);
 }
 

@@ -336,7 +336,7 @@ static inline bool seen_is_flat(const roberts_scene *scene, uint32_t first, cons
     const plane F = scene->face_plane[first + edge->f[0]], G = scene->face_plane[first + edge->f[1]];
     const double a = F.a - G.a, b = F.b - G.b, c = F.c - G.c, own = a * a + b * b + c * c;
     return (a * a < chord && own < chord) ||
-           (scene_is_rounded(scene) && own < scene_flat_below(scene, first + edge->f[0], first + edge->f[1], chord));
+           (scene_step(scene) > 0.0 && own < scene_flat_below(scene, first + edge->f[0], first + edge->f[1], chord));
 }
 
 /* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an

@@ -1,27 +1,11 @@
 /* test_flat_patches.c - a flat face given as very many slivers is crossed where it would be as one polygon. */
 #include "build_scene.h"
+#include "put_text.h"
 #include "scenes.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 
 enum { CORNERS = 1000 }; /* so many slivers in one cell have a tree */
-
-/* A text in the making. */
-typedef struct text {
-    char *at;
-    size_t count, room;
-} text;
-
-static void put(text *t, const char *format, ...)
-{
-    va_list arguments;
-    assert_true(t->room - t->count > 256);
-    va_start(arguments, format);
-    t->count += (size_t)vsnprintf(t->at + t->count, 256, format, arguments);
-    va_end(arguments);
-}
 
 /* Faces that meet the disc z = 0 of radius 10, or do not. Corners from CORNERS on are listed here; the others are those
  * of the disc, at angles of 2 pi k / CORNERS. */
@@ -55,7 +39,7 @@ static const flat_case cases[] = {
 /* The disc as one polygon, or as slivers at corner 0. */
 static roberts_scene *scene_of_case(const flat_case *c, bool slivers)
 {
-    text t = {test_malloc(1 << 17), 0, 1 << 17};
+    put_text t = put_begin();
     put(&t, "OFF\n%d %d 0\n", CORNERS + c->corner_count, (slivers ? CORNERS - 2 : 1) + c->face_count);
     for (int k = 0; k < CORNERS; k++) {
         const double angle = 2 * 3.14159265358979323846 * k / CORNERS;
