@@ -32,9 +32,11 @@ typedef struct assembly {
     roberts_scene *scene;
     const roberts_mesh *mesh;
     const roberts_scene_options *options;
-    polygons faces;  /* of the mesh, welded and cleaned as for the convex solids */
-    uint8_t *listed; /* [faces] 1: belongs to a body that is not convex */
-    uint32_t *name;  /* [vertices of the mesh] name of each after welding, see weld_open(); NULL: nothing is welded */
+    polygons faces;      /* of the mesh, welded and cleaned as for the convex solids */
+    uint8_t *listed;     /* [faces] 1: belongs to a body that is not convex */
+    uint32_t *vertex_of; /* [corners of the mesh] see name_corners(); NULL: nothing is welded */
+    uint32_t *copied;    /* [copies] the vertex of the mesh that each copy repeats */
+    uint32_t copies;
     uint32_t *group; /* [vertices of the mesh] see find_complete(); NULL: all are one group */
     surface surface;
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
@@ -99,8 +101,7 @@ static bool group_components(const assembly *a, const uint8_t *open, uint8_t *li
 /* How the faces of these bodies are cut into pieces. *touching*: in model units. */
 static face_rules rules_of(const assembly *a, double touching)
 {
-    return (face_rules){.point = a->mesh->vertex,
-                        .tolerance = a->options->tolerance,
+    return (face_rules){.tolerance = a->options->tolerance,
                         .touching = touching,
                         .unit = a->scene->unit,
                         .even_odd = a->options->even_odd};
@@ -115,7 +116,7 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
     const roberts_scene *scene = a->scene;
     const double touching = bodies_touching(scene, a->mesh);
     const face_rules rules = rules_of(a, touching);
-    surface s = {.mesh = a->mesh};
+    surface s = {.mesh = a->mesh, .vertex_of = a->mesh->corner};
     uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
     s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
     bool enough = listed && odd && a->group, any = false;
@@ -146,6 +147,62 @@ static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
     return enough;
 }
 
+/* Marks the components that share vertices, if neither is a convex solid. owner: [vertices of the mesh], scratch. */
+static void mark_sharers(const roberts_scene *scene, const uint8_t *convex, uint32_t *owner, uint8_t *shares)
+{
+    for (uint32_t s = 0; s < scene->solid_count; s++)
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex && !convex[s]; v++) {
+            uint32_t *first = &owner[scene_vertex_number(scene, v)];
+            if (*first == ROBERTS_NONE)
+                *first = s;
+            else
+                shares[s] = shares[*first] = 1;
+        }
+}
+
+/* Gives component s copies of its vertices, in the same order. copy: [vertices of the mesh], scratch. */
+static void copy_vertices(assembly *a, uint32_t s, const uint32_t *name, uint32_t *copy)
+{
+    const roberts_scene *scene = a->scene;
+    const roberts_mesh *mesh = a->mesh;
+    for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++) {
+        const uint32_t own = scene_vertex_number(scene, v);
+        copy[own] = (uint32_t)mesh->vertex_count + a->copies;
+        a->copied[a->copies++] = own;
+    }
+    for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
+        const uint32_t own = scene_face_number(scene, f);
+        for (uint32_t i = mesh->face_start[own]; i < mesh->face_start[own + 1]; i++)
+            a->vertex_of[i] = copy[name[mesh->corner[i]]];
+    }
+}
+
+/* Stores the vertex at each corner after welding. A closed component that shares vertices gets its own: it was told
+ * apart from bodies that it touches, and its faces must not count as copies of theirs. False: no memory. */
+static bool name_corners(assembly *a, const uint32_t *name, const uint8_t *open, const uint8_t *convex)
+{
+    const roberts_scene *scene = a->scene;
+    const roberts_mesh *mesh = a->mesh;
+    uint32_t *scratch = alloc_array(mesh->vertex_count, sizeof *scratch);
+    uint8_t *shares = alloc_zeroed(scene->solid_count, 1);
+    a->vertex_of = alloc_array(mesh->corner_count, sizeof *a->vertex_of);
+    a->copied = alloc_array(scene->vertex_count, sizeof *a->copied);
+    const bool enough =
+        scratch && shares && a->vertex_of && a->copied && mesh->vertex_count + scene->vertex_count < ROBERTS_NONE;
+    if (enough) {
+        memset(scratch, 0xff, mesh->vertex_count * sizeof *scratch);
+        mark_sharers(scene, convex, scratch, shares);
+        for (size_t i = 0; i < mesh->corner_count; i++)
+            a->vertex_of[i] = name[mesh->corner[i]];
+        for (uint32_t s = 0; s < scene->solid_count; s++)
+            if (shares[s] && open[s] == OPENING_NONE)
+                copy_vertices(a, s, name, scratch);
+    }
+    free(scratch);
+    free(shares);
+    return enough;
+}
+
 /* Frees what is not needed for components that will be laid out again. */
 static void drop_shapes(roberts_scene *scene)
 {
@@ -166,6 +223,7 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
 {
     repeated_solids list = {0};
     uint8_t *open = NULL, *convex = NULL;
+    uint32_t *name = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&a->faces, a->mesh, error);
     if (status != ROBERTS_OK)
@@ -179,7 +237,7 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
     if (status == ROBERTS_OK && any_open && !find_complete(a, open, &any_open))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && any_open) {
-        status = weld_open(a->scene, open, a->mesh, &a->name)
+        status = weld_open(a->scene, open, a->mesh, &name)
                      ? weld_regroup(a->scene, open, &a->faces, a->mesh, true, error)
                      : ROBERTS_NO_MEMORY;
         free(open);
@@ -189,6 +247,8 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
         convex = open ? alloc_zeroed(a->scene->solid_count, 1) : NULL;
         if (status == ROBERTS_OK)
             status = convex ? find_kinds(a, open, convex, &any_open, error) : ROBERTS_NO_MEMORY;
+        if (status == ROBERTS_OK && !name_corners(a, name, open, convex))
+            status = ROBERTS_NO_MEMORY;
     }
     if (status == ROBERTS_OK && !(a->listed = alloc_array(a->mesh->face_count, 1)))
         status = ROBERTS_NO_MEMORY;
@@ -201,6 +261,7 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
 done:
     free(open);
     free(convex);
+    free(name);
     return status;
 }
 
@@ -389,8 +450,10 @@ static bool number_bodies(assembly *a)
             body_key *k = &key[a->of[f]];
             k->face = a->number[f] < k->face ? a->number[f] : k->face;
             k->convex = f >= a->convex;
-            for (uint32_t i = all->start[f]; i < all->start[f + 1]; i++)
-                k->vertex = all->corner[i] < k->vertex ? all->corner[i] : k->vertex;
+            for (uint32_t i = all->start[f]; i < all->start[f + 1]; i++) {
+                const uint32_t own = surface_number(&a->surface, all->corner[i]);
+                k->vertex = own < k->vertex ? own : k->vertex;
+            }
         }
         qsort(key, count, sizeof *key, compare_keys);
         for (uint32_t b = 0; b < count; b++) {
@@ -534,7 +597,7 @@ static bool rename_all(assembly *a)
         uint32_t own = scene->number[v];
         if (s->low)
             scene->low[v] = own < a->mesh->vertex_count ? (roberts_vec3){0, 0, 0} : s->low[own];
-        scene->number[v] = own < a->mesh->vertex_count ? own : ROBERTS_NONE;
+        scene->number[v] = surface_number(s, own);
     }
     return true;
 }
@@ -656,7 +719,9 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     assembly a = {.scene = scene, .mesh = mesh, .options = options, .surface = {.mesh = mesh}};
     roberts_status status = sort_components(&a, known, error);
     if (status == ROBERTS_OK) {
-        a.surface.name = a.name;
+        a.surface.vertex_of = a.vertex_of ? a.vertex_of : mesh->corner;
+        a.surface.copied = a.copied;
+        a.surface.copies = a.copies;
         a.surface.group = a.group;
         double touching = bodies_touching(scene, mesh);
         const face_rules rules = rules_of(&a, touching);
@@ -675,7 +740,8 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
     surface_free(&a.surface);
     builder_free(&a.work);
     free(a.listed);
-    free(a.name);
+    free(a.vertex_of);
+    free(a.copied);
     free(a.group);
     free(a.of);
     free(a.number);

@@ -229,7 +229,7 @@ static bool take_groups(finder *f)
  * mesh. A wire may join two groups. */
 static uint32_t group_of(const surface *s, const surface_side *side, int k)
 {
-    return is_wire_side(side) ? s->group[side->v[k]] : surface_group(s, surface_piece(side->piece));
+    return is_wire_side(side) ? s->group[surface_number(s, side->v[k])] : surface_group(s, surface_piece(side->piece));
 }
 
 /* Lists the ends of odd sides, each once. False: no memory. */
@@ -674,10 +674,12 @@ static bool store_many(body_edges *list, scene_surface *to, const surface_edge *
 
 static bool store_part(body_edges *list, scene_surface *to, const surface_edge *e, uint32_t edge)
 {
+    const surface *s = list->surface;
+    const scene_part *part = &s->part[e->part];
     if (!array_reserve(&to->part, &list->part_room, to->part_count + (size_t)1, sizeof *to->part))
         return false;
-    to->part[to->part_count] = list->surface->part[e->part];
-    to->part[to->part_count++].edge = edge;
+    to->part[to->part_count++] =
+        (scene_part){edge, {surface_number(s, part->v[0]), surface_number(s, part->v[1])}, part->t0, part->t1};
     return true;
 }
 

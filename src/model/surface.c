@@ -47,10 +47,7 @@ static uint32_t take_corners(const surface *s, uint32_t f, uint32_t *to)
 {
     const roberts_mesh *mesh = s->mesh;
     uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f];
-    for (uint32_t i = 0; i < n; i++) {
-        uint32_t v = mesh->corner[mesh->face_start[f] + i];
-        to[i] = s->name ? s->name[v] : v;
-    }
+    memcpy(to, s->vertex_of + mesh->face_start[f], n * sizeof *to);
     return n;
 }
 
@@ -93,21 +90,30 @@ static bool enter_face(face_set *set, const surface *s, uint32_t f, const uint32
 }
 
 /* Adds a vertex after those of the mesh. ROBERTS_NONE: no memory. */
-static uint32_t add_vertex(surface *s, const piece_node *node)
+static uint32_t add_vertex(surface *s, roberts_vec3 point, roberts_vec3 low)
 {
     uint32_t before = s->vertex_count;
     if (before == ROBERTS_NONE - 1 ||
         !array_reserve(&s->own_point, &s->point_room, before + (size_t)1, sizeof *s->own_point) ||
         !array_reserve(&s->low, &s->low_room, before + (size_t)1, sizeof *s->low))
         return ROBERTS_NONE;
-    if (s->point != s->own_point && before == s->mesh->vertex_count) {
+    if (before == s->mesh->vertex_count) {
         memcpy(s->own_point, s->mesh->vertex, before * sizeof *s->own_point);
         memset(s->low, 0, before * sizeof *s->low);
     }
-    s->own_point[before] = node->point;
-    s->low[before] = node->low;
+    s->own_point[before] = point;
+    s->low[before] = low;
     s->point = s->own_point;
     return s->vertex_count++;
+}
+
+/* Adds the copies of vertices. False: no memory. */
+static bool add_copies(surface *s)
+{
+    for (uint32_t i = 0; i < s->copies; i++)
+        if (add_vertex(s, s->mesh->vertex[s->copied[i]], (roberts_vec3){0, 0, 0}) == ROBERTS_NONE)
+            return false;
+    return true;
 }
 
 static bool add_surface_side(surface *s, uint32_t v0, uint32_t v1, uint32_t piece)
@@ -173,7 +179,8 @@ static bool take_pieces(surface *s, face_pieces *p, uint32_t face, const uint32_
     uint32_t first = s->piece_count;
     s->whole_sides = s->whole_sides || p->whole_sides;
     for (size_t n = 0; n < p->node_count && p->piece_count > 0; n++)
-        if (p->node[n].vertex == ROBERTS_NONE && (p->node[n].vertex = add_vertex(s, &p->node[n])) == ROBERTS_NONE)
+        if (p->node[n].vertex == ROBERTS_NONE &&
+            (p->node[n].vertex = add_vertex(s, p->node[n].point, p->node[n].low)) == ROBERTS_NONE)
             return false;
     for (size_t k = 0; k < p->piece_count; k++)
         if (!add_surface_piece(s, p, &p->piece[k], face, p->planar ? first : s->piece_count))
@@ -216,9 +223,11 @@ static void note(noted_faces *faces, uint32_t face)
 static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint32_t face, const uint32_t *corner,
                       uint32_t count)
 {
+    face_rules own = *rules;
+    own.point = s->point; /* moves when vertices are added */
     if (count < 3)
         return count < 2 || take_wires(s, corner, count);
-    if (!face_pieces_cut(p, rules, corner, count))
+    if (!face_pieces_cut(p, &own, corner, count))
         return false;
     if (p->bent)
         note(&s->bent, face);
@@ -234,9 +243,7 @@ static bool take_shadows(surface *s, const uint8_t *listed)
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
         for (uint32_t k = first; k < end && !listed[f]; k++) {
-            uint32_t a = mesh->corner[k], b = mesh->corner[k + 1 < end ? k + 1 : first];
-            a = s->name ? s->name[a] : a;
-            b = s->name ? s->name[b] : b;
+            uint32_t a = s->vertex_of[k], b = s->vertex_of[k + 1 < end ? k + 1 : first];
             if (a != b && !add_surface_side(s, a, b, SURFACE_SHADOW))
                 return false;
         }
@@ -257,7 +264,7 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rul
     s->point = mesh->vertex;
     s->vertex_count = (uint32_t)mesh->vertex_count;
     set.slot = alloc_array(set.size, sizeof *set.slot);
-    enough = set.slot && array_reserve(&s->start, &s->start_room, 1, sizeof *s->start);
+    enough = set.slot && array_reserve(&s->start, &s->start_room, 1, sizeof *s->start) && add_copies(s);
     if (enough) {
         memset(set.slot, 0xff, set.size * sizeof *set.slot);
         s->start[0] = 0;

@@ -1,8 +1,9 @@
 /* surface.h - the faces of bodies that are not convex: their convex pieces, and the edges between them, before they are
  * laid out in the scene.
  *
- * No face is refused, and no winding is trusted. Vertices and faces are numbered as in the mesh. Points where borders
- * cross themselves are numbered after the mesh's vertices. Pieces are numbered in the order of their faces. */
+ * No face is refused, and no winding is trusted. Vertices and faces are numbered as in the mesh. Copies of vertices,
+ * then points where borders cross themselves, are numbered after the mesh's vertices. Pieces are numbered in the order
+ * of their faces. */
 #ifndef ROBERTS_MODEL_SURFACE_H
 #define ROBERTS_MODEL_SURFACE_H
 
@@ -53,7 +54,9 @@ typedef struct surface_wound {
 
 typedef struct surface {
     const roberts_mesh *mesh;
-    const uint32_t *name; /* [vertices of the mesh] the new name of each vertex; NULL: vertices keep their names */
+    const uint32_t *vertex_of; /* [corners of the mesh] the vertex at each corner */
+    const uint32_t *copied;    /* [copies] the mesh's vertex that each copy repeats; copies follow those of the mesh */
+    uint32_t copies;
     /* [vertices of the mesh] Only sides of one group are compared in space. NULL: all are one group. */
     const uint32_t *group;
     uint32_t vertex_count, piece_count;
@@ -77,6 +80,13 @@ typedef struct surface {
     noted_faces uncut;    /* their borders cross themselves too often: their sides became wires */
     bool whole_sides;     /* some side may end at a point that is not a corner of its piece */
 } surface;
+
+/* Returns the number of vertex v in the mesh; ROBERTS_NONE: it is a point where a border crosses itself. */
+static inline uint32_t surface_number(const surface *s, uint32_t v)
+{
+    const size_t own = s->mesh->vertex_count;
+    return v < own ? v : v - own < s->copies ? s->copied[v - own] : ROBERTS_NONE;
+}
 
 /* Returns the group of a piece; the surface has groups. */
 static inline uint32_t surface_group(const surface *s, uint32_t piece)

@@ -41,6 +41,16 @@ typedef struct body_case {
 /* The triangle beside edge 0-1 in one face may lie in the plane of that in the other face. */
 #define TWISTED "6 2 0\n0 -1 0\n0 1 0\n1 -1 -.3\n1 1 .3\n-1 -1 .3\n-1 1 -.3\n"
 
+/* Two L-blocks, 1 high, upon one another, between vertices 0 to 5, 6 to 11 and 12 to 17. */
+#define L_RING(z) "0 0 " #z "\n2 0 " #z "\n2 1 " #z "\n1 1 " #z "\n1 2 " #z "\n0 2 " #z "\n"
+#define L_BLOCKS(faces) "20 " #faces " 0\n" L_RING(0) L_RING(1) L_RING(2) "-1 0 1\n0 -1 1\n"
+#define L_SIDES(a, b, c, d, e, f, A, B, C, D, E, F)                                                                    \
+    "4 " #a " " #b " " #B " " #A "\n4 " #b " " #c " " #C " " #B "\n4 " #c " " #d " " #D " " #C "\n"                    \
+    "4 " #d " " #e " " #E " " #D "\n4 " #e " " #f " " #F " " #E "\n4 " #f " " #a " " #A " " #F "\n"
+#define L_BLOCK_ON(a, b, c, d, e, f, A, B, C, D, E, F)                                                                 \
+    L_SIDES(a, b, c, d, e, f, A, B, C, D, E, F)                                                                        \
+    "6 " #f " " #e " " #d " " #c " " #b " " #a "\n6 " #A " " #B " " #C " " #D " " #E " " #F "\n"
+
 /* Lengths are measured in the picture: an edge along the line of sight has none. */
 static const body_case cases[] = {
     {"a sheet", "OFF\n" SQUARE, TOP, "o", 0, 4, 0, 0, false, false},
@@ -126,6 +136,18 @@ static const body_case cases[] = {
      "10 16 17 18 19 16 20 21 22 23 20\n10 24 25 26 27 24 28 29 30 31 28\n4 16 17 25 24\n4 17 18 26 25\n"
      "4 18 19 27 26\n4 19 16 24 27\n4 20 21 29 28\n4 21 22 30 29\n4 22 23 31 30\n4 23 20 28 31\n",
      TOP, "cc", 12 + 4, 0, 0, 0, false, false},
+    {"L-blocks on one another that have all vertices of a face in common, each with a face there",
+     "OFF\n" L_BLOCKS(16) L_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)
+         L_BLOCK_ON(6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17),
+     TOP, "cc", 8, 0, 0, 0, false, false},
+    {"... with a face for both: it is one body",
+     "OFF\n" L_BLOCKS(15) L_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)
+         L_SIDES(6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17) "6 12 13 14 15 16 17\n",
+     TOP, "o", 8, 0, 0, 0, false, false},
+    {"... and a triangle at a vertex of both",
+     "OFF\n" L_BLOCKS(17) L_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)
+         L_BLOCK_ON(6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17) "3 6 18 19\n",
+     TOP, "cco", 8, 2 + ROOT_2, 0, 0, false, false},
     {"sides on one line, which another side crosses",
      "OFF\n6 1 0\n0 2 0\n1 1 0\n3 3 0\n0 1 0\n2 0 0\n1 3 0\n7 0 1 2 3 0 4 5\n", TOP, "o", 0,
      (0.4 + 1 + 1 + 1.5) * ROOT_2 + 1 + (6.0 / 11 + 0.2) * ROOT_13 + (0.5 + 4.0 / 11) * ROOT_10, 0, 0, false, false},
@@ -194,6 +216,25 @@ static void lines_have_their_classes(void **state)
         roberts_drawing_free(&drawing);
         roberts_scene_free(scene);
     }
+}
+
+/* Bodies that share vertices have copies of them inside, but their lines name those of the file. */
+static void lines_name_vertices_of_the_file(void **state)
+{
+    roberts_scene *scene = scene_of_text("OFF\n" L_BLOCKS(16) L_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)
+                                             L_BLOCK_ON(6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17));
+    roberts_drawing drawing = drawing_along(scene, (roberts_vec3){1, -2, 1}, true);
+    bool below = false, above = false;
+    (void)state;
+    for (size_t i = 0; i < drawing.count; i++) {
+        const roberts_segment *s = &drawing.segment[i];
+        below = below || (s->solid == 0 && s->v0 == 6 && s->v1 == 7);
+        above = above || (s->solid == 1 && s->v0 == 6 && s->v1 == 7);
+        assert_true(s->v1 < 18);
+    }
+    assert_true(below && above);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
 }
 
 /* A cube far from the origin, with a shallow dent in its top. Its coordinates are 32-bit floats of more than six
@@ -375,7 +416,7 @@ int main(void)
         cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(a_dent_far_away),
         cmocka_unit_test(winding_decides_nothing),  cmocka_unit_test(the_fill_rule_decides),
         cmocka_unit_test(solids_are_asked_for),     cmocka_unit_test(what_is_left_out_is_said),
-        cmocka_unit_test(four_faces_at_an_edge),
+        cmocka_unit_test(four_faces_at_an_edge),    cmocka_unit_test(lines_name_vertices_of_the_file),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }
