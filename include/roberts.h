@@ -273,7 +273,9 @@ roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t b
 #define ROBERTS_FACETED_MOST 500
 
 /** Whether a body counts as curved: it is not convex, has more than ROBERTS_FACETED_MOST faces, and at least half of
- * its edges that are not flat bend by less than 20 degrees. See roberts_hide_options.crease_auto. */
+ * its edges that are not flat bend by less than 20 degrees. It is also curved if at least half of its facets have at
+ * least half such edges, as the walls of a round extrusion have. A facet is all faces in one plane that edges join. See
+ * roberts_hide_options.crease_auto. */
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
 
 /** The name of the group that the solid's first face is in (o or g of OBJ, solid of STL); "" if it has none. Valid

@@ -157,13 +157,14 @@ static const option rows[] = {
      .excludes = "all-edges",
      .brief = "leave out flatter edges",
      .help = "leave out edges between two front faces, or two back ones, that bend by at most this (default: auto, "
-             "which is "
-             "0.1, and 30 for curved bodies of many faces that are not convex)",
-     .manual = "Leaves out edges at which two front faces bend by at most this angle; of hidden lines, also those "
-               "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
-               "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
-               "bends by less than 20 degrees at half of its edges. A larger angle thins out the slivers of scanned "
-               "models. 0 leaves out none."},
+             "which is 0.1, and 30 for curved bodies of many faces that are not convex)",
+     .manual =
+         "Leaves out edges at which two front faces bend by at most this angle; of hidden lines, also those "
+         "between two back faces. Default: auto, which is 0.1 for most bodies, so that edges inside a plane are "
+         "left out, and 30 for curved ones. A body is curved if it is not convex, has more than 500 faces, and "
+         "half of its edges bend by less than 20 degrees. It is also curved if half of its facets have at least "
+         "half such edges, as the walls of a round extrusion have. A larger angle thins out the slivers of scanned "
+         "models. 0 leaves out none."},
     {.group = GROUP_OUTPUT,
      .name = "all-edges",
      .flags = OPTION_DRAWS,

@@ -683,7 +683,11 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         fit_planes(a, b);
         if (!body_edges_store(&list, scene, b))
             goto done;
-        scene->surface->smooth[b] = body_is_smooth(scene, b);
+        const bend_count bends = body_bends(scene, b);
+        bool smooth;
+        if (!body_is_smooth(scene, b, &bends, &smooth))
+            goto done;
+        scene->surface->smooth[b] = smooth;
     }
     if (!copy_windings(a) || !rename_all(a))
         goto done;

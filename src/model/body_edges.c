@@ -12,6 +12,7 @@
  * in the file. */
 #include "model/body_edges.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -736,9 +737,8 @@ void body_edges_free(body_edges *list)
 
 /* ---- curved surfaces --------------------------------------------------------------------------------------------- */
 
-/* A body of more than ROBERTS_FACETED_MOST faces is a curved surface if at least half of its bent edges are bent only
- * slightly. Bends are squared distances of unit normals: above FLAT_BEND (0.1 degrees) an edge is bent, below
- * LITTLE_BEND (20 degrees) only slightly. */
+/* Bends are squared distances of unit normals: above FLAT_BEND (0.1 degrees) an edge is bent, below LITTLE_BEND (20
+ * degrees) only slightly. */
 #define FLAT_BEND 3.046e-6
 #define LITTLE_BEND 0.1206
 
@@ -748,28 +748,62 @@ void bend_count_add(bend_count *count, double bend)
     count->little += bend > FLAT_BEND && bend < LITTLE_BEND;
 }
 
-bool bend_count_is_smooth(const bend_count *count, uint32_t faces)
+static bool mostly_little(const bend_count *count)
 {
-    return faces > ROBERTS_FACETED_MOST && count->little > 0 && count->little >= count->much;
+    return count->little > 0 && count->little >= count->much;
 }
 
-/* Counts edges until the rest cannot change the result. */
-bool body_is_smooth(const roberts_scene *scene, uint32_t b)
+/* Returns the bend at edge e of body b; NAN: it has not two faces. */
+static double bend_at(const roberts_scene *scene, uint32_t b, uint32_t e)
 {
     const scene_solid *own = &scene->solid[b];
-    const scene_edge *edge = scene->edge + own->stored;
-    uint32_t faces = own[1].face - own->face;
+    const scene_edge *edge = scene->edge + own->stored + (e - own->edge);
+    const uint8_t is = scene->surface->edge_is[e];
+    if (is & (EDGE_MANY | EDGE_CUT) || edge->f[1] == ROBERTS_NONE)
+        return NAN;
+    return scene_bend(scene_plane(scene, own->face + edge->f[0]), scene_plane(scene, own->face + edge->f[1]), is);
+}
+
+bend_count body_bends(const roberts_scene *scene, uint32_t b)
+{
     bend_count count = {0};
-    for (uint32_t e = own->edge; e < own[1].edge && faces > ROBERTS_FACETED_MOST; e++, edge++) {
-        uint32_t left = own[1].edge - e;
-        uint8_t is = scene->surface->edge_is[e];
-        if (count.little >= count.much + (uint64_t)left || count.much > count.little + (uint64_t)left)
-            break;
-        if (!(is & (EDGE_MANY | EDGE_CUT)) && edge->f[1] != ROBERTS_NONE)
-            bend_count_add(&count, scene_bend(scene_plane(scene, own->face + edge->f[0]),
-                                              scene_plane(scene, own->face + edge->f[1]), is));
+    for (uint32_t e = scene->solid[b].edge; e < scene->solid[b + 1].edge; e++)
+        bend_count_add(&count, bend_at(scene, b, e));
+    return count;
+}
+
+/* Is at least half of the facets of body b curved? False: no memory. */
+static bool facets_are_curved(const roberts_scene *scene, uint32_t b, bool *curved)
+{
+    const scene_solid *own = &scene->solid[b];
+    const scene_edge *edge = scene->edge + own->stored - own->edge;
+    const uint32_t faces = own[1].face - own->face;
+    uint32_t *parent = alloc_array(faces, sizeof *parent), facets = 0, round = 0;
+    bend_count *of = alloc_zeroed(faces, sizeof *of);
+    const bool enough = parent && of;
+    for (uint32_t f = 0; enough && f < faces; f++)
+        parent[f] = f;
+    for (uint32_t e = own->edge; enough && e < own[1].edge; e++)
+        if (bend_at(scene, b, e) <= FLAT_BEND)
+            sets_join(parent, edge[e].f[0], edge[e].f[1]);
+    for (uint32_t e = own->edge; enough && e < own[1].edge; e++)
+        for (int k = 0; k < 2 && edge[e].f[k] != ROBERTS_NONE; k++)
+            bend_count_add(&of[sets_root(parent, edge[e].f[k])], bend_at(scene, b, e));
+    for (uint32_t f = 0; enough && f < faces; f++) {
+        facets += parent[f] == f;
+        round += parent[f] == f && mostly_little(&of[f]);
     }
-    return bend_count_is_smooth(&count, faces);
+    *curved = round >= facets - round;
+    free(parent);
+    free(of);
+    return enough;
+}
+
+bool body_is_smooth(const roberts_scene *scene, uint32_t b, const bend_count *count, bool *smooth)
+{
+    const bool fine = scene->solid[b + 1].face - scene->solid[b].face > ROBERTS_FACETED_MOST && count->little > 0;
+    *smooth = fine && mostly_little(count);
+    return !fine || *smooth || facets_are_curved(scene, b, smooth);
 }
 
 /* ---- wires beside convex solids ---------------------------------------------------------------------------------- */

@@ -877,8 +877,11 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        to->smooth[s] = w->bend ? bend_count_is_smooth(&w->smooth[s], scene->solid[s + 1].face - scene->solid[s].face)
-                                : body_is_smooth(scene, s);
+        const bend_count bends = w->bend ? w->smooth[s] : body_bends(scene, s);
+        bool smooth;
+        if (!body_is_smooth(scene, s, &bends, &smooth))
+            return false;
+        to->smooth[s] = smooth;
     }
     join_many(w);
     to->bend = w->bend;

@@ -252,6 +252,52 @@ static void a_dent_far_away(void **state)
     roberts_scene_free(scene);
 }
 
+/* A tube of 150 sides, made of 1200 triangles or 600 quadrilaterals. The radius of a ring may alternate, which makes a
+ * star of it. */
+static bool tube_is_curved(double outer_star, double inner_star, bool triangles)
+{
+    enum { SIDES = 150 };
+    roberts_mesh mesh = {0};
+    for (int i = 0; i < SIDES; i++) {
+        const double angle = 2.0 * 3.14159265358979323846 * i / SIDES, c = cos(angle), s = sin(angle);
+        for (int k = 0; k < 4; k++) {
+            const double r = k % 2 ? 3.0 + (i % 2) * inner_star : 9.0 + (i % 2) * outer_star;
+            mesh_vertex(&mesh, (roberts_vec3){r * c, r * s, k / 2});
+        }
+    }
+    for (uint32_t i = 0; i < SIDES; i++) {
+        const uint32_t a = 4 * i, b = 4 * ((i + 1) % SIDES);
+        const uint32_t side[4][4] = {
+            {a, b, b + 2, a + 2}, {a + 1, a + 3, b + 3, b + 1}, {a, a + 1, b + 1, b}, {a + 2, b + 2, b + 3, a + 3}};
+        for (int k = 0; k < 4; k++) {
+            const uint32_t *q = side[k];
+            if (triangles) {
+                mesh_face(&mesh, (uint32_t[]){q[0], q[1], q[2]}, 3);
+                mesh_face(&mesh, (uint32_t[]){q[0], q[2], q[3]}, 3);
+            } else {
+                mesh_face(&mesh, q, 4);
+            }
+        }
+    }
+    roberts_scene *scene = scene_of_mesh(&mesh, NULL);
+    const bool curved = roberts_scene_body_curved(scene, 0);
+    assert_int_equal(roberts_scene_solid_count(scene), 1);
+    roberts_scene_free(scene);
+    roberts_mesh_free(&mesh);
+    return curved;
+}
+
+/* The rims of a tube are sharp and outnumber its slight bends, but half of its facets are curved. */
+static void extrusions_are_curved(void **state)
+{
+    (void)state;
+    for (int triangles = 0; triangles < 2; triangles++) {
+        assert_true(tube_is_curved(0.0, 0.0, triangles));
+        assert_false(tube_is_curved(0.0, 0.5, triangles)); /* 150 of 302 facets */
+        assert_false(tube_is_curved(0.5, 0.5, triangles));
+    }
+}
+
 /* Five cubes as one body; two of them touch in an edge, at which four faces meet. The last face can be left out. */
 #define CUBES                                                                                                          \
     "0 0 1\n0 1 1\n0 1 0\n0 0 0\n1 0 0\n1 1 0\n1 1 1\n1 0 1\n0 0 2\n0 1 2\n1 0 2\n1 1 2\n2 0 1\n2 1 1\n2 1 2\n2 0 2\n" \
@@ -417,6 +463,7 @@ int main(void)
         cmocka_unit_test(winding_decides_nothing),  cmocka_unit_test(the_fill_rule_decides),
         cmocka_unit_test(solids_are_asked_for),     cmocka_unit_test(what_is_left_out_is_said),
         cmocka_unit_test(four_faces_at_an_edge),    cmocka_unit_test(lines_name_vertices_of_the_file),
+        cmocka_unit_test(extrusions_are_curved),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }
