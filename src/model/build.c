@@ -14,6 +14,7 @@
 #include "model/convex.h"
 #include "model/hull.h"
 #include "model/plain_bodies.h"
+#include "model/needles.h"
 #include "model/repeated_solids.h"
 #include "model/solid.h"
 #include "model/weld.h"
@@ -515,6 +516,8 @@ static roberts_status build_scene(const roberts_mesh *mesh, bool lend, const rob
         (*scene)->steps = whole ? whole->steps : mesh_rounding(mesh, chosen.rounded);
         status = build_any(*scene, mesh, lend, &chosen, &found);
     }
+    if (status == ROBERTS_OK && (*scene)->surface && !needles_find(*scene))
+        status = error_no_memory(&found);
     if (status == ROBERTS_OK && !lend) {
         free((*scene)->turned);
         (*scene)->turned = NULL;

@@ -134,6 +134,7 @@ void scene_surface_free(scene_surface *s)
     free(s->many);
     free(s->many_face);
     free(s->part);
+    free(s->needle);
     free(s);
 }
 

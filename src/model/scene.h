@@ -45,6 +45,7 @@ enum {
     EDGE_MANY = 4,     /* it has more than two faces: see scene_many */
     EDGE_CUT = 8,      /* a cut between pieces of one non-planar face: not an edge of the file */
     EDGE_PART = 16,    /* a part of an edge of the file: see scene_part */
+    EDGE_NEEDLE = 32,  /* it has two faces, and one of them is a needle: see scene_needle */
 };
 #define MANY_TURNED 0x80000000u /* a flag in lists of an edge's faces: the face is on the right of v[0] -> v[1] */
 
@@ -60,6 +61,14 @@ typedef struct scene_part {
     double t0, t1;       /* parameters along the edge of the file */
 } scene_part;
 
+/* A face so narrow that rounding of the coordinates has turned its plane, and the face whose plane tells more. */
+typedef struct scene_needle {
+    uint32_t face;     /* compact number */
+    uint32_t stand_in; /* ROBERTS_NONE: none was found */
+    float way;         /* 1 if both are wound alike, otherwise -1 */
+    float turn;        /* scene_turn() of the face */
+} scene_needle;
+
 typedef struct scene_surface {
     uint8_t *kind;      /* [solid_count] roberts_body_kind */
     uint8_t *smooth;    /* [solid_count] 1: a curved surface, many faces that mostly meet at small angles */
@@ -71,8 +80,9 @@ typedef struct scene_surface {
     plane *whole;       /* [face_count] see scene_whole_plane(); NULL: every face is planar */
     scene_many *many;   /* [many_count] sorted by edge */
     uint32_t *many_face;
-    scene_part *part; /* [part_count] sorted by edge */
-    uint32_t many_count, part_count;
+    scene_part *part;     /* [part_count] sorted by edge */
+    scene_needle *needle; /* [needle_count] sorted by face */
+    uint32_t many_count, part_count, needle_count;
 } scene_surface;
 
 /* What a camera sees of all vertices, in view units: see view_add_reach(). Each is a minimum or maximum over vertices,
@@ -291,6 +301,9 @@ static inline double scene_step(const roberts_scene *scene)
 /* Coordinates that were rounded turn the plane of a narrow face. This is the most by which that may bend an edge, as a
  * distance of unit normals; beyond it, an edge is an edge. */
 #define SCENE_ROUNDED_BEND 0.125
+
+/* A face that rounding may have turned by this much is a needle; it is a quarter of a degree. */
+#define SCENE_NEEDLE_TURN 0x1p-8
 
 /* Returns how far rounding may have turned the plane of a face, as a distance of unit normals. It moves a corner by at
  * most sqrt(3)/4 of a step. So it turns a plane by at most twice that over the least width of the face, of a triangle

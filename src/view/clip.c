@@ -523,7 +523,7 @@ static bool cut_body_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *
     origin->edge = number;
     for (int k = 0; k < 2; k++)
         f[k] = edge->f[k] == ROBERTS_NONE ? ROBERTS_NONE : map[own->face + edge->f[k]];
-    uint8_t is = from->surface->edge_is[e];
+    uint8_t is = from->surface->edge_is[e] & (uint8_t)~EDGE_NEEDLE; /* the cut scene lists no needles */
     if (!cutter_add_edge(c, v0, v1, c->first.face, c->first.face, false) ||
         !array_reserve(&to->edge_is, &c->edge_is_room, number + (size_t)1, 1))
         return false;

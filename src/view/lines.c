@@ -2,6 +2,8 @@
  * and --union. Edges of convex solids are handled in seen.h, inline. */
 #include "view/seen.h"
 
+#include "base/sort.h"
+
 /* How many faces of an edge lie on each side of it in the picture. */
 typedef struct edge_faces {
     unsigned left, right;
@@ -53,6 +55,49 @@ static bool is_flat_with(const roberts_scene *scene, uint32_t first, uint32_t fa
     return are_flat(scene, first, face, 1.0, crease) || are_flat(scene, first, face, -1.0, crease);
 }
 
+/* May rounding have turned a needle so far that it is seen from the wrong side? */
+static bool is_uncertain(const seen *s, const roberts_scene *scene, const scene_needle *needle)
+{
+    const view *v = &s->view;
+    const plane F = scene_plane(scene, needle->face);
+    roberts_vec3 along = v->dir;
+    if (v->inverse_distance > 0.0) {
+        const roberts_vec3 eye = vec3_add(v->origin, vec3_scale(v->unit / v->inverse_distance, v->dir));
+        along = vec3_sub(eye, scene->point[scene->corner[scene->face_start[needle->face]]]);
+    }
+    const double height = F.a * along.x + F.b * along.y + F.c * along.z;
+    return needle->turn > SCENE_ROUNDED_BEND || fabs(height) < (double)needle->turn * vec3_length(along);
+}
+
+/* The face that decides which side of a face is seen, and how it bends: another one if it is a needle, and the view or
+ * the width of the needle leaves doubt. *way: -1 if that face is wound the other way. */
+static uint32_t deciding_face(const seen *s, const roberts_scene *scene, uint32_t face, double *way)
+{
+    const scene_surface *surface = scene->surface;
+    const size_t at = find_numbered(surface->needle, surface->needle_count, sizeof *surface->needle, face);
+    *way = 1.0;
+    if (at == surface->needle_count)
+        return face;
+    const scene_needle *needle = &surface->needle[at];
+    if (needle->face != face || needle->stand_in == ROBERTS_NONE || !is_uncertain(s, scene, needle))
+        return face;
+    *way = needle->way;
+    return needle->stand_in;
+}
+
+/* The same as faces_of_edge() for an edge that has a needle. */
+static edge_faces faces_of_needle(const seen *s, const roberts_scene *scene, const uint32_t face[2], uint8_t is,
+                                  double crease)
+{
+    edge_faces found = {0};
+    double way[2];
+    const uint32_t f = deciding_face(s, scene, face[0], &way[0]), g = deciding_face(s, scene, face[1], &way[1]);
+    add_edge_face(facing_of_face(s, scene, f), ((is & EDGE_TURNED_0) != 0) != (way[0] < 0.0), &found);
+    add_edge_face(facing_of_face(s, scene, g), ((is & EDGE_TURNED_1) != 0) != (way[1] < 0.0), &found);
+    found.flat = are_flat(scene, f, g, scene_way(is) * way[0] * way[1], crease);
+    return found;
+}
+
 /* Do the two faces of edge `e` meet at the crease angle or less? first: the first face of its body. */
 static bool is_flatter(const roberts_scene *scene, uint32_t first, const scene_edge *edge, uint32_t e, double crease)
 {
@@ -79,9 +124,13 @@ static edge_faces sides_of_edge(const seen_walk *w, const roberts_scene *scene, 
 static edge_faces faces_of_edge(const seen_walk *w, const roberts_scene *scene, const scene_edge *edge, uint32_t e,
                                 double crease)
 {
+    const uint8_t is = scene->surface->edge_is[e];
+    const uint32_t first = scene->solid[w->body].face;
+    if (is & EDGE_NEEDLE)
+        return faces_of_needle(w->of, scene, (uint32_t[]){first + edge->f[0], first + edge->f[1]}, is, crease);
     edge_faces found = sides_of_edge(w, scene, edge, e);
     if (edge->f[1] != ROBERTS_NONE)
-        found.flat = is_flatter(scene, scene->solid[w->body].face, edge, e, crease);
+        found.flat = is_flatter(scene, first, edge, e, crease);
     return found;
 }
 
@@ -171,7 +220,7 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     const seen *s = w->of;
     const roberts_scene *scene = s->scene;
     uint8_t is = scene->surface->edge_is[e];
-    bool joins = w->all && !(is & EDGE_CUT) && seen_joins_faces(w->facing, edge, is);
+    bool joins = w->all && !(is & (EDGE_CUT | EDGE_NEEDLE)) && seen_joins_faces(w->facing, edge, is);
     line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are drawn */
     bool is_line;
     if (!joins)

@@ -26,9 +26,9 @@ static turned_text begin(void)
 }
 
 /* The number of edges of which something is drawn, hidden or not. Rows of an edge follow one another. */
-static size_t count_lines(turned_text *t, bool rounded, double crease)
+static size_t count_lines_along(turned_text *t, roberts_vec3 dir, bool rounded, double crease)
 {
-    const roberts_camera camera = {.dir = mat3_map(t->turn, (roberts_vec3){0.2, -0.3, 0.9})};
+    const roberts_camera camera = {.dir = mat3_map(t->turn, dir)};
     roberts_hide_options options = roberts_hide_options_default();
     roberts_verify_options verify = roberts_verify_options_default();
     roberts_verification found;
@@ -47,6 +47,11 @@ static size_t count_lines(turned_text *t, bool rounded, double crease)
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
     return lines;
+}
+
+static size_t count_lines(turned_text *t, bool rounded, double crease)
+{
+    return count_lines_along(t, (roberts_vec3){0.2, -0.3, 0.9}, rounded, crease);
 }
 
 /* Two flat fans of slivers, which meet along a line at this angle from flat. */
@@ -74,6 +79,58 @@ static void fans(void **state)
     assert_int_equal(count_lines(&flat, true, 0.0), 4 + 298); /* then all edges are lines */
     test_free(flat.text.at);
     test_free(bent.text.at);
+}
+
+/* Two triangles, cut into a fan each, which meet along a line at this angle from flat. Every other point there is a
+ * few steps of the rounding beside it, so that there are 50 slivers between the fans. */
+static turned_text two_triangles(double degrees)
+{
+    enum { STEPS = 100, LEFT = STEPS + 1, RIGHT };
+    const double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180);
+    turned_text t = begin();
+    put(&t.text, "OFF\n%d %d 0\n", STEPS + 3, 2 * STEPS);
+    for (int i = 0; i <= STEPS; i++)
+        put_point(&t, (double)i / STEPS, i % 2 * 0.00001 * c, i % 2 * 0.00001 * s);
+    put_point(&t, 0.5, c, s);
+    put_point(&t, 0.5, -1, 0);
+    for (int i = 0; i < STEPS; i += 2) {
+        put(&t.text, "3 %d %d %d\n3 %d %d %d\n", i, i + 1, i + 2, LEFT, i, i + 2);
+        put(&t.text, "3 %d %d %d\n3 %d %d %d\n", RIGHT, i + 1, i, RIGHT, i + 2, i + 1);
+    }
+    return t;
+}
+
+/* Rounding turns the slivers, so that some show their backs. */
+static void slivers_that_are_turned_over(void **state)
+{
+    const roberts_vec3 dir[] = {{0.2, -0.3, 0.9}, {0.3, -0.9, 0.002}, {0.1, 0.9, 0.3}};
+    turned_text flat = two_triangles(0), bent = two_triangles(30);
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(count_lines_along(&flat, dir[i], true, 0.1), 4);
+        assert_true(count_lines_along(&flat, dir[i], false, 0.1) > 50);
+        assert_int_equal(count_lines_along(&bent, dir[i], true, 0.1), 4 + 100);
+    }
+    test_free(flat.text.at);
+    test_free(bent.text.at);
+}
+
+/* A roof whose ridge is cut off, by a few steps of the rounding: two slivers, with one of which a slope goes on. */
+static void a_ridge_of_slivers(void **state)
+{
+    turned_text t = begin();
+    (void)state;
+    put(&t.text, "OFF\n8 6 0\n");
+    for (int side = -1; side <= 1; side += 2) {
+        put_point(&t, 0, side * 0.000004, 0);
+        put_point(&t, 1, side * 0.000004, 0);
+        put_point(&t, 1, side, -1);
+        put_point(&t, 0, side, -1);
+    }
+    put(&t.text, "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n");
+    assert_int_equal(count_lines(&t, true, 0.1), 1 + 2 * 3 + 2); /* the ridge, and a border */
+    assert_int_equal(count_lines_along(&t, (roberts_vec3){0.1, -1, 0.2}, true, 0.1), 1 + 2 * 3 + 2);
+    test_free(t.text.at);
 }
 
 /* A disc with caps of slivers: a convex solid, to rounding. */
@@ -140,7 +197,11 @@ static void a_sliver_along_a_side(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fans), cmocka_unit_test(a_disc), cmocka_unit_test(strips),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fans),
+                                       cmocka_unit_test(slivers_that_are_turned_over),
+                                       cmocka_unit_test(a_ridge_of_slivers),
+                                       cmocka_unit_test(a_disc),
+                                       cmocka_unit_test(strips),
                                        cmocka_unit_test(a_sliver_along_a_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
