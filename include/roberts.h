@@ -269,6 +269,9 @@ typedef enum roberts_body_kind {
 /** The kind of a body; ROBERTS_OPEN if no body has that number. */
 roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t body);
 
+/** The number of a body's faces; of a body that is not convex, of their convex pieces. 0: no body has that number. */
+uint32_t roberts_scene_body_face_count(const roberts_scene *scene, uint32_t body);
+
 /** A body of no more faces is not curved. */
 #define ROBERTS_FACETED_MOST 500
 

@@ -468,13 +468,13 @@ size_t hint_curved(const roberts_scene *scene)
     return curved;
 }
 
-bool hint_round(const roberts_scene *scene)
+size_t hint_round(const roberts_scene *scene)
 {
-    const size_t bodies = roberts_scene_solid_count(scene);
-    for (uint32_t s = 0; s < bodies; s++)
-        if (roberts_scene_body_kind(scene, s) != ROBERTS_CONVEX)
-            return false;
-    return roberts_scene_face_count(scene) > ROBERTS_FACETED_MOST * bodies;
+    size_t round = 0;
+    for (uint32_t s = 0; s < roberts_scene_solid_count(scene); s++)
+        round += roberts_scene_body_kind(scene, s) == ROBERTS_CONVEX &&
+                 roberts_scene_body_face_count(scene, s) > ROBERTS_FACETED_MOST;
+    return round;
 }
 
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)

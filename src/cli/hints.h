@@ -60,8 +60,8 @@ bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing,
 /* How many bodies are curved? */
 size_t hint_curved(const roberts_scene *scene);
 
-/* Are all bodies convex, with enough faces on average that they probably stand for round ones? */
-bool hint_round(const roberts_scene *scene);
+/* How many bodies are convex, with so many faces that they probably stand for round ones? */
+size_t hint_round(const roberts_scene *scene);
 
 /* Are most edges left out because they are flat, so that only borders are drawn? A tiling is like this. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);

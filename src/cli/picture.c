@@ -156,16 +156,17 @@ static void tell_curved(const cli_options *options, const roberts_scene *scene)
     char text[120];
     if (options->quiet || !options->hide.crease_auto || options->hide.all_edges)
         return;
-    const size_t curved = hint_curved(scene);
+    const size_t curved = hint_curved(scene), round = hint_round(scene);
     snprintf(text, sizeof text,
              "edges of 30 degrees and less are left out of %zu curved bod%s; --crease 0.1 draws them", curved,
              curved == 1 ? "y" : "ies");
     if (curved > 0)
         note_of_inputs(options, text);
-    else if (hint_round(scene))
-        note_of_inputs(
-            options,
-            "edges of 30 degrees and less are drawn, since the bodies are convex; --crease 30 leaves them out");
+    snprintf(text, sizeof text,
+             "edges of 30 degrees and less of %zu convex bod%s are drawn; --crease 30 leaves them out", round,
+             round == 1 ? "y" : "ies");
+    if (round > 0)
+        note_of_inputs(options, text);
 }
 
 static void tell_scene(const cli_options *options, const roberts_scene *scene, const run_stats *run)

@@ -431,6 +431,11 @@ roberts_body_kind roberts_scene_body_kind(const roberts_scene *scene, uint32_t b
     return scene->surface ? (roberts_body_kind)scene->surface->kind[body] : ROBERTS_CONVEX;
 }
 
+uint32_t roberts_scene_body_face_count(const roberts_scene *scene, uint32_t body)
+{
+    return body < scene->solid_count ? scene->solid[body + 1].face - scene->solid[body].face : 0;
+}
+
 bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body)
 {
     return scene->surface && body < scene->solid_count && scene->surface->smooth[body];

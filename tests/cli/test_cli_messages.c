@@ -569,8 +569,10 @@ static void round_bodies_are_told(void **state)
         fprintf(file, "4 %d %d %d %d\n", i, (i + 1) % SIDES, SIDES + (i + 1) % SIDES, SIDES + i);
     assert_int_equal(fclose(file), 0);
     assert_int_equal(run("round.off -f null"), 0);
-    assert_string_equal(last.err, "roberts: round.off: note: edges of 30 degrees and less are drawn, since the bodies "
-                                  "are convex; --crease 30 leaves them out\n");
+    assert_string_equal(last.err, "roberts: round.off: note: edges of 30 degrees and less of 1 convex body are drawn; "
+                                  "--crease 30 leaves them out\n");
+    assert_int_equal(run("round.off models/table.off -f null"), 0);
+    assert_non_null(strstr(last.err, "of 1 convex body are drawn"));
     assert_int_equal(run("round.off -f null --crease 30"), 0);
     assert_string_equal(last.err, "");
     assert_int_equal(run("models/platonic/cube.off -f null"), 0);
