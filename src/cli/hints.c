@@ -53,17 +53,32 @@ static size_t distance(const char *a, const char *b)
     return row[1][m];
 }
 
+/* Is `word` the singular of `plural`, as body of bodies? Words that differ by an "s" alone begin alike anyway. */
+static bool is_singular(const char *word, const char *plural)
+{
+    static const struct {
+        const char *one, *many;
+    } endings[] = {{"ex", "ices"}, {"y", "ies"}};
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        const size_t whole = strlen(plural), ending = strlen(endings[i].many), stem = whole - least(whole, ending);
+        if (strcmp(plural + stem, endings[i].many) == 0 && strncasecmp(word, plural, stem) == 0 &&
+            strcasecmp(word + stem, endings[i].one) == 0)
+            return true;
+    }
+    return false;
+}
+
 const char *hint_word(const char *word, const char *const *words)
 {
     const char *best = NULL;
     size_t length = strlen(word), best_distance = FAR;
     for (size_t i = 0; words[i]; i++) {
-        /* The beginning of a word means that word, and "isometric" means iso. Otherwise a third of the letters may be
-         * wrong, but none in words of two letters. */
+        /* The beginning of a word means that word, "isometric" means iso, and "vertex" vertices. Otherwise a third of
+         * the letters may be wrong, but none in words of two letters. */
         size_t shorter = least(length, strlen(words[i]));
-        bool begins = shorter >= 2 && strncmp(words[i], word, shorter) == 0;
-        size_t d = begins ? 0 : distance(word, words[i]);
-        if (d < best_distance && (begins || (shorter > 2 && 3 * d <= shorter + 1))) {
+        bool sure = (shorter >= 2 && strncasecmp(words[i], word, shorter) == 0) || is_singular(word, words[i]);
+        size_t d = sure ? 0 : distance(word, words[i]);
+        if (d < best_distance && (sure || (shorter > 2 && 3 * d <= shorter + 1))) {
             best = words[i];
             best_distance = d;
         }
