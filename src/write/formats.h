@@ -25,6 +25,10 @@ roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output 
  * (tikz.c) */
 void tikz_text_write(output *out, const char *text);
 
+/* How many characters of the text LaTeX does not define; control characters and bytes that are not UTF-8 count, too.
+ * `first`, unless NULL, receives the first of them; 0: such a byte. (tikz.c) */
+size_t tikz_text_missing(const char *text, uint32_t *first);
+
 /* How many characters of the text are in neither of the two fonts that every reader of PDF has, Helvetica and Symbol.
  * They become plain letters or question marks. `first`, unless NULL, receives the first of them; 0: a byte that is not
  * UTF-8. (pdf.c) */

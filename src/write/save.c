@@ -209,26 +209,38 @@ static page_writer *const page_writers[] = {
     [ROBERTS_DXF] = dxf_write,     [ROBERTS_HPGL] = hpgl_write,
 };
 
-/* Warns once about the characters that the fonts lack. Fonts of viewers are unknown here, except those of PDF. */
+/* What counts missing characters, what lacks them, and what becomes of them. */
+typedef struct letter_stock {
+    size_t (*missing)(const char *text, uint32_t *first);
+    const char *name, *result;
+} letter_stock;
+
+/* Warns once about the characters that are missing. Fonts of viewers of other formats are unknown here. */
 static void tell_missing(const strokes *s)
 {
+    static const letter_stock pens = {letters_missing, "letters", "a box stands for each"},
+                              pdf = {pdf_text_missing, "fonts of PDF",
+                                     "a plain letter or a question mark stands for each"},
+                              tikz = {tikz_text_missing, "definitions of LaTeX",
+                                      "pdflatex fails unless the document defines each"};
     const roberts_warnings *to = &s->options->lettering.warnings;
-    const bool native = strokes_text_is_native(s->options), is_pdf = s->options->format == ROBERTS_PDF;
+    const roberts_format format = s->options->format;
+    const letter_stock *stock = !strokes_text_is_native(s->options) ? &pens
+                                : format == ROBERTS_PDF             ? &pdf
+                                : format == ROBERTS_TIKZ            ? &tikz
+                                                                    : NULL;
     size_t missing = 0;
     uint32_t first = 0;
-    char text[160];
-    for (size_t i = 0; i < s->notes.count; i++) {
-        const char *line = notes_line(&s->notes, i).text;
-        missing += (native && is_pdf ? pdf_text_missing : letters_missing)(line, missing ? NULL : &first);
-    }
-    if (missing == 0 || !to->warn || (native && !is_pdf))
+    char text[160], which[32] = "a byte that is not UTF-8";
+    for (size_t i = 0; stock && i < s->notes.count; i++)
+        missing += stock->missing(notes_line(&s->notes, i).text, missing ? NULL : &first);
+    if (missing == 0 || !to->warn)
         return;
-    char which[32] = "a byte that is not UTF-8";
     if (first)
         snprintf(which, sizeof which, "U+%04X", (unsigned)first);
-    snprintf(text, sizeof text, "the %s lack %zu character%s, the first of them %s: %s",
-             native ? "fonts of PDF" : "letters", missing, missing == 1 ? "" : "s", which,
-             native ? "a plain letter or a question mark stands for each" : "a box stands for each");
+    snprintf(text, sizeof text, "the %s lack %zu character%s, the first of them %s: %s", stock->name, missing,
+             missing == 1 ? "" : "s", which,
+             stock == &tikz && first < 0x80 ? "a question mark stands for each" : stock->result);
     to->warn(to->context, "", 0, text);
 }
 

@@ -16,8 +16,8 @@
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 
-/* Characters that TeX reads as commands get names, Greek letters are in mathematics. All others stay as they are, in
- * UTF-8, which LaTeX reads since 2018. */
+/* Characters that TeX reads as commands get names, Greek letters and signs of mathematics are in mathematics. All
+ * others stay as they are, in UTF-8, which LaTeX reads since 2018. */
 
 /* A character, and what it is in TeX. */
 typedef struct tex_word {
@@ -40,15 +40,59 @@ static const tex_word names[] = {{'#', "\\#"},
                                  {'>', "\\textgreater{}"},
                                  {'|', "\\textbar{}"},
                                  {'"', "''"},
-                                 {0xd7, "\\ensuremath{\\times}"},
-                                 {0xb0, "\\ensuremath{{}^\\circ}"},
-                                 {0xb1, "\\ensuremath{\\pm}"},
-                                 {0x2212, "\\ensuremath{-}"},
-                                 {0x2300, "\\O{}"},
-                                 {0x2220, "\\ensuremath{\\angle}"},
-                                 {0x22a5, "\\ensuremath{\\perp}"},
-                                 {0x221a, "\\ensuremath{\\surd}"},
-                                 {0xbd, "\\ensuremath{\\frac12}"}};
+                                 {0x2300, "\\O{}"}};
+
+/* Signs that plain LaTeX has in mathematics only. Its sums, products and integrals do not grow with the text. */
+static const tex_word mathematics[] = {{0xb0, "{}^\\circ"},
+                                       {0xb1, "\\pm"},
+                                       {0xb7, "\\cdot"},
+                                       {0xbd, "\\frac12"},
+                                       {0xd7, "\\times"},
+                                       {0xf7, "\\div"},
+                                       {0x2032, "{}^\\prime"},
+                                       {0x2033, "{}^{\\prime\\prime}"},
+                                       {0x2034, "{}^{\\prime\\prime\\prime}"},
+                                       {0x2190, "\\leftarrow"},
+                                       {0x2192, "\\rightarrow"},
+                                       {0x2194, "\\leftrightarrow"},
+                                       {0x21d2, "\\Rightarrow"},
+                                       {0x21d4, "\\Leftrightarrow"},
+                                       {0x2200, "\\forall"},
+                                       {0x2202, "\\partial"},
+                                       {0x2203, "\\exists"},
+                                       {0x2205, "\\emptyset"},
+                                       {0x2207, "\\nabla"},
+                                       {0x2208, "\\in"},
+                                       {0x2209, "\\notin"},
+                                       {0x220f, "\\Pi"},
+                                       {0x2211, "\\Sigma"},
+                                       {0x2212, "-"},
+                                       {0x2213, "\\mp"},
+                                       {0x221a, "\\surd"},
+                                       {0x221e, "\\infty"},
+                                       {0x2220, "\\angle"},
+                                       {0x2225, "\\parallel"},
+                                       {0x2229, "\\cap"},
+                                       {0x222a, "\\cup"},
+                                       {0x222b, "\\smallint"},
+                                       {0x2248, "\\approx"},
+                                       {0x2260, "\\neq"},
+                                       {0x2261, "\\equiv"},
+                                       {0x2264, "\\leq"},
+                                       {0x2265, "\\geq"},
+                                       {0x2282, "\\subset"},
+                                       {0x22a5, "\\perp"},
+                                       {0x25b3, "\\triangle"}};
+
+/* Ranges of characters beyond ASCII that LaTeX defines itself, in the encoding T1. */
+static const struct {
+    uint16_t first, last;
+} defined[] = {{0xa0, 0x125},    {0x128, 0x137},   {0x139, 0x13e},   {0x141, 0x148},   {0x14a, 0x165},
+               {0x168, 0x17e},   {0x192, 0x192},   {0x1cd, 0x1d4},   {0x1e6, 0x1eb},   {0x1f0, 0x1f0},
+               {0x1f4, 0x1f5},   {0x218, 0x21b},   {0x237, 0x237},   {0x1e9e, 0x1e9e}, {0x2010, 0x2016},
+               {0x2018, 0x201a}, {0x201c, 0x201e}, {0x2020, 0x2022}, {0x2026, 0x2026}, {0x2030, 0x2031},
+               {0x2039, 0x203b}, {0x20ac, 0x20ac}, {0x2103, 0x2103}, {0x2116, 0x2117}, {0x2122, 0x2122},
+               {0x2190, 0x2193}, {0x25e6, 0x25e6}, {0x25ef, 0x25ef}, {0x27e8, 0x27e9}};
 
 /* Commands for accents that follow their letter: LaTeX reads no combining characters. */
 static const tex_word accents[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"}, {0x303, "\\~"},  {0x304, "\\="},
@@ -80,11 +124,44 @@ static const char *tex_greek(int number)
     return name[number];
 }
 
+static const char *find_name(uint32_t code)
+{
+    return find_tex_word(names, sizeof names / sizeof names[0], code);
+}
+
+static const char *find_sign(uint32_t code)
+{
+    return find_tex_word(mathematics, sizeof mathematics / sizeof mathematics[0], code);
+}
+
 /* The command for the accent that the text begins with. Each accent has two bytes. */
 static const char *find_accent(const char *text)
 {
     size_t length;
     return find_tex_word(accents, sizeof accents / sizeof accents[0], letters_decode(text, &length));
+}
+
+static bool is_defined(uint32_t code)
+{
+    if ((code >= ' ' && code <= '~') || find_sign(code) || find_name(code))
+        return true;
+    for (size_t i = 0; i < sizeof defined / sizeof defined[0]; i++)
+        if (code >= defined[i].first && code <= defined[i].last)
+            return true;
+    return letters_greek_number(code) || letters_level(code);
+}
+
+size_t tikz_text_missing(const char *text, uint32_t *first)
+{
+    size_t missing = 0, length;
+    for (const char *at = text; *at; at += length) {
+        const uint32_t code = letters_decode(at, &length);
+        if (is_defined(code) || (at > text && find_accent(at)))
+            continue;
+        if (missing++ == 0 && first)
+            *first = code;
+    }
+    return missing;
 }
 
 void tikz_text_write(output *out, const char *text)
@@ -100,12 +177,12 @@ void tikz_text_write(output *out, const char *text)
             output_text(out, "{");
         }
         const int greek = letters_greek_number(code), level = letters_level(code);
-        const char *name = find_tex_word(names, sizeof names / sizeof names[0], code);
+        const char *name = find_name(code), *sign = find_sign(code);
         if (name) {
             output_text(out, name);
-        } else if (greek) {
-            output_text(out, "\\ensuremath{\\");
-            output_text(out, tex_greek(greek));
+        } else if (sign || greek) {
+            output_text(out, sign ? "\\ensuremath{" : "\\ensuremath{\\");
+            output_text(out, sign ? sign : tex_greek(greek));
             output_text(out, "}");
         } else if (level) {
             output_text(out, level > 0 ? "\\textsuperscript{" : "\\textsubscript{");

@@ -399,6 +399,16 @@ static void hidden_and_named(void **state)
     write_drawing(&drawing, &options);
     assert_string_equal(warnings.text, "the fonts of PDF lack 2 characters, the first of them U+4E00: a plain letter "
                                        "or a question mark stands for each");
+    options.format = ROBERTS_TIKZ;
+    write_drawing(&drawing, &options);
+    assert_string_equal(warnings.text, "the definitions of LaTeX lack 2 characters, the first of them U+4E00: pdflatex "
+                                       "fails unless the document defines each");
+    const roberts_name bytes = {ROBERTS_LABEL_VERTICES, 5, 0, "h\xff"};
+    options.lettering.name = &bytes;
+    write_drawing(&drawing, &options);
+    assert_string_equal(warnings.text, "the definitions of LaTeX lack 1 character, the first of them a byte that is "
+                                       "not UTF-8: a question mark stands for each");
+    options.format = ROBERTS_PDF;
     const roberts_name author = {ROBERTS_LABEL_VERTICES, 5, 0, "k\u016f\u0148 \u2010 \u017e\u00e9"};
     options.lettering.name = &author;
     write_drawing(&drawing, &options);

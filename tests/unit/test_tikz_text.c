@@ -1,8 +1,14 @@
-/* Text for LaTeX. */
+/* Text for LaTeX: what is written, which characters are missing, and that LaTeX sets all others. */
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "write/formats.h"
+#include "temporary.h"
 #include "testing.h"
+
+static char top[2048];
 
 static char written[200];
 static size_t used;
@@ -34,6 +40,9 @@ static void characters(void **state)
                  {"A₁²", "A\\textsubscript{1}\\textsuperscript{2}"},
                  {"90°", "90\\ensuremath{{}^\\circ}"},
                  {"√2½", "\\ensuremath{\\surd}2\\ensuremath{\\frac12}"},
+                 {"A′ ≤∞", "A\\ensuremath{{}^\\prime} \\ensuremath{\\leq}\\ensuremath{\\infty}"},
+                 {"1−½", "1\\ensuremath{-}\\ensuremath{\\frac12}"},
+                 {"– — … ‘ ’ “ ”", "– — … ‘ ’ “ ”"},
                  {"(11\u03050)e\u0301", "(1\\={1}0)\\'{e}"},
                  {"e\u0302\u0301a\u0328\u0300.", "\\'{\\^{e}}\\`{\\k{a}}."},
                  {"a\nb\x7f\xff.", "a?b??."},
@@ -49,8 +58,79 @@ static void characters(void **state)
     }
 }
 
+static void characters_that_latex_lacks(void **state)
+{
+    static const struct {
+        const char *text;
+        size_t missing;
+        uint32_t first;
+    } cases[] = {{"A 1-2, $%", 0, 0},
+                 {"Größe Łódź ů β₁ (11\u03050)", 0, 0},
+                 {"′ ″ ‴ ≤ ≥ ≠ ≈ ≡ ∞ ± ∓ · ÷ × ° ∠ ⊥ ∥ △ ∈ ∉ ⊂ ∪ ∩ ∅ → ← ↔ ⇒ ⇔", 0, 0},
+                 {"∑ ∏ ∫ ∂ ∇ ∀ ∃ √ ½ − – — … ‘ ’ “ ” €", 0, 0},
+                 {"\u4e00b\u4e8c", 2, 0x4e00},
+                 {"a\u2a3f", 1, 0x2a3f},
+                 {"\u0438", 1, 0x438},
+                 {"\u0301e", 1, 0x301}, /* no letter before the accent */
+                 {"b\xff", 1, 0},
+                 {"\t", 1, 9},
+                 {"", 0, 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        uint32_t first = 0;
+        const size_t missing = tikz_text_missing(cases[i].text, &first);
+        if (missing != cases[i].missing || first != cases[i].first)
+            fail_msg("\"%s\": %zu missing, the first U+%04X", cases[i].text, missing, (unsigned)first);
+    }
+}
+
+static bool put(void *file, const void *bytes, size_t size)
+{
+    return fwrite(bytes, 1, size, file) == size;
+}
+
+/* A document of all characters of three bytes or fewer that are not missing. */
+static void latex_sets_all_others(void **state)
+{
+    (void)state;
+    if (system("pdflatex --version >/dev/null 2>&1") != 0)
+        SKIP_BECAUSE("no pdflatex here");
+    assert_int_equal(chdir(temporary), 0);
+    FILE *file = fopen("a.tex", "w");
+    assert_non_null(file);
+    fputs("\\documentclass{article}\n\\usepackage[T1]{fontenc}\n\\begin{document}\n", file);
+    size_t count = 0;
+    for (unsigned code = 1; code < 0x10000; code++) {
+        const char last = (char)(0x80 | (code & 0x3f)), middle = (char)(0x80 | (code >> 6 & 0x3f));
+        const char one[] = {(char)code, '\0'}, two[] = {(char)(0xc0 | code >> 6), last, '\0'};
+        const char three[] = {(char)(0xe0 | code >> 12), middle, last, '\0'};
+        const char *character = code < 0x80 ? one : code < 0x800 ? two : three;
+        output out;
+        if (tikz_text_missing(character, NULL) > 0)
+            continue;
+        output_start(&out, put, file);
+        tikz_text_write(&out, character);
+        assert_int_equal(output_finish(&out, NULL), ROBERTS_OK);
+        fputs(++count % 20 == 0 ? "\n\n" : "\n", file);
+    }
+    fputs("\\end{document}\n", file);
+    assert_int_equal(fclose(file), 0);
+    assert_true(count > 400);
+    if (system("pdflatex -draftmode -halt-on-error -interaction=nonstopmode a.tex >a.out 2>&1") != 0) {
+        assert_int_equal(system("grep -A3 '^!' a.out"), 0);
+        fail();
+    }
+    assert_int_equal(chdir(top), 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(characters)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(characters),
+        cmocka_unit_test(characters_that_latex_lacks),
+        cmocka_unit_test_setup_teardown(latex_sets_all_others, temporary_make, temporary_remove),
+    };
+    if (!getcwd(top, sizeof top))
+        return 1;
     return cmocka_run_group_tests_name("text for LaTeX", tests, NULL, NULL);
 }
