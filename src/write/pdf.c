@@ -12,9 +12,9 @@
 
 /* ---- text -------------------------------------------------------------------------------------------------------- */
 
-/* Text in PDF: Helvetica in the encoding WinAnsi, Greek in the font Symbol (Adobe, "PDF Reference, third
- * edition", 2001, appendix D). Both are among the fonts that need not be in the file. A character that neither has is
- * written without its accent, or as a question mark.
+/* Text in PDF: Helvetica in the encoding WinAnsi, Greek and signs of mathematics in the font Symbol (Adobe, "PDF
+ * Reference, third edition", 2001, appendix D). Both are among the fonts that need not be in the file. A character that
+ * neither has is written without its accent, or as a question mark.
  *
  * Widths are those of Adobe's metrics of these fonts, in thousandths of the size. */
 
@@ -44,7 +44,20 @@ static const struct {
                   {0x2018, 0x91, 222}, {0x2019, 0x92, 222},  {0x201c, 0x93, 333}, {0x201d, 0x94, 333},
                   {0x2013, 0x96, 556}, {0x2014, 0x97, 1000}, {0x160, 0x8a, 667},  {0x161, 0x9a, 500},
                   {0x17d, 0x8e, 611},  {0x17e, 0x9e, 500},   {0x152, 0x8c, 1000}, {0x153, 0x9c, 944},
-                  {0x178, 0x9f, 667},  {0x2212, 0x96, 556},  {0x2300, 0xd8, 778}};
+                  {0x178, 0x9f, 667},  {0x2300, 0xd8, 778}};
+
+/* Signs of Symbol that WinAnsi lacks. */
+static const struct {
+    uint16_t code;
+    unsigned char byte;
+    unsigned short width;
+} symbol_signs[] = {
+    {0x2032, 0xa2, 247}, {0x2033, 0xb2, 411},  {0x2190, 0xac, 987}, {0x2192, 0xae, 987}, {0x2194, 0xab, 1042},
+    {0x21d2, 0xde, 987}, {0x21d4, 0xdb, 1042}, {0x2200, 0x22, 713}, {0x2202, 0xb6, 494}, {0x2203, 0x24, 549},
+    {0x2205, 0xc6, 823}, {0x2207, 0xd1, 713},  {0x2208, 0xce, 713}, {0x2209, 0xcf, 713}, {0x220f, 0xd5, 823},
+    {0x2211, 0xe5, 713}, {0x2212, 0x2d, 549},  {0x221a, 0xd6, 549}, {0x221e, 0xa5, 713}, {0x2220, 0xd0, 768},
+    {0x2229, 0xc7, 768}, {0x222a, 0xc8, 768},  {0x222b, 0xf2, 274}, {0x2248, 0xbb, 549}, {0x2260, 0xb9, 549},
+    {0x2261, 0xba, 549}, {0x2264, 0xa3, 549},  {0x2265, 0xb3, 549}, {0x2282, 0xcc, 713}, {0x22a5, 0x5e, 658}};
 
 /* A character as bytes of one of the fonts. */
 typedef struct glyph {
@@ -57,6 +70,13 @@ typedef struct glyph {
 static glyph one_byte(unsigned byte, double width)
 {
     return (glyph){.byte = {(unsigned char)byte}, .count = 1, .width = width / 1000.0};
+}
+
+static glyph symbol_byte(unsigned byte, double width)
+{
+    glyph g = one_byte(byte, width);
+    g.is_symbol = true;
+    return g;
 }
 
 static double letter_width(char letter)
@@ -95,16 +115,12 @@ static glyph find_glyph(uint32_t code)
             return one_byte(latin_more[i].byte, latin_more[i].width);
     if (greek) {
         const int at = greek > 32 ? greek - 33 + 24 : greek - 1;
-        glyph g = one_byte((unsigned char)greek_byte[at], greek_width[at]);
-        g.is_symbol = true;
-        return g;
+        return symbol_byte((unsigned char)greek_byte[at], greek_width[at]);
     }
+    for (size_t i = 0; i < sizeof symbol_signs / sizeof symbol_signs[0]; i++)
+        if (symbol_signs[i].code == code)
+            return symbol_byte(symbol_signs[i].byte, symbol_signs[i].width);
     glyph g = {.count = 0};
-    if (code == 0x221a) { /* root */
-        g = one_byte(0xd6, 549);
-        g.is_symbol = true;
-        return g;
-    }
     for (size_t i = 0; plain && i < count && i < sizeof g.byte; i++) {
         g.byte[g.count++] = (unsigned char)plain[i];
         g.width += letter_width(plain[i]) / 1000.0;

@@ -21,8 +21,19 @@ static void characters_that_the_fonts_lack(void **state)
         const char *text;
         size_t missing;
         uint32_t first;
-    } cases[] = {{"A 1-2, b.", 0, 0}, {"Größe", 0, 0},   {"βΩ", 0, 0},    {"10 € – “x”", 0, 0},         {"√2 ½", 0, 0},
-                 {"A₁²", 1, 0x2081},  {"ů ň", 2, 0x16f}, {"1‐2 3", 0, 0}, {"\u4e00b\u4e8c", 2, 0x4e00}, {"b\xff", 1, 0},
+    } cases[] = {{"A 1-2, b.", 0, 0},
+                 {"Größe", 0, 0},
+                 {"βΩ", 0, 0},
+                 {"10 € – “x”", 0, 0},
+                 {"√2 ½", 0, 0},
+                 {"A₁²", 1, 0x2081},
+                 {"ů ň", 2, 0x16f},
+                 {"1‐2 3", 0, 0},
+                 {"\u4e00b\u4e8c", 2, 0x4e00},
+                 {"b\xff", 1, 0},
+                 {"′ ″ ≤ ≥ ≠ ≈ ≡ ∞ ± · ÷ × ° ∠ ⊥ ∈ ∉ ⊂ ∪ ∩ ∅ → ← ↔ ⇒ ⇔", 0, 0},
+                 {"∑ ∏ ∫ ∂ ∇ ∀ ∃ √ ½ −", 0, 0},
+                 {"∓", 1, 0x2213},
                  {"", 0, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -72,6 +83,7 @@ static void the_page_holds_the_text(void **state)
         const char *text, *first, *second;
     } cases[] = {{"edge 7", "/F1 ", " Tf (edge 7) Tj ET\n"},
                  {"\u00e9\u03b2", " Tf (\xe9) Tj /F2 ", " Tf (b) Tj ET\n"},
+                 {"x \u2264\u221e", " Tf (x ) Tj /F2 ", " Tf (\xa3\xa5) Tj ET\n"},
                  {"(a) \\", "/F1 ", " Tf (\\(a\\) \\\\) Tj ET\n"},
                  {"x\u4e00", "/F1 ", " Tf (x?) Tj ET\n"}};
     (void)state;
@@ -102,9 +114,9 @@ static void a_reader_finds_the_text(void **state)
     if (system("pdftotext -v >/dev/null 2>&1") != 0)
         SKIP_BECAUSE("no pdftotext (poppler-utils) here");
     assert_int_equal(chdir(temporary), 0);
-    const roberts_drawing *drawing = named_edge("Größe (β) \\ 5", &options);
+    const roberts_drawing *drawing = named_edge("Größe (β) \\ 5 ≤ 8−1 ≈ ∞′″", &options);
     assert_int_equal(roberts_drawing_save(drawing, &options, "a.pdf", NULL), ROBERTS_OK);
-    assert_int_equal(system("pdftotext -enc UTF-8 a.pdf - | grep -qxF 'Größe (β) \\ 5'"), 0);
+    assert_int_equal(system("pdftotext -enc UTF-8 a.pdf - | grep -qxF 'Größe (β) \\ 5 ≤ 8−1 ≈ ∞′″'"), 0);
     assert_int_equal(chdir(top), 0);
 }
 
