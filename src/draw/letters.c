@@ -96,9 +96,9 @@ static const struct {
     const char *character, *plain;
 } plain_letters[] = {
     {"\u00a0", " "}, {"–", "-"},  {"—", "-"},  {"−", "-"},  {"‐", "-"},   {"’", "'"},  {"‘", "`"},
-    {"‚", ","},      {"“", "\""}, {"”", "\""}, {"„", "\""}, {"…", "..."}, {"·", "."},  {"ı", "i"},
-    {"ß", "ss"},     {"Æ", "AE"}, {"æ", "ae"}, {"Œ", "OE"}, {"œ", "oe"},  {"þ", "th"}, {"Þ", "Th"},
-    {"′", "'"},      {"″", "\""}, {"«", "<<"}, {"»", ">>"}, {"‹", "<"},   {"›", ">"},  {"ð", "d"},
+    {"‚", ","},      {"“", "\""}, {"”", "\""}, {"„", "\""}, {"…", "..."}, {"ı", "i"},  {"ß", "ss"},
+    {"Æ", "AE"},     {"æ", "ae"}, {"Œ", "OE"}, {"œ", "oe"}, {"þ", "th"},  {"Þ", "Th"}, {"«", "<<"},
+    {"»", ">>"},     {"‹", "<"},  {"›", ">"},  {"ð", "d"},
 };
 
 /* Signs that the fonts lack, or have at other characters. */
@@ -108,6 +108,7 @@ static const struct {
 } signs[] = {
     {0xd7, "JZMMWW RWMMW"},                                           /* times */
     {0xb1, "F^RIRU RJMZM RJYZY"},                                     /* plus or minus */
+    {0x2213, "F^JKZK RJUZU RROR["},                                   /* minus or plus */
     {0xf7, "E_RJRK RIR[R RRYRZ"},                                     /* divided by */
     {0xb0, "KYRFTGUITKRLPKOIPGRF"},                                   /* degree */
     {0x2300, "G]PFMGKIJKIMINIUJWLYNZPZRZTYVWWUWNWMVKUITGRFPF RKZYF"}, /* diameter */
@@ -115,6 +116,20 @@ static const struct {
     {0x22a5, "G]RHR[ RI[[["},                                         /* at right angles */
     {0x221a, "H[JRMPR[YF[F"},                                         /* root */
     {0xbd, "F_IIKHMFMR RXFL[ RURVPWOZO[P\\Q\\S[UU[\\["},              /* one half */
+    {0xb7, "NVRQQRRSSRRQ"},                                           /* middle dot */
+    {0x2032, "NVTFQM"},                                               /* prime */
+    {0x2033, "KYQFNM RWFTM"},                                         /* double prime */
+    {0x2034, "H]NFKM RTFQM RZFWM"},                                   /* triple prime */
+    {0x2264, "F^ZGJMZS RJYZY"},                                       /* less or equal */
+    {0x2265, "F^JGZMJS RJYZY"},                                       /* greater or equal */
+    {0x2260, "E_IO[O RIU[U RWHM\\"},                                  /* not equal */
+    {0x2261, "E_IL[L RIR[R RIX[X"},                                   /* identical */
+    {0x2248, "E_IPJNLMNMPNTPVQXQZP[N RIVJTLSNSPTTVVWXWZV[T"},         /* almost equal */
+    {0x221e, "D`RROOMNJMHNGPGTHVJWMVOURRUOWNZM\\N]P]T\\VZWWVUURR"},   /* infinity */
+    {0x2225, "LXOFO[ RUFU["},                                         /* parallel */
+    {0x2190, "E_[RIR ROMIROW"},                                       /* arrows to the left, */
+    {0x2192, "E_IR[R RUM[RUW"},                                       /* to the right, */
+    {0x2194, "E_IR[R ROMIROW RUM[RUW"},                               /* and to both sides */
     {0x20ac, "G]ZKYIWGUFQFOGMILKKNKSLVMXOZQ[U[WZYXZV RHOVO RHSUS"},   /* euro */
 };
 
@@ -134,16 +149,16 @@ uint32_t letters_decode(const char *text, size_t *length)
     return code;
 }
 
-/* The final sigma counts as sigma, letters with tonos as those without; so do the signs of micro, ohm and increment as
- * mu, Omega and Delta. */
+/* The final sigma counts as sigma, letters with tonos as those without. So do signs that look like a Greek letter:
+ * micro, ohm, increment, triangle, sum and product. */
 int letters_greek_number(uint32_t code)
 {
     static const struct {
         uint32_t code, plain;
-    } same[] = {{0x3c2, 0x3c3}, {0x3ac, 0x3b1},  {0x3ad, 0x3b5}, {0x3ae, 0x3b7}, {0x3af, 0x3b9}, {0x3cc, 0x3bf},
-                {0x3cd, 0x3c5}, {0x3ce, 0x3c9},  {0x3d1, 0x3b8}, {0x3d5, 0x3c6}, {0x3f5, 0x3b5}, {0x386, 0x391},
-                {0x388, 0x395}, {0x389, 0x397},  {0x38a, 0x399}, {0x38c, 0x39f}, {0x38e, 0x3a5}, {0x38f, 0x3a9},
-                {0xb5, 0x3bc},  {0x2126, 0x3a9}, {0x2206, 0x394}};
+    } same[] = {{0x3c2, 0x3c3}, {0x3ac, 0x3b1},  {0x3ad, 0x3b5},  {0x3ae, 0x3b7},  {0x3af, 0x3b9},  {0x3cc, 0x3bf},
+                {0x3cd, 0x3c5}, {0x3ce, 0x3c9},  {0x3d1, 0x3b8},  {0x3d5, 0x3c6},  {0x3f5, 0x3b5},  {0x386, 0x391},
+                {0x388, 0x395}, {0x389, 0x397},  {0x38a, 0x399},  {0x38c, 0x39f},  {0x38e, 0x3a5},  {0x38f, 0x3a9},
+                {0xb5, 0x3bc},  {0x2126, 0x3a9}, {0x2206, 0x394}, {0x25b3, 0x394}, {0x2211, 0x3a3}, {0x220f, 0x3a0}};
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++)
         if (same[i].code == code)
             code = same[i].plain;

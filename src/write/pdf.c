@@ -113,13 +113,13 @@ static glyph find_glyph(uint32_t code)
     for (size_t i = 0; i < sizeof latin_more / sizeof latin_more[0]; i++)
         if (latin_more[i].code == code)
             return one_byte(latin_more[i].byte, latin_more[i].width);
+    for (size_t i = 0; i < sizeof symbol_signs / sizeof symbol_signs[0]; i++)
+        if (symbol_signs[i].code == code)
+            return symbol_byte(symbol_signs[i].byte, symbol_signs[i].width);
     if (greek) {
         const int at = greek > 32 ? greek - 33 + 24 : greek - 1;
         return symbol_byte((unsigned char)greek_byte[at], greek_width[at]);
     }
-    for (size_t i = 0; i < sizeof symbol_signs / sizeof symbol_signs[0]; i++)
-        if (symbol_signs[i].code == code)
-            return symbol_byte(symbol_signs[i].byte, symbol_signs[i].width);
     glyph g = {.count = 0};
     for (size_t i = 0; plain && i < count && i < sizeof g.byte; i++) {
         g.byte[g.count++] = (unsigned char)plain[i];

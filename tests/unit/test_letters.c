@@ -91,8 +91,9 @@ static void accents_in_place(void **state)
     static const struct {
         const char *text;
         double top, bottom;
-    } cases[] = {{"E", 79.0, 100.0}, {"É", 73.0, 100.0}, {"e", 86.0, 100.0},      {"é", 80.0, 100.0},
-                 {"ç", 86.0, 106.0}, {"2", 79.0, 100.0}, {"2\u0305", 75.0, 100.0}};
+    } cases[] = {{"E", 79.0, 100.0},       {"É", 73.0, 100.0}, {"e", 86.0, 100.0},
+                 {"é", 80.0, 100.0},       {"ç", 86.0, 106.0}, {"2", 79.0, 100.0},
+                 {"2\u0305", 75.0, 100.0}, {"′", 79.0, 86.0},  {"≤", 80.0, 98.0}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         roberts_vec2 min, max;
         polylines out = drawn(cases[i].text, 0.0, false);
@@ -130,6 +131,10 @@ static void signs_and_digits(void **state)
     assert_int_equal(strokes_of("√"), 1);
     assert_int_equal(strokes_of("½"), 3);
     assert_int_equal(strokes_of("€"), 3);
+    assert_int_equal(letters_missing("A′ B″ C‴ ≤ ≥ ≠ ≈ ≡ ∞ ± ∓ · ÷ ∠ ⊥ ∥ △ → ← ↔ ∑ ∏ −", NULL), 0);
+    assert_int_equal(strokes_of("″"), 2);
+    assert_int_equal(strokes_of("≤∞"), 3);
+    assert_int_equal(strokes_of("△"), strokes_of("Δ"));
     assert_true(fabs(letters_width("²", 3.5) - 0.6 * letters_width("2", 3.5)) < 1e-9);
     assert_true(letters_width("₁", 3.5) < letters_width("1", 3.5));
 }
