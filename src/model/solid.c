@@ -654,11 +654,14 @@ static void replace_plane(roberts_scene *scene, solid_frame *frame, uint32_t f, 
     frame_store(frame, scene, f, mean);
 }
 
-/* Gives each face marked `lean` the mean plane of its neighbours, if its corners are within the tolerance of that
- * plane. Returns ROBERTS_OK or _NO_MEMORY. */
+/* Gives each face marked `lean`, or turned by rounding, the mean plane of its neighbours, if its corners are within the
+ * tolerance of that plane. Returns ROBERTS_OK or _NO_MEMORY. */
 static roberts_status narrow_planes(roberts_scene *scene, solid_frame *frame)
 {
     roberts_vec3 *sum;
+    for (uint32_t f = 0; scene_step(scene) > 0.0 && f < frame->face_count; f++)
+        if (scene_turn(scene, frame->face_first + f) > SCENE_ROUNDED_BEND)
+            frame->any_lean = frame->face[f].lean = true;
     if (!frame->any_lean)
         return ROBERTS_OK;
     sum = alloc_zeroed(frame->face_count, sizeof *sum); /* all bits zero are 0.0 */

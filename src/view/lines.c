@@ -2,7 +2,13 @@
  * and --union. Edges of convex solids are handled in seen.h, inline. */
 #include "view/seen.h"
 
+#include <float.h>
+#include <string.h>
+
 #include "base/sort.h"
+
+/* No unit: a face is edge-on if the depth of its normal is at most this, a few roundings. */
+#define EDGE_ON_NORMAL (8.0 * DBL_EPSILON)
 
 /* How many faces of an edge lie on each side of it in the picture. */
 typedef struct edge_faces {
@@ -235,6 +241,30 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     line->piece = NULL;
     w->surviving += is_line;
     return is_line;
+}
+
+/* The facing of a face that is edge-on, if its picture is narrow because the face is: then the body gave it a plane
+ * that fits its neighbours. */
+static int facing_of_narrow(const seen *s, uint32_t face)
+{
+    const view *v = &s->view;
+    if (scene_width(s->scene, face) > v->epsilon * v->unit)
+        return VIEW_EDGE_ON;
+    const double depth = view_plane(v, s->scene, face, NULL).c;
+    return fabs(depth) <= EDGE_ON_NORMAL ? VIEW_EDGE_ON : depth < 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
+
+/* A body that is smaller than epsilon in the picture has no lines. */
+void seen_decide_narrow(const seen_walk *w, const scene_edge *edge, int *f, int *g)
+{
+    const roberts_scene *scene = w->of->scene;
+    const uint32_t faces = scene->solid[w->body + 1].face - w->face;
+    if (*f == *g && !memchr(w->facing, VIEW_FRONT, faces))
+        return;
+    if (*f == VIEW_EDGE_ON)
+        *f = facing_of_narrow(w->of, w->face + edge->f[0]);
+    if (*g == VIEW_EDGE_ON)
+        *g = facing_of_narrow(w->of, w->face + edge->f[1]);
 }
 
 /* Would an edge of a convex body that the near plane has completely removed be a line? Sets its class. */

@@ -339,11 +339,18 @@ static inline bool seen_is_flat(const roberts_scene *scene, uint32_t first, cons
            (scene_step(scene) > 0.0 && own < scene_flat_below(scene, first + edge->f[0], first + edge->f[1], chord));
 }
 
+/* An edge of a convex body has a face that is edge-on. If that face is narrow by itself, the sign of its plane replaces
+ * its facing. *f, *g: the facing of the edge's faces. (lines.c) */
+void seen_decide_narrow(const seen_walk *w, const scene_edge *edge, int *f, int *g);
+
 /* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an
  * outline and always a line. An edge whose faces are both front or both not is no line if it is flat. */
 BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line *line)
 {
-    int fronts = seen_fronts(w->facing, edge);
+    int f = w->facing[edge->f[0]], g = w->facing[edge->f[1]];
+    if ((f == VIEW_EDGE_ON) | (g == VIEW_EDGE_ON))
+        seen_decide_narrow(w, edge, &f, &g);
+    int fronts = (f == VIEW_FRONT) + (g == VIEW_FRONT);
     w->surviving += fronts > 0;
     if ((fronts == 0 && !w->hidden) ||
         (fronts != 1 && !w->all && seen_is_flat(w->of->scene, w->face, edge, w->of->rules.crease_chord)))
@@ -354,7 +361,7 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
     line->own = seen_owns_one(w->key);
     line->t0 = 0.0;
     line->t1 = 1.0;
-    line->class = seen_class(fronts, w->facing[edge->f[0]], w->facing[edge->f[1]]);
+    line->class = seen_class(fronts, f, g);
     line->taken = 0;
     line->piece = NULL;
     return true;

@@ -161,6 +161,40 @@ static roberts_scene *scene_of_floats(const char *text)
     return build_scene(&mesh);
 }
 
+/* The lines of a cube whose top is cut along its diagonal, with a facet of this height between. */
+static size_t lines_of_cut_cube(double height, bool floats, roberts_vec3 dir)
+{
+    char text[600];
+    const roberts_camera camera = {.dir = dir};
+    const roberts_hide_options options = roberts_hide_options_default();
+    snprintf(text, sizeof text,
+             "OFF\n9 14 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n2 0 2\n2 2 2\n0 2 2\n%.9g %.9g 2\n3 0 3 2\n"
+             "3 0 2 1\n3 4 5 6\n3 4 8 7\n3 8 6 7\n3 4 6 8\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+             "3 3 0 4\n3 3 4 7\n",
+             1 - height, 1 + height);
+    roberts_scene *scene = floats ? scene_of_floats(text) : scene_of_text(text);
+    assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CONVEX);
+    roberts_drawing drawing = drawing_of(scene, &camera, &options);
+    const size_t count = drawing.count;
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+    return count;
+}
+
+/* A facet without area, or narrower than the touching distance, is no wider in the picture, but it is not edge-on. */
+static void a_facet_without_area(void **state)
+{
+    (void)state;
+    for (int floats = 0; floats < 2; floats++)
+        for (int i = 0; i < 2; i++) {
+            const double height = i * (floats ? 1.2e-7 : 1e-12);
+            assert_int_equal(lines_of_cut_cube(height, floats, (roberts_vec3){1, -2, 3}), 9);
+            assert_int_equal(lines_of_cut_cube(height, floats, (roberts_vec3){-1, 2, 3}), 9);
+            assert_int_equal(lines_of_cut_cube(height, floats, (roberts_vec3){0, 0, 1}), 4);
+            assert_int_equal(lines_of_cut_cube(height, floats, (roberts_vec3){0, 1, 0}), 4);
+        }
+}
+
 /* Two narrow triangles in one plane, one across the other, turned anyhow. */
 static void strips(void **state)
 {
@@ -201,6 +235,7 @@ int main(void)
                                        cmocka_unit_test(slivers_that_are_turned_over),
                                        cmocka_unit_test(a_ridge_of_slivers),
                                        cmocka_unit_test(a_disc),
+                                       cmocka_unit_test(a_facet_without_area),
                                        cmocka_unit_test(strips),
                                        cmocka_unit_test(a_sliver_along_a_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
