@@ -193,6 +193,19 @@ try {
   );
   await type("scale", "");
 
+  // a model whose y axis points up is stood up, and then seen in all views of the program
+  await choose("up", 1);
+  for (const name of ["cavalier", "dimetric", "top"]) {
+    await browser.click(`[data-view=${name}]`);
+    await rest(`roberts --y-up --view=${name} table.off`);
+    await compare("svg");
+  }
+  await choose("perspective", 2);
+  await rest("--y-up --eye=");
+  await compare("svg");
+  await browser.evaluate(`document.querySelector("[type=reset]").click()`);
+  await rest("roberts table.off");
+
   // a file that is dropped, and the controls
   await browser.drop("#stage", here(oddName));
   await rest("odd  name");

@@ -29,42 +29,33 @@ function rounded(value, digits) {
   return String(Number(value.toFixed(digits)) + 0);
 }
 
-/* The direction toward the viewer, by the axis that points up in the file. */
-export function direction(azimuth, elevation, up) {
+/* The direction toward the viewer. */
+function direction(azimuth, elevation) {
   const a = radians(azimuth),
     e = radians(elevation);
-  const x = Math.sin(a) * Math.cos(e),
-    y = -Math.cos(a) * Math.cos(e),
-    z = Math.sin(e);
-  return up === "y" ? [x, z, -y] : [x, y, z];
+  return [Math.sin(a) * Math.cos(e), -Math.cos(a) * Math.cos(e), Math.sin(e)];
 }
 
 function viewArguments(state, scene) {
-  const { view, azimuth, elevation, up } = state,
+  const { view, azimuth, elevation } = state,
     distance = Number(state.perspective);
-  const toward = direction(azimuth, elevation, up);
-  const args = [];
   if (distance > 0 && scene) {
     const digits = Math.max(0, 3 - Math.floor(Math.log10(scene.diameter)));
-    const eye = toward.map((part, i) =>
+    const eye = direction(azimuth, elevation).map((part, i) =>
       rounded(scene.centre[i] + part * distance * scene.diameter, Math.min(digits, 15)),
     );
-    args.push(`--eye=${eye.join(",")}`);
-  } else if (up === "y") {
-    args.push(`--dir=${toward.map((part) => rounded(part, 5)).join(",")}`);
-  } else if (view) {
-    return view === "iso" ? [] : [`--view=${view}`];
-  } else {
-    args.push(`--azimuth=${rounded(azimuth, 1)}`, `--elevation=${rounded(elevation, 1)}`);
+    return [`--eye=${eye.join(",")}`];
   }
-  if (up === "y" && Math.abs(elevation) < 89.9) args.push("--up=0,1,0");
-  else if (up === "y") args.push(`--up=0,0,${elevation > 0 ? -1 : 1}`);
-  return args;
+  if (view) return view === "iso" ? [] : [`--view=${view}`];
+  return [`--azimuth=${rounded(azimuth, 1)}`, `--elevation=${rounded(elevation, 1)}`];
 }
 
 /* What decides how the scene is built: when it changes, the file is read again. */
 export function sceneArguments(state) {
-  return state.hull ? ["--hull"] : [];
+  const args = [];
+  if (state.hull) args.push("--hull");
+  if (state.up === "y") args.push("--y-up");
+  return args;
 }
 
 /* What decides which lines there are, and where. */

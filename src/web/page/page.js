@@ -460,7 +460,7 @@ controls.addEventListener("input", (event) => {
     view[name] = name === "azimuth" ? Number(value) : Math.max(-90, Math.min(90, Number(value)));
     for (const button of by("presets").children) button.setAttribute("aria-pressed", false);
   }
-  if (name === "hull" && model) return open(model);
+  if ((name === "hull" || name === "up") && model) return open(model);
   changed();
 });
 controls.addEventListener("reset", () =>
