@@ -115,7 +115,7 @@ async function choose(name, presses) {
   await browser.evaluate(
     `(() => { const e = document.querySelector("[name=${name}]"); e.scrollIntoView(); e.focus(); })()`,
   );
-  for (let i = 0; i < presses; i++) await browser.key("ArrowDown");
+  for (let i = 0; i < Math.abs(presses); i++) await browser.key(presses > 0 ? "ArrowDown" : "ArrowUp");
 }
 
 try {
@@ -203,6 +203,20 @@ try {
   await choose("perspective", 2);
   await rest("--y-up --eye=");
   await compare("svg");
+
+  // oblique views have no perspective
+  const buttons = (which) => browser.evaluate(`[...document.querySelectorAll("#presets button")]
+    .filter((button) => ${which}).map((button) => button.dataset.view).join()`);
+  const lit = `button.getAttribute("aria-pressed") === "true"`;
+  assert.equal(await buttons("button.disabled"), "cavalier,cabinet");
+  assert.equal(await buttons(lit), "top");
+  await choose("perspective", -2);
+  await browser.click("[data-view=cabinet]");
+  await rest("--y-up --view=cabinet");
+  assert.equal(await buttons(lit), "cabinet");
+  await choose("perspective", 1);
+  await rest("--eye=");
+  assert.equal(await buttons(lit), "");
   await browser.evaluate(`document.querySelector("[type=reset]").click()`);
   await rest("roberts table.off");
 

@@ -15,6 +15,9 @@ export const presets = {
   cabinet: [0, 0],
 };
 
+/* Views that have no perspective. */
+export const oblique = ["cavalier", "cabinet"];
+
 export const pens = { outline: 0.5, crease: 0.35, border: 0.5, intersection: 0.35, wire: 0.35, hidden: 0.25 };
 
 const black = "#000000";

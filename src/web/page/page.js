@@ -1,6 +1,15 @@
 /* page.js - the page: the model, the view, the controls, what is shown and what is saved. */
 import { classes } from "./live.js";
-import { lineArguments, outputName, pens, presets, programArguments, quoted, sceneArguments } from "./command.js";
+import {
+  lineArguments,
+  oblique,
+  outputName,
+  pens,
+  presets,
+  programArguments,
+  quoted,
+  sceneArguments,
+} from "./command.js";
 
 const by = (id) => document.getElementById(id);
 const controls = by("controls"),
@@ -389,7 +398,16 @@ addEventListener("drop", (event) => {
 
 function showAngles() {
   for (const name of ["azimuth", "elevation"]) controls.elements[name].value = Number(view[name].toFixed(1));
-  for (const button of by("presets").children) button.setAttribute("aria-pressed", button.dataset.view === view.view);
+  showView();
+}
+
+function showView() {
+  const flat = state().perspective === "0";
+  for (const button of by("presets").children) {
+    const { view: name } = button.dataset;
+    button.disabled = !flat && oblique.includes(name);
+    button.setAttribute("aria-pressed", name === view.view && !button.disabled);
+  }
 }
 
 function turnTo(azimuth, elevation, name = "") {
@@ -458,8 +476,8 @@ controls.addEventListener("input", (event) => {
     if (value === "" || !Number.isFinite(Number(value))) return;
     view.view = "";
     view[name] = name === "azimuth" ? Number(value) : Math.max(-90, Math.min(90, Number(value)));
-    for (const button of by("presets").children) button.setAttribute("aria-pressed", false);
   }
+  showView();
   if ((name === "hull" || name === "up") && model) return open(model);
   changed();
 });
