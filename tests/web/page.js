@@ -220,6 +220,19 @@ try {
   await browser.evaluate(`document.querySelector("[type=reset]").click()`);
   await rest("roberts table.off");
 
+  // an angle beyond its range is shown as it is drawn, and no angle is 0
+  const angle = (name) => browser.evaluate(`document.querySelector("[name=${name}]").value`);
+  await type("azimuth", 400);
+  await type("elevation", 95);
+  await rest("--azimuth=40 --elevation=90");
+  assert.deepEqual([await angle("azimuth"), await angle("elevation")], ["40", "90"]);
+  await type("azimuth", "");
+  await rest("--azimuth=0 --elevation=90");
+  assert.equal(await text("#messages"), "");
+  await browser.evaluate(`document.querySelector("[name=azimuth]")
+    .dispatchEvent(new Event("change", { bubbles: true }))`);
+  assert.equal(await angle("azimuth"), "0");
+
   // a file that is dropped, and the controls
   await browser.drop("#stage", here(oddName));
   await rest("odd  name");

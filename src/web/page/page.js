@@ -473,14 +473,16 @@ controls.addEventListener("submit", (event) => event.preventDefault());
 controls.addEventListener("input", (event) => {
   const { name, value } = event.target;
   if (name === "azimuth" || name === "elevation") {
-    if (value === "" || !Number.isFinite(Number(value))) return;
+    const typed = Number(value); // nothing is 0
     view.view = "";
-    view[name] = name === "azimuth" ? Number(value) : Math.max(-90, Math.min(90, Number(value)));
+    view[name] = name === "azimuth" ? typed % 360 : Math.max(-90, Math.min(90, typed));
+    if (Math.abs(typed) > event.target.max) event.target.value = view[name]; // what is drawn
   }
   showView();
   if ((name === "hull" || name === "up") && model) return open(model);
   changed();
 });
+controls.addEventListener("change", showAngles);
 controls.addEventListener("reset", () =>
   setTimeout(() => {
     turnTo(...presets.iso, "iso");
