@@ -191,7 +191,11 @@ try {
     widths.every((dots) => dots > 2 && dots < 40),
     `${widths}`,
   );
+  await type("scale", "1:x");
+  await browser.until(`document.querySelector("#messages").textContent.includes("--scale") &&
+    document.querySelector("#command").textContent === ""`);
   await type("scale", "");
+  await rest("roberts --azimuth");
 
   // a model whose y axis points up is stood up, and then seen in all views of the program
   await choose("up", 1);
@@ -277,6 +281,8 @@ try {
       done = shell(`roberts ${name}`);
     assert.equal(done.status, 1);
     assert.equal(said, done.messages);
+    assert.equal(await text("#command"), "");
+    await browser.click("[name=frame]");
     assert.equal(await text("#command"), "");
   }
 

@@ -109,8 +109,9 @@ function tellScene() {
     : "";
 }
 
-function showCommand() {
-  by("command").textContent = model
+/* No command that is known to fail. */
+function showCommand(works = model?.ready) {
+  by("command").textContent = works
     ? ["roberts", ...programArguments(state(), scene, "svg")].map(quoted).join(" ")
     : "";
 }
@@ -273,6 +274,7 @@ async function rest() {
   if (of !== model || turn !== resting) return;
   by("busy").hidden = true;
   say(done.messages, done.status !== 0);
+  showCommand(done.status === 0);
   if (!done.bytes) return;
   const url = URL.createObjectURL(new Blob([done.bytes], { type: "image/svg+xml" }));
   URL.revokeObjectURL(still.src);
@@ -341,6 +343,7 @@ async function take(file, materials = []) {
 async function open(own) {
   own.ready = false;
   stage.dataset.state = "reading";
+  showCommand();
   const args = [...sceneArguments(state()), "--", own.name];
   const done = await own.live.ask("open", { args });
   if (own !== model) return;
@@ -348,7 +351,6 @@ async function open(own) {
   if (done.status !== 0) {
     tellScene();
     by("about").textContent = `${own.name} is not drawn.`;
-    by("command").textContent = "";
     stage.dataset.state = "failed";
     canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
     still.removeAttribute("src");
