@@ -126,7 +126,6 @@ static const struct foreign {
     {"roberts plan", "the plan of a drawing",
      "roberts --part 1/1 x.plan -o part-1 && roberts --join part-1 -o drawing.svg", true},
     {"<", "XML (as AMF, X3D and COLLADA are)", "", false},
-    {"\x1f", "compressed, as by gzip", "gzip -dc model.off.gz | roberts -", false},
     {"\xff\xfe", "text in UTF-16 (to be saved as UTF-8)", "", false},
     {"\xfe\xff", "text in UTF-16 (to be saved as UTF-8)", "", false},
 };
@@ -137,8 +136,22 @@ roberts_status read_refuse_format(reader *r, const char *format, const char *com
                      *command ? "; to convert it: " : "", command);
 }
 
+/* The command has the name of the input, if that is one of gzip's and a shell takes it as it is. */
+static roberts_status refuse_compressed(reader *r)
+{
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+./";
+    char command[128];
+    const size_t length = strlen(r->name);
+    const bool own = length > 3 && length < 100 && strcmp(r->name + length - 3, ".gz") == 0 && *r->name != '-' &&
+                     strspn(r->name, plain) == length;
+    snprintf(command, sizeof command, "gzip -dc %s | roberts -", own ? r->name : "model.off.gz");
+    return read_refuse_format(r, "compressed, as by gzip", command);
+}
+
 roberts_status read_refuse_foreign(reader *r, size_t length)
 {
+    if (input_need(&r->in, 1) && *r->in.at == '\x1f')
+        return refuse_compressed(r);
     for (size_t i = 0; i < sizeof foreign / sizeof foreign[0]; i++) {
         const size_t first = strcspn(foreign[i].begins, " "), wanted = strlen(foreign[i].begins);
         if ((foreign[i].whole ? length == first : length >= first) && input_need(&r->in, wanted) &&

@@ -207,6 +207,26 @@ static void knows_other_binary(void **state)
     }
 }
 
+/* What is compressed has a command with its own name, where a shell takes that as it is. */
+static void names_what_is_compressed(void **state)
+{
+    static const struct row {
+        const char *name, *command;
+    } rows[] = {{"a/m.stl.gz", "gzip -dc a/m.stl.gz | roberts -"},
+                {"m.stl", "gzip -dc model.off.gz | roberts -"},
+                {"-m.stl.gz", "gzip -dc model.off.gz | roberts -"},
+                {"the m.stl.gz", "gzip -dc model.off.gz | roberts -"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        roberts_mesh mesh = {0};
+        roberts_error error;
+        assert_int_equal(roberts_mesh_read_memory(&mesh, rows[i].name, "\x1f\x8b\x08", 3, NULL, &error),
+                         ROBERTS_BAD_SYNTAX);
+        if (!strstr(error.message, rows[i].command))
+            fail_msg("\"%s\": %s", rows[i].name, error.message);
+    }
+}
+
 /* A header and the number 0. Other formats of that length end in zeros, too. */
 static void knows_binary_without_triangles(void **state)
 {
@@ -322,6 +342,7 @@ int main(void)
         cmocka_unit_test(reads_binary),
         cmocka_unit_test(reads_binary_of_unknown_size),
         cmocka_unit_test(knows_other_binary),
+        cmocka_unit_test(names_what_is_compressed),
         cmocka_unit_test(knows_binary_without_triangles),
         cmocka_unit_test(asks_no_more_of_a_text),
         cmocka_unit_test(refuses_binary),

@@ -44,6 +44,7 @@ copyFileSync("models/table.off", here("table.off"));
 writeFileSync(here("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n");
 writeFileSync(here("colours.obj"), "mtllib colours.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
 writeFileSync(here("colours.mtl"), "newmtl red\nKd 1 0 0\n");
+writeFileSync(here("m.stl.gz"), gzipSync("OFF\n"));
 writeFileSync(here("words.stl"), "This is a letter, not a model.\n");
 const many = 4500000;
 writeFileSync(
@@ -274,13 +275,14 @@ try {
   await compare("svg");
 
   // what is wrong is said in the words of the program
-  for (const name of ["broken.off", "words.stl"]) {
+  for (const name of ["broken.off", "words.stl", "m.stl.gz"]) {
     await browser.drop("#stage", here(name));
     await browser.until(`document.querySelector("#about").textContent === "${name} is not drawn."`);
     const said = await text("#messages"),
       done = shell(`roberts ${name}`);
     assert.equal(done.status, 1);
     assert.equal(said, done.messages);
+    if (name.endsWith(".gz")) assert.ok(said.includes("gzip -dc m.stl.gz | roberts -"), said);
     assert.equal(await text("#command"), "");
     await browser.click("[name=frame]");
     assert.equal(await text("#command"), "");
