@@ -109,13 +109,14 @@ assert.ok(most < MOST_MEMORY, `${most} bytes after all drawings`);
 // an option without its value takes no other argument for it
 for (const [name, value] of [
   ["crease", true],
-  ["title", true],
+  ["labelSize", true],
   ["label", [true, "faces"]],
 ])
   await assert.rejects(draw(cube, { sheet: "first", [name]: value }), {
     status: 2,
-    message: new RegExp(`--${name} needs a value, but --`),
+    message: new RegExp(`^roberts: ${name} needs a value, and true is none$`, "m"),
   });
+assert.deepEqual(toArguments({ hatch: true, hidden: true, frame: true }), ["--hatch=on", "--hidden=dashed", "--frame"]);
 
 // files that options write
 const { files } = await draw(cube, { name: "table.off", regions: "regions.json" });

@@ -6,7 +6,8 @@ type Value = string | number | boolean;
 /**
  * The options of the program by their long names: `{ hidden: "dashed", crease: 30, allEdges: true }` is
  * `--hidden=dashed --crease=30 --all-edges`. A list is one value with commas: `{ label: ["vertices", "faces"] }` is
- * `--label=vertices,faces`. A list of `style`, `field` or `pick` gives the option several times. `false` and
+ * `--label=vertices,faces`. A list of `style`, `field` or `pick` gives the option several times. `true` gives it
+ * without a value, but `hatch: true` is `--hatch=on`, and `hidden: true` is `--hidden=dashed`. `false` and
  * `undefined` do not give it. `roberts --help` lists the options.
  */
 export interface Options {
@@ -21,7 +22,7 @@ export interface Options {
   /** Perspective from this point: `[x, y, z]` or "x,y,z". */
   eye?: string | [number, number, number];
   dir?: string | [number, number, number];
-  hidden?: "none" | "dashed" | "solid";
+  hidden?: boolean | "none" | "dashed" | "solid";
   /** Degrees. */
   crease?: number;
   allEdges?: boolean;

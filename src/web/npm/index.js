@@ -33,8 +33,13 @@ const notHere = {
   version: "it draws nothing",
 };
 
+/* What `true` means for options that need a value. */
+const usual = { hatch: "on", hidden: "dashed" };
+
 function argument(name, value) {
-  return value === true ? `--${name}` : `--${name}=${value}`;
+  const long = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`),
+    given = value === true ? usual[name] : value;
+  return given === undefined ? `--${long}` : `--${long}=${given}`;
 }
 
 /* Options that may be given several times; of any other only the last one would count. */
@@ -52,10 +57,15 @@ function values(name, value) {
 export function toArguments(options = {}) {
   return Object.entries(options)
     .filter(([name]) => !notOptions.has(name))
-    .flatMap(([name, value]) => {
-      const long = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-      return values(name, value).map((one) => argument(long, one));
-    });
+    .flatMap(([name, value]) => values(name, value).map((one) => argument(name, one)));
+}
+
+/* What the program says, of an option as it is called here. */
+function inOptions(message) {
+  return message.replace(/--([\w-]+) needs a value, but .*/, (_, long) => {
+    const name = long.replace(/-./g, (part) => part[1].toUpperCase());
+    return `${name} needs a value, and true is none`;
+  });
 }
 
 export async function save(bytes, format, options = {}) {
@@ -71,7 +81,7 @@ export async function save(bytes, format, options = {}) {
   const args = [...toArguments(options), `--format=${format}`, "--", name];
   const done = run(module, args, files);
   const lines = done.messages.split("\n").filter((line) => line !== "");
-  if (done.status !== 0) throw new RobertsError(lines.join("\n"), done.status);
+  if (done.status !== 0) throw new RobertsError(inOptions(lines.join("\n")), done.status);
   return { bytes: done.output, warnings: lines, files: done.system.added() };
 }
 
