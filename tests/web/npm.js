@@ -116,6 +116,15 @@ for (const [name, value] of [
     status: 2,
     message: new RegExp(`^roberts: ${name} needs a value, and true is none$`, "m"),
   });
+for (const [name, value] of [
+  ["style", { crease: { width: 1 } }],
+  ["style", ["hidden:off", { crease: "off" }]],
+  ["eye", { x: 1, y: 2, z: 3 }],
+])
+  await assert.rejects(draw(cube, { [name]: value }), {
+    name: "TypeError",
+    message: `${name}: a value has to be a text or a number, as the program takes it; this is an object`,
+  });
 assert.deepEqual(toArguments({ hatch: true, hidden: true, frame: true }), ["--hatch=on", "--hidden=dashed", "--frame"]);
 
 // files that options write

@@ -37,6 +37,8 @@ const notHere = {
 const usual = { hatch: "on", hidden: "dashed" };
 
 function argument(name, value) {
+  if (typeof value === "object")
+    throw new TypeError(`${name}: a value has to be a text or a number, as the program takes it; this is an object`);
   const long = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`),
     given = value === true ? usual[name] : value;
   return given === undefined ? `--${long}` : `--${long}=${given}`;
