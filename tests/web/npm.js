@@ -70,6 +70,7 @@ await assert.rejects(draw(cube, { hiden: "dashed" }), {
   status: 2,
   message: /--hiden is unknown; did you mean --hidden\?/,
 });
+await assert.rejects(draw(cube, { page: "a9" }), (error) => !/--help/.test(error.message));
 for (const wrong of ["table.off", undefined, cube.buffer])
   await assert.rejects(draw(wrong), {
     name: "TypeError",

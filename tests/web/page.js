@@ -195,6 +195,7 @@ try {
   await type("scale", "1:x");
   await browser.until(`document.querySelector("#messages").textContent.includes("--scale") &&
     document.querySelector("#command").textContent === ""`);
+  assert.ok(!(await text("#messages")).includes("--help"));
   await type("scale", "");
   await rest("roberts --azimuth");
 

@@ -85,8 +85,9 @@ export class System {
     return this.stream[1].bytes;
   }
 
+  /* Without the advice to run the program, which is not at hand here. */
   get messages() {
-    return new TextDecoder().decode(this.stream[2].bytes);
+    return new TextDecoder().decode(this.stream[2].bytes).replace(/^roberts --help lists the options\.\n/gm, "");
   }
 
   /* Binds the instance whose calls come here. */
