@@ -223,6 +223,12 @@ class Pages(unittest.TestCase):
                       "--margin", "5", "--group", "element", "--union", page=(100, 80, 5), group="element",
                       pens={"outline": {"width": 0.7, "color": (255, 0, 0)}})
 
+    def test_shade(self):
+        for path in ("models/table.off", "models/locomotive.off"):
+            scene = roberts.read(path)
+            for fill in ("none", "shade", "shade:white", "shade:body"):
+                self.same(scene.hide(), path, "--fill", fill, fill=fill)
+
     def test_hidden_lines(self):
         path = "models/table.off"
         scene = roberts.read(path)

@@ -40,6 +40,9 @@ LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_ou
 _KINDS = ("convex", "closed", "open")
 # pens by the program's names; roberts.h calls that of hidden lines back
 _PENS = {**{"hidden" if name == "back" else name: name for name in c.PENS}, "back": "back"}
+# the kind of fill, and whether it is shaded
+_FILLS = {"none": (0, False), "white": (1, False), "model": (2, False), "body": (3, False), "shade": (2, True),
+          "shade:white": (1, True), "shade:body": (3, True)}
 _HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
 _GROUPS = {"class": 0, "body": 1, "element": 2}
 _LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
@@ -459,7 +462,8 @@ class _Drawable:
                           symbol, hatch, text, hidden_text), each a dict of width, dash, gap (mm), color (red,
                           green, blue; 0 to 255), off, number; a frame is drawn if it has a pen here
         background        (red, green, blue)
-        fill              white, model, body, or (red, green, blue)
+        fill              none, white, model, body, (red, green, blue), shade (model, but shaded), shade:white or
+                          shade:body
         shaded            fills are darker where less light falls
         hatch             True, or a dict with fields of roberts_hatching
         light             toward the light, as the viewer sees it: three numbers
@@ -626,12 +630,12 @@ class _Page:
 
     def _paint(self, given: dict) -> bool:
         """Fills, hatching and labels. Returns whether they need regions."""
-        o, fill, hatch = self.options, given.pop("fill", None), given.pop("hatch", None)
+        o, fill, hatch, shaded = self.options, given.pop("fill", None), given.pop("hatch", None), False
         if fill is not None and not isinstance(fill, str):
             o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*_color(fill, "fill"))
         elif fill is not None:
-            o.fill = _choice({"white": 1, "model": 2, "body": 3}, fill, "fill")
-        o.shaded = given.pop("shaded", False)
+            o.fill, shaded = _choice(_FILLS, fill, "fill")
+        o.shaded = given.pop("shaded", False) or shaded
         if "light" in given:
             o.light = _vector(given.pop("light"), "light")
         if hatch:
