@@ -169,6 +169,21 @@ class Scenes(unittest.TestCase):
         with self.assertWarnsRegex(roberts.RobertsWarning, "colour"):
             roberts.read(b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 x y\n", name="odd.off")
 
+    def test_options_without_effect(self):
+        drawing = roberts.read(CUBE).hide()
+        for options in ({"shaded": True}, {"light": (1, 1, 1)}, {"light": (1, 1, 1), "fill": "body"}):
+            with self.assertWarnsRegex(roberts.RobertsWarning, f"^{next(iter(options))} has no effect: "):
+                drawing.svg(**options)
+        path = os.path.join(HERE, "misnamed.svg")
+        with self.assertWarnsRegex(roberts.RobertsWarning, "misnamed.svg: .* another format, but it is pdf"):
+            drawing.save(path, format="pdf")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for options in ({"fill": "shade"}, {"hatch": True}, {"fill": "body", "shaded": True}):
+                drawing.svg(light=(1, 1, 1), **options)
+            drawing.save(path, format="svg")
+            drawing.save(os.path.join(HERE, "no-ending"), format="pdf")
+
 
 class Memory(unittest.TestCase):
     def test_arrays_are_views(self):

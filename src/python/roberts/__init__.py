@@ -447,7 +447,9 @@ class _Drawable:
                 else c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(number))):
             raise ValueError(f"save: no format is called {format!r}" if format is not None
                              else f"save: {path!r} does not end in the name of a format")
-        page = _Page(self, number.value, options)
+        page, ending = _Page(self, number.value, options), ctypes.c_int()
+        if c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(ending)) and ending.value != number.value:
+            page.warned.said.append(f"{os.fsdecode(path)}: its ending names another format, but it is {format}")
         self._call("save", page, os.fsencode(path))
         page.warned.issue()
 
@@ -636,11 +638,15 @@ class _Page:
         elif fill is not None:
             o.fill, shaded = _choice(_FILLS, fill, "fill")
         o.shaded = given.pop("shaded", False) or shaded
-        if "light" in given:
-            o.light = _vector(given.pop("light"), "light")
         if hatch:
             o.hatching.on = True
             _fill(o.hatching, hatch if isinstance(hatch, Mapping) else {}, "hatch")
+        if o.shaded and not o.fill:
+            self.warned.said.append("shaded has no effect: nothing is filled without fill")
+        if "light" in given:
+            o.light = _vector(given.pop("light"), "light")
+            if not (o.shaded and o.fill or o.hatching.on):
+                self.warned.said.append("light has no effect: nothing is shaded without a shaded fill or hatch")
         for name in given.pop("labels", ()):
             o.lettering.labels |= _choice(_LABELS, name, "labels")
         return bool(o.fill or o.hatching.on or o.lettering.labels & 12)
