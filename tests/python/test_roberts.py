@@ -136,6 +136,10 @@ class Scenes(unittest.TestCase):
             self.assertRaises(ValueError, roberts.Scene, vertices, faces)
         scene = roberts.Scene(triangle, [[0, 1, 2]])
         self.assertRaises(ValueError, scene.hide, "nowhere")
+        self.assertRaises(ValueError, scene.hide, "")
+        for method in (scene.hide, scene.regions):
+            with self.assertRaisesRegex(TypeError, r"a view is the name of a preset, or .*view\(\).*, not tuple"):
+                method((1, 2, 3))
         self.assertRaises(TypeError, scene.hide, odd=1)
         self.assertRaises(ValueError, scene.hide().save, "a.odd")
         self.assertRaises(ValueError, scene.hide().svg, fill="odd")

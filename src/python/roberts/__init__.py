@@ -205,7 +205,12 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
 def _camera(where: ViewLike) -> c.camera:
     if where is None:
         where = "iso"
-    return (view(where) if isinstance(where, str) else where)._camera
+    if isinstance(where, str):
+        where = view(where)
+    if not isinstance(where, View):
+        raise TypeError(f"a view is the name of a preset, or what roberts.view() returns, not {type(where).__name__}; "
+                        "three numbers can be view(direction=...) or view(eye=...)")
+    return where._camera
 
 
 # ---- scenes ---------------------------------------------------------------------------------------------------------
