@@ -242,6 +242,12 @@ class Pages(unittest.TestCase):
                       "--margin", "5", "--group", "element", "--union", page=(100, 80, 5), group="element",
                       pens={"outline": {"width": 0.7, "color": (255, 0, 0)}})
 
+    def test_labels(self):
+        drawing = roberts.read(CUBE).hide()
+        self.same(drawing, CUBE, "--label", "vertices", labels="vertices")
+        self.same(drawing, CUBE, "--label", "vertices,faces", labels="vertices,faces")
+        self.same(drawing, CUBE, "--label", "vertices,faces", labels=["vertices", "faces"])
+
     def test_shade(self):
         for path in ("models/table.off", "models/locomotive.off"):
             scene = roberts.read(path)
@@ -293,6 +299,10 @@ class Pages(unittest.TestCase):
         with open(path, "rb") as file:
             self.assertEqual(file.read(), program("models/table.off", "--hidden", "dashed", "-f", "csv", "--columns",
                                                   "+level,+ends,+depth,+name,+by"))
+        drawing.save(path, columns="depth")
+        with open(path, "rb") as file:
+            self.assertEqual(file.read(), program("models/table.off", "--hidden", "dashed", "-f", "csv", "--columns",
+                                                  "+depth"))
         self.assertRaises(ValueError, drawing.save, path, columns=("odd",))
         self.assertRaises(ValueError, drawing.save, path, columns=("ends", "ends"))
 

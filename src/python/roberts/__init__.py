@@ -146,6 +146,11 @@ def _choice(table: Mapping[str, Any], value: str, what: str) -> Any:
     return table[value]
 
 
+def _names(value: Union[str, Sequence[str]]) -> Sequence[str]:
+    """A sequence of names; of a text, those between its commas, as the program takes them."""
+    return value.split(",") if isinstance(value, str) else value
+
+
 # ---- views ----------------------------------------------------------------------------------------------------------
 
 
@@ -474,8 +479,8 @@ class _Drawable:
         shaded            fills are darker where less light falls
         hatch             True, or a dict with fields of roberts_hatching
         light             toward the light, as the viewer sees it: three numbers
-        labels            a sequence of vertices, edges, faces, bodies
-        columns           tables: further columns, a sequence of ends, depth, level (needs hide(levels=True)), name, by
+        labels            vertices, edges, faces or bodies, or a sequence of them
+        columns           tables: further columns: ends, depth, level (needs hide(levels=True)), name, by; or a sequence
         group             class, body or element: the structure of the SVG
         id_prefix, title, description    strings
         dpi, real_dashes, number_layers  as in roberts_draw_options
@@ -594,7 +599,7 @@ class _Page:
             self.regions = [Regions(one._scene, one._camera, regions) for one in drawings]
             for drawing, seen in zip(self.drawings, self.regions):
                 drawing.regions = ctypes.addressof(seen._list)
-        columns = given.pop("columns", ())
+        columns = _names(given.pop("columns", ()))
         if len(set(columns)) < len(columns):
             raise ValueError("columns: each once")
         o.column_count = len(columns)
@@ -652,6 +657,6 @@ class _Page:
             o.light = _vector(given.pop("light"), "light")
             if not (o.shaded and o.fill or o.hatching.on):
                 self.warned.said.append("light has no effect: nothing is shaded without a shaded fill or hatch")
-        for name in given.pop("labels", ()):
+        for name in _names(given.pop("labels", ())):
             o.lettering.labels |= _choice(_LABELS, name, "labels")
         return bool(o.fill or o.hatching.on or o.lettering.labels & 12)
