@@ -123,6 +123,8 @@ class Scenes(unittest.TestCase):
         error = caught.exception
         self.assertEqual((error.status, error.file, error.line), ("BAD_INDEX", "odd.off", 6))
         self.assertTrue(str(error).startswith("odd.off:6: "), str(error))
+        with self.assertRaisesRegex(ValueError, "^read: a str is a path, .{,100}$"):
+            roberts.read("OFF\n3 1 0\n" + "0 0 0\n" * 1000)
         with self.assertRaises(roberts.Error) as caught:
             roberts.read("none.off")
         self.assertEqual((caught.exception.status, caught.exception.file), ("IO", "none.off"))

@@ -360,7 +360,7 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
 
     what  a path ("-" is standard input), or the bytes of a file
     name  what messages and the drawing's title call it; None: the path's last part
-    The others are those of Scene. Raises Error (with file and line), MemoryError.
+    The others are those of Scene. Raises Error (with file and line), MemoryError, ValueError.
     """
     scene = Scene.__new__(Scene)
     mesh, warned = c.mesh(), _Warned()
@@ -370,6 +370,9 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
         c.check("mesh_read_memory", ctypes.byref(mesh), os.fsencode(name or "data"), data, len(data),
                 ctypes.byref(warned.struct))
     else:
+        if isinstance(what, str) and "\n" in what and not os.path.exists(what):
+            raise ValueError("read: a str is a path, and this one has several lines; the content of a file has to be "
+                             "bytes, as of text.encode()")
         path = os.fspath(what)
         name = name or os.path.basename(path)
         c.check("mesh_read_file", ctypes.byref(mesh), os.fsencode(path), ctypes.byref(warned.struct))
