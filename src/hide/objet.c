@@ -365,13 +365,6 @@ void objet_warp_sides(const warp warps[2], float side[4])
         side[i] = (float)warp_at(&warps[i / 2], (double)side[i]);
 }
 
-/* Does what box_clip() does, and calls it only if an end lies outside. */
-static void clip_slab(double a, double b, double low, double high, double *t0, double *t1)
-{
-    if (lesser(a, b) < low || greater(a, b) > high)
-        box_clip(a, b, low, high, t0, t1);
-}
-
 bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *walk)
 {
     const scan_frame *f = &grid->frame;
@@ -380,14 +373,14 @@ bool objet_cells(const objet *grid, roberts_vec3 A, roberts_vec3 B, objet_walk *
     walk->count = 0;
     for (uint32_t i = scan_column(f, lesser(A.x, B.x) - m); i <= last; i++) {
         double t0 = 0.0, t1 = 1.0;
-        clip_slab(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1);
+        box_clip(A.x, B.x, scan_left(f, i) - m, scan_left(f, i + 1.0) + m, &t0, &t1);
         if (t0 > t1)
             continue;
         double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         uint32_t end = scan_row(f, greater(ya, yb) + m);
         for (uint32_t j = scan_row(f, lesser(ya, yb) - m); j <= end; j++) {
             objet_stretch stretch = {i, j, t0, t1};
-            clip_slab(A.y, B.y, scan_lower(f, j) - m, scan_lower(f, j + 1.0) + m, &stretch.t0, &stretch.t1);
+            box_clip(A.y, B.y, scan_lower(f, j) - m, scan_lower(f, j + 1.0) + m, &stretch.t0, &stretch.t1);
             if (stretch.t0 > stretch.t1)
                 continue;
             if (!array_reserve(&walk->item, &walk->room, walk->count + 1, sizeof *walk->item))
