@@ -97,9 +97,8 @@ static uint32_t layers(const roberts_scene *scene, const level_hit *hit, size_t 
 static BITS_RARE bool level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32_t *level)
 {
     const hide_fronts *fronts = w->fronts;
-    const scan_frame *frame = &w->grid->frame;
     level_hits *hits = &w->level;
-    size_t cell = (size_t)scan_column(frame, X.x) * frame->ny + scan_row(frame, X.y);
+    size_t cell = scan_cell(&w->grid->frame, X.x, X.y);
     *level = seen_is_back(line->class);
     hits->count = 0;
     for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
