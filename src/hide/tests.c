@@ -443,13 +443,6 @@ static double touch_at(const hide_space *space, const hide_face *F, roberts_vec3
     return lesser(F->touch, space->epsilon + (double)F->departure * (1.0 + X.z * space->view->inverse_distance));
 }
 
-/* Is F positive over the whole reach beyond an end of the part? F is `f` at that end and changes by `slope` over the
- * `width` of the part. The factor 2 is far more than rounding can add. */
-static inline bool stays_behind(double f, double slope, double width, double reach)
-{
-    return f * width > 2.0 * slope * reach;
-}
-
 /* Returns where the reach must end: where F falls to -touch between t and r. F is `f` at t, and r is the end of the
  * reach so far. */
 static double reach_behind(const hide_space *space, const hide_face *F, const hide_edge *e, double t, double f,
@@ -469,9 +462,9 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     if (sign0 <= 0 && sign1 <= 0)
         return false;
     double width = inside->t1 - inside->t0, slope = fabs(f0 - f1);
-    if (sign0 >= 0 && !stays_behind(f0, slope, width, inside->t0 - inside->r0))
+    if (sign0 >= 0)
         part->r0 = greater(part->r0, reach_behind(space, F, e, inside->t0, f0, inside->r0));
-    if (sign1 >= 0 && !stays_behind(f1, slope, width, inside->r1 - inside->t1))
+    if (sign1 >= 0)
         part->r1 = lesser(part->r1, reach_behind(space, F, e, inside->t1, f1, inside->r1));
     if (sign0 >= 0 && sign1 >= 0)
         return true;
