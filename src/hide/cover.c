@@ -509,7 +509,7 @@ static hide_box without_border(const scan_frame *f, const hide_box *box)
 
 /* If the border of a solid lies on the border of the front that hides it, the cells there are not wholly covered. So if
  * only the inner cells are covered, hides_solid() asks the fronts that cover the middle and the corners of these. For
- * most solids that are not hidden, the middle or one of these corners is not covered. */
+ * most solids that are not hidden, the middle is not covered. */
 bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, uint32_t solid)
 {
     const cover *c = &fronts->cover;
@@ -521,11 +521,6 @@ bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, ui
     hide_box inner = without_border(&c->frame, box);
     if (inner.x0 > inner.x1 || inner.y0 > inner.y1)
         return cover_hides(c, box);
-    if (!cover_nearer(c, (double)inner.x0, (double)inner.y0, box->z1) ||
-        !cover_nearer(c, (double)inner.x0, (double)inner.y1, box->z1) ||
-        !cover_nearer(c, (double)inner.x1, (double)inner.y0, box->z1) ||
-        !cover_nearer(c, (double)inner.x1, (double)inner.y1, box->z1))
-        return false;
     if (cover_hides(c, box))
         return true;
     if (!cover_hides(c, &inner))
