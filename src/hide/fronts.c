@@ -19,9 +19,6 @@
 /* A box is prefetched this many solids before it is needed. */
 #define BOX_AHEAD 8
 
-/* Bits of a sieve for each front. With this many, one in ten of the fronts without a copy shares a bit with another. */
-#define BITS_PER_FRONT 8
-
 /* Scratch memory of the building. */
 typedef struct build {
     hide_fronts *fronts;
@@ -366,12 +363,6 @@ static void free_scratch(build *b)
 
 /* ---- copies: fronts of solids at the very same place ---- */
 
-/* Records which bits occur once, and which more often. */
-typedef struct sieve {
-    uint64_t *met, *again;
-    unsigned shift; /* key >> shift is the key's bit: the upper bits of a product are mixed best */
-} sieve;
-
 /* Do two whole fronts have exactly the same faces? Then they hide the same, and neither hides anything of the other. */
 static bool same_front(const hide_fronts *fronts, uint32_t a, uint32_t b)
 {
@@ -399,45 +390,6 @@ static uint32_t place_key(const hide_fronts *fronts, uint32_t front)
     return bits_hash(&fronts->front_box[front], sizeof fronts->front_box[front]);
 }
 
-static bool sieve_init(sieve *s, uint32_t fronts)
-{
-    unsigned bits = 6;
-    while (bits < 32 && (uint64_t)1 << bits < (uint64_t)fronts * BITS_PER_FRONT)
-        bits++;
-    size_t words = (size_t)1 << (bits - 6);
-    s->met = alloc_zeroed(words, 2 * sizeof *s->met);
-    s->again = s->met ? s->met + words : NULL;
-    s->shift = 32 - bits;
-    return s->met != NULL;
-}
-
-static void sieve_enter(sieve *s, uint32_t key)
-{
-    uint32_t at = key >> s->shift;
-    uint64_t bit = (uint64_t)1 << (at & 63);
-    s->again[at >> 6] |= s->met[at >> 6] & bit;
-    s->met[at >> 6] |= bit;
-}
-
-static bool sieve_again(const sieve *s, uint32_t key)
-{
-    uint32_t at = key >> s->shift;
-    return s->again[at >> 6] >> (at & 63) & 1;
-}
-
-/* Lists the fronts that share their bit with another, ascending, and moves their keys together. Returns their
- * number. */
-static uint32_t sift(const hide_fronts *fronts, const sieve *s, uint32_t *front, uint32_t *key)
-{
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < fronts->front_count; i++)
-        if (sieve_again(s, key[i])) {
-            front[count] = i;
-            key[count++] = key[i];
-        }
-    return count;
-}
-
 /* Leaves a copy out of the lists, and links it to the first front at its place. False: no memory. */
 static bool add_copy(hide_fronts *fronts, uint32_t first, uint32_t copy)
 {
@@ -459,30 +411,21 @@ static bool add_copy(hide_fronts *fronts, uint32_t first, uint32_t copy)
  * memory. */
 static bool leave_out_copies(hide_fronts *fronts)
 {
-    uint32_t count = fronts->front_count, last = ROBERTS_NONE;
-    uint32_t *key = alloc_array(count, sizeof *key), *front = alloc_array(count, sizeof *front), *order = NULL;
-    sieve s = {0};
-    bool done = key && front && sieve_init(&s, count);
-    for (uint32_t i = 0; done && i < count; i++) {
+    const uint32_t count = fronts->front_count;
+    uint32_t *key = alloc_array(count, sizeof *key), *order = alloc_array(count, sizeof *order), last = ROBERTS_NONE;
+    for (uint32_t i = 0; key && i < count; i++) {
         fronts->front[i].listed = true;
         key[i] = place_key(fronts, i);
-        sieve_enter(&s, key[i]);
     }
-    if (done) {
-        count = sift(fronts, &s, front, key);
-        order = alloc_array(count, sizeof *order);
-        done = order && radix_order(key, count, order);
-    }
+    bool done = key && order && radix_order(key, count, order);
     for (uint32_t k = 0; done && k < count; k++) {
-        uint32_t i = order[k];
-        if (last != ROBERTS_NONE && key[last] == key[i] && same_front(fronts, front[last], front[i]))
-            done = add_copy(fronts, front[last], front[i]);
+        const uint32_t i = order[k];
+        if (last != ROBERTS_NONE && key[last] == key[i] && same_front(fronts, last, i))
+            done = add_copy(fronts, last, i);
         else
             last = i;
     }
-    free(s.met);
     free(key);
-    free(front);
     free(order);
     return done;
 }
