@@ -7,11 +7,29 @@
 #include "base/lanes.h"
 #include "base/vec.h"
 
+typedef struct box3 {
+    roberts_vec3 lo, hi;
+} box3;
+
+/* The box of no points. */
+static const box3 box3_none = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static inline bool box3_meet(const box3 *a, const box3 *b)
+{
+    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y && a->lo.z <= b->hi.z &&
+           b->lo.z <= a->hi.z;
+}
+
 /* Extends the box lo..hi to contain p. */
 static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
 {
     *lo = (roberts_vec3){lesser(lo->x, p.x), lesser(lo->y, p.y), lesser(lo->z, p.z)};
     *hi = (roberts_vec3){greater(hi->x, p.x), greater(hi->y, p.y), greater(hi->z, p.z)};
+}
+
+static inline void box3_add(box3 *box, roberts_vec3 p)
+{
+    box_add(&box->lo, &box->hi, p);
 }
 
 /* Extends the box to contain `count` points. x and y are handled in parallel; the result is that of box_add(), bit for

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "base/vec.h"
+#include "base/box.h"
 #include "roberts.h"
 
 /* ---- a tree of boxes --------------------------------------------------------------------------------------------- */
@@ -22,10 +22,6 @@
  *             look at the items of node i; // inner nodes have none
  *             i++;
  *         } */
-
-typedef struct box3 {
-    roberts_vec3 lo, hi;
-} box3;
 
 typedef struct box_tree_node {
     box3 box;
@@ -51,12 +47,6 @@ int box_longest_axis(const box3 *box, const uint32_t *item, uint32_t count);
 /* Moves the numbers of `half` boxes to the front of item[0 .. count - 1]: those with the smallest centres, along that
  * axis. */
 void box_tree_halve(const box3 *box, uint32_t *item, uint32_t count, uint32_t half);
-
-static inline bool box3_meet(const box3 *a, const box3 *b)
-{
-    return a->lo.x <= b->hi.x && b->lo.x <= a->hi.x && a->lo.y <= b->hi.y && b->lo.y <= a->hi.y && a->lo.z <= b->hi.z &&
-           b->lo.z <= a->hi.z;
-}
 
 /* ---- a grid of points -------------------------------------------------------------------------------------------- */
 

@@ -53,32 +53,27 @@ typedef struct box_list {
     tree_entry *entry;
     size_t count, room;
     double floor, rays_per_shadow;
-    tree_box *slice, *finer; /* [SLICES] the boxes of a face; too large for a small stack */
+    box3 *slice, *finer; /* [SLICES] the boxes of a face; too large for a small stack */
 } box_list;
 
-static void extend(tree_box *box, roberts_vec3 p)
-{
-    *box = tree_box_union(*box, (tree_box){p, p});
-}
-
-static tree_box face_box(const occluders *o, uint32_t face)
+static box3 face_box(const occluders *o, uint32_t face)
 {
     const roberts_scene *scene = o->s.scene;
-    tree_box box = tree_no_box;
+    box3 box = box3_none;
     for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
-        extend(&box, picture_point(o, o->s.P[scene->corner[k]]));
+        box3_add(&box, picture_point(o, o->s.P[scene->corner[k]]));
     return box;
 }
 
 /* Divides a face by `count` + 1 evenly spaced lines across the longer side of its box `whole`. slice[0 .. count-1]
  * become the boxes of the parts. The face is convex, so no part extends beyond the sides between its lines. */
-static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_box *slice, uint32_t count)
+static void slice_face(const occluders *o, uint32_t face, box3 whole, box3 *slice, uint32_t count)
 {
     const roberts_scene *scene = o->s.scene;
     bool along_x = whole.hi.x - whole.lo.x > whole.hi.y - whole.lo.y;
     double low = along_x ? whole.lo.x : whole.lo.y, step = ((along_x ? whole.hi.x : whole.hi.y) - low) / count;
     for (uint32_t i = 0; i < count; i++)
-        slice[i] = tree_no_box;
+        slice[i] = box3_none;
     uint32_t end = scene->face_start[face + 1];
     roberts_vec3 A = picture_point(o, o->s.P[scene->corner[end - 1]]);
     for (uint32_t k = scene->face_start[face]; k < end; k++) {
@@ -89,8 +84,8 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
         for (uint32_t i = l > 0.0 ? (uint32_t)lesser(l, count - 1) : 0; i < count && (i <= h || i == 0); i++) {
             double in = h > l ? greater(0.0, (i - l) / (h - l)) : 0.0;
             double out = h > l ? lesser(1.0, (i + 1 - l) / (h - l)) : 1.0;
-            extend(&slice[i], vec3_add(L, vec3_scale(in, LH)));
-            extend(&slice[i], vec3_add(L, vec3_scale(out, LH)));
+            box3_add(&slice[i], vec3_add(L, vec3_scale(in, LH)));
+            box3_add(&slice[i], vec3_add(L, vec3_scale(out, LH)));
         }
         A = B;
     }
@@ -102,7 +97,7 @@ static void slice_face(const occluders *o, uint32_t face, tree_box whole, tree_b
  * the reduction of the shadow. */
 static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list *list)
 {
-    tree_box *slice = list->slice, *finer = list->finer, whole = face_box(o, face);
+    box3 *slice = list->slice, *finer = list->finer, whole = face_box(o, face);
     uint32_t count = 1;
     double rays = list->rays_per_shadow * tree_box_shadow(whole, list->floor); /* estimate for this box */
     slice[0] = whole;
@@ -122,7 +117,7 @@ static uint32_t boxes_of_face(const occluders *o, uint32_t face, const box_list 
 }
 
 /* Returns the box with a margin around it. `margin` is a length in the model. */
-static tree_box grown(const occluders *o, tree_box box, double margin)
+static box3 grown(const occluders *o, box3 box, double margin)
 {
     roberts_vec3 m = {margin, margin, margin};
     if (o->s.perspective) {
@@ -130,17 +125,17 @@ static tree_box grown(const occluders *o, tree_box box, double margin)
         m.y = margin * box.hi.z * (1.0 + greater(fabs(box.lo.y), fabs(box.hi.y)));
         m.z = margin * box.hi.z * box.hi.z;
     }
-    return (tree_box){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
+    return (box3){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
 
 /* Makes an entry of the tree. Its box contains everything that counts as touching the faces. */
-static tree_entry entry_of(const occluders *o, tree_box box, uint32_t solid, tree_item faces)
+static tree_entry entry_of(const occluders *o, box3 box, uint32_t solid, tree_item faces)
 {
     double margin = BOX_MARGIN * (o->s.loose + o->s.rounding);
     return tree_entry_of(grown(o, box, margin), solid, faces);
 }
 
-static bool add_entry(const occluders *o, tree_box box, uint32_t solid, tree_item faces, box_list *list)
+static bool add_entry(const occluders *o, box3 box, uint32_t solid, tree_item faces, box_list *list)
 {
     if (!array_reserve(&list->entry, &list->room, list->count + 1, sizeof *list->entry))
         return false;
@@ -163,10 +158,10 @@ static bool add_faces(const occluders *o, uint32_t solid, box_list *list)
 
 /* Returns the box of all front faces of a solid. `fill`: the fraction of it that their pictures fill; `fronts`: their
  * range. */
-static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree_item *fronts)
+static box3 solid_box(const occluders *o, uint32_t solid, double *fill, tree_item *fronts)
 {
     const roberts_scene *scene = o->s.scene;
-    tree_box box = tree_no_box;
+    box3 box = box3_none;
     double area = 0.0; /* twice the area */
     *fronts = (tree_item){0, 0};
     for (uint32_t face = scene->solid[solid].face; face < scene->solid[solid + 1].face; face++) {
@@ -178,7 +173,7 @@ static tree_box solid_box(const occluders *o, uint32_t solid, double *fill, tree
         for (uint32_t k = scene->face_start[face]; k < end; k++) {
             roberts_vec3 B = picture_point(o, o->s.P[scene->corner[k]]);
             area += (A.x - O.x) * (B.y - O.y) - (A.y - O.y) * (B.x - O.x);
-            extend(&box, B);
+            box3_add(&box, B);
             A = B;
         }
     }
@@ -195,7 +190,7 @@ static bool add_solid(const occluders *o, uint32_t solid, box_list *list)
     double fill;
     if (scene->solid[solid + 1].face - scene->solid[solid].face > FACES_TOGETHER)
         return add_faces(o, solid, list);
-    tree_box box = solid_box(o, solid, &fill, &fronts);
+    box3 box = solid_box(o, solid, &fill, &fronts);
     if (fronts.count == 0)
         return true; /* usually a solid that the near plane removes */
     return fill >= FILL_TOGETHER ? add_entry(o, box, solid, fronts, list) : add_faces(o, solid, list);
@@ -209,9 +204,9 @@ static bool build_tree(occluders *o, const double *rays)
     box_list list = {.slice = alloc_array(SLICES, sizeof *list.slice),
                      .finer = alloc_array(SLICES, sizeof *list.finer)};
     bool built = list.slice && list.finer;
-    o->window = tree_no_box;
+    o->window = box3_none;
     for (uint32_t i = 0; i < scene->vertex_count; i++)
-        extend(&o->window, picture_point(o, o->s.P[i]));
+        box3_add(&o->window, picture_point(o, o->s.P[i]));
     list.floor = o->window.lo.z;
     double shadow = tree_box_shadow(o->window, list.floor);
     for (uint32_t solid = 0; built && solid < scene->solid_count; solid++) {

@@ -12,7 +12,7 @@
 typedef struct occluders {
     sight s;
     roberts_vec3 right, up, toward; /* axes of the picture that contains the tree's boxes */
-    tree_box window;                /* the box of the scene in that picture */
+    box3 window;                    /* the box of the scene in that picture */
     tree t;                         /* its items are ranges of faces; those that are certainly not front are ignored */
     uint32_t *face_solid;           /* [face_count] */
     uint32_t *twin; /* [solid_count] the solid itself or, if it is not in the tree, a copy of it that is */

@@ -16,7 +16,7 @@ enum {
     BIN_DEPTH = 60, /* deeper nodes are halved by number, which takes at most 32 more levels */
 };
 
-double tree_box_shadow(tree_box a, double floor)
+double tree_box_shadow(box3 a, double floor)
 {
     double x = a.hi.x - a.lo.x, y = a.hi.y - a.lo.y, z = a.hi.z - floor;
     return x < 0.0 ? 0.0 : x * y * z;
@@ -34,7 +34,7 @@ static float round_up(double x)
     return -round_down(-x);
 }
 
-tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item)
+tree_entry tree_entry_of(box3 box, uint32_t owner, tree_item item)
 {
     return (tree_entry){{round_down(box.lo.x), round_down(box.lo.y), round_down(box.lo.z)},
                         {round_up(box.hi.x), round_up(box.hi.y), round_up(box.hi.z)},

@@ -17,6 +17,7 @@
 #define ROBERTS_RAY_TREE_H
 
 #include "base/bits.h"
+#include "base/box.h"
 #include "base/vec.h"
 
 enum {
@@ -26,21 +27,8 @@ enum {
     TREE_KEPT = 4,     /* most leaves that a walk visits before all others */
 };
 
-typedef struct tree_box {
-    roberts_vec3 lo, hi;
-} tree_box;
-
-static const tree_box tree_no_box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-/* Returns the box of both. */
-static inline tree_box tree_box_union(tree_box a, tree_box b)
-{
-    return (tree_box){{lesser(a.lo.x, b.lo.x), lesser(a.lo.y, b.lo.y), lesser(a.lo.z, b.lo.z)},
-                      {greater(a.hi.x, b.hi.x), greater(a.hi.y, b.hi.y), greater(a.hi.z, b.hi.z)}};
-}
-
 /* Returns the volume of a box's shadow down to z = `floor`; 0 for an empty box. */
-double tree_box_shadow(tree_box a, double floor);
+double tree_box_shadow(box3 a, double floor);
 
 /* The result of a search: the caller's things `first` to `first + count - 1`. */
 typedef struct tree_item {
@@ -54,7 +42,7 @@ typedef struct tree_entry {
     tree_item item;
 } tree_entry;
 
-tree_entry tree_entry_of(tree_box box, uint32_t owner, tree_item item);
+tree_entry tree_entry_of(box3 box, uint32_t owner, tree_item item);
 
 /* A node takes two cache lines. Its boxes have no lower bound, which does not matter. A missing child is a leaf whose
  * box lies over nothing. */

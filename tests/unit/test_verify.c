@@ -780,7 +780,7 @@ static void test_pick_agrees(void **state)
 
 /* Boxes, and points that are looked for in them together. */
 typedef struct tree_trial {
-    const tree_box *box;
+    const box3 *box;
     roberts_vec3 point[TREE_POINTS];
     uint32_t skip[TREE_POINTS]; /* the owner that each point skips */
     uint32_t count, points;     /* how many boxes and points */
@@ -830,7 +830,7 @@ static size_t check_walk(tree_walk *walk, const tree_trial *t, uint32_t gone)
 
 /* The boxes, each fifty an owner's, against random points and some on borders, one at a time and many together. At most
  * `more` boxes per point are found needlessly: neighbours in a leaf. */
-static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, size_t more)
+static void check_tree(const box3 *box, uint32_t count, rng *r, int walks, size_t more)
 {
     static tree_entry entry[500];
     tree_trial trial = {.box = box, .count = count};
@@ -862,24 +862,24 @@ static void check_tree(const tree_box *box, uint32_t count, rng *r, int walks, s
 static void test_tree(void **state)
 {
     enum { MANY = 500 };
-    static tree_box box[MANY];
+    static box3 box[MANY];
     rng r = {4};
     (void)state;
     check_tree(box, 0, &r, 10, 0);
     for (int k = 0; k < MANY; k++) { /* some flat, some points */
         roberts_vec3 a = rng_vec3(&r, 1.5),
                      size = {rng_between(&r, 0, 0.5), k % 3 ? rng_between(&r, 0, 0.5) : 0, k % 7 ? 0.25 : 0};
-        box[k] = (tree_box){a, vec3_add(a, size)};
+        box[k] = (box3){a, vec3_add(a, size)};
     }
     for (uint32_t count = 1; count <= MANY; count += count < 10 ? 1 : 49)
         check_tree(box, count, &r, 200, 1);
     for (int k = 0; k < MANY; k++) /* all in one place: nothing to split by */
-        box[k] = (tree_box){{-1, -1, -1}, {1, 1, 1}};
+        box[k] = (box3){{-1, -1, -1}, {1, 1, 1}};
     check_tree(box, MANY, &r, 100, 0);
     for (int k = 0; k < MANY; k++) { /* each a quarter as large as the last: no good plane, the depth has to end,
                                         and most are nothing in single precision */
         double s = ldexp(1.0, -2 * k);
-        box[k] = (tree_box){{s, s, s}, {2 * s, 2 * s, 2 * s}};
+        box[k] = (box3){{s, s, s}, {2 * s, 2 * s, 2 * s}};
     }
     check_tree(box, MANY, &r, 100, 60);
     for (int k = 0; k < MANY;
@@ -887,7 +887,7 @@ static void test_tree(void **state)
         roberts_vec3 a = rng_vec3(&r, 1.5),
                      size = {rng_between(&r, 0, 0.5), rng_between(&r, 0, 0.5), rng_between(&r, 0, 0.5)};
         double far = k % 2 ? 1e300 : INFINITY;
-        box[k] = (tree_box){a, vec3_add(a, size)};
+        box[k] = (box3){a, vec3_add(a, size)};
         double *lo[] = {&box[k].lo.x, &box[k].lo.y, &box[k].lo.z}, *hi[] = {&box[k].hi.x, &box[k].hi.y, &box[k].hi.z};
         if (k % 9 < 3)
             *lo[k % 9] = -far;
