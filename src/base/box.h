@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "base/bits.h"
 #include "base/lanes.h"
 #include "base/vec.h"
 
@@ -30,6 +31,15 @@ static inline void box_add(roberts_vec3 *lo, roberts_vec3 *hi, roberts_vec3 p)
 static inline void box3_add(box3 *box, roberts_vec3 p)
 {
     box_add(&box->lo, &box->hi, p);
+}
+
+/* The box of the points P[number[i]]. */
+BITS_INLINE box3 box3_of(const roberts_vec3 *P, const uint32_t *number, uint32_t count)
+{
+    box3 own = box3_none;
+    for (uint32_t i = 0; i < count; i++)
+        box3_add(&own, P[number[i]]);
+    return own;
 }
 
 /* Extends the box to contain `count` points. x and y are handled in parallel; the result is that of box_add(), bit for

@@ -68,8 +68,8 @@ static bool build_box_node(box_tree *tree, const box3 *box, uint32_t first, uint
     uint32_t *item = tree->item + first;
     box3 all = box[item[0]];
     for (uint32_t i = 1; i < count; i++) {
-        box_add(&all.lo, &all.hi, box[item[i]].lo);
-        box_add(&all.lo, &all.hi, box[item[i]].hi);
+        box3_add(&all, box[item[i]].lo);
+        box3_add(&all, box[item[i]].hi);
     }
     bool leaf = count <= LEAF;
     tree->node[at] = (box_tree_node){.box = all, .first = first, .count = leaf ? count : 0};

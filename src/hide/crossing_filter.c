@@ -24,19 +24,19 @@ static double touching_distance(const hide_fronts *fronts)
     return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
-static hide_bounds box_of_model(const roberts_scene *scene, uint32_t body)
+static box3 box_of_model(const roberts_scene *scene, uint32_t body)
 {
     const scene_solid *own = &scene->solid[body];
-    hide_bounds box = hide_no_bounds;
-    box_add_all(&box.low, &box.high, scene->point + own->vertex, own[1].vertex - own->vertex);
+    box3 box = box3_none;
+    box_add_all(&box.lo, &box.hi, scene->point + own->vertex, own[1].vertex - own->vertex);
     return box;
 }
 
 /* The box of pieces first .. end - 1 along the axes of the model. */
-static hide_bounds box_of_model_pieces(const roberts_scene *scene, uint32_t first, uint32_t end)
+static box3 box_of_model_pieces(const roberts_scene *scene, uint32_t first, uint32_t end)
 {
     const uint32_t *start = scene->face_start;
-    return hide_bounds_of(scene->point, scene->corner + start[first], start[end] - start[first]);
+    return box3_of(scene->point, scene->corner + start[first], start[end] - start[first]);
 }
 
 /* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
@@ -137,8 +137,8 @@ typedef struct pair_search {
 static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
 {
     const scene_solid *solid = &fronts->scene->solid[body];
-    hide_bounds own = hide_no_bounds;
-    box_add_all(&own.low, &own.high, fronts->P + solid->vertex, solid[1].vertex - solid->vertex);
+    box3 own = box3_none;
+    box_add_all(&own.lo, &own.hi, fronts->P + solid->vertex, solid[1].vertex - solid->vertex);
     return hide_box_around(&own);
 }
 
@@ -146,7 +146,7 @@ static hide_box box_of_body(const hide_fronts *fronts, uint32_t body)
 static hide_box box_of_pieces(const hide_fronts *fronts, uint32_t first, uint32_t end)
 {
     const uint32_t *start = fronts->scene->face_start;
-    const hide_bounds own = hide_bounds_of(fronts->P, fronts->scene->corner + start[first], start[end] - start[first]);
+    const box3 own = box3_of(fronts->P, fronts->scene->corner + start[first], start[end] - start[first]);
     return hide_box_around(&own);
 }
 
@@ -159,11 +159,11 @@ static bool are_edge_on(const hide_fronts *fronts, uint32_t first, uint32_t end)
 }
 
 /* Widens a box by half of `touching`. */
-static box3 widened(const pair_search *s, hide_bounds box)
+static box3 widened(const pair_search *s, box3 box)
 {
     const double more = 0.5 * s->filter->touching;
     const roberts_vec3 wide = {more, more, more};
-    return (box3){vec3_sub(box.low, wide), vec3_add(box.high, wide)};
+    return (box3){vec3_sub(box.lo, wide), vec3_add(box.hi, wide)};
 }
 
 /* The pieces of a planar face are one unit: apart they would give the same pair many times. A body that the near plane
@@ -532,8 +532,8 @@ bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b)
         return true;
     if (!p->fronts->seen->view.perspective || !hide_is_face(f) || !hide_is_face(g))
         return false;
-    const hide_bounds F = box_of_model_pieces(p->fronts->scene, f->piece, f->piece + 1),
-                      G = box_of_model_pieces(p->fronts->scene, g->piece, g->piece + 1);
+    const box3 F = box_of_model_pieces(p->fronts->scene, f->piece, f->piece + 1),
+               G = box_of_model_pieces(p->fronts->scene, g->piece, g->piece + 1);
     return filter_gap(&F, &G) > p->touching;
 }
 

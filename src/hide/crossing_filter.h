@@ -62,7 +62,7 @@ static inline bool boxes_meet(const hide_box *a, const hide_box *b)
 
 /* The box of a whole solid along the axes of the model. Many solids are such boxes themselves. */
 typedef struct model_box {
-    hide_bounds is;
+    box3 is;
     atomic_uchar flat; /* flatness */
 } model_box;
 
@@ -72,8 +72,8 @@ typedef enum flatness { FLAT_UNKNOWN, FLAT_NOWHERE, FLAT_SOMEWHERE } flatness;
 typedef struct crossing_filter {
     const hide_fronts *fronts;
     model_box *model;   /* [whole] */
-    hide_bounds *body;  /* boxes of bodies along the axes of the model: [front_count] of each front's body, if that is
-                           less than [solid_count]; NULL: not known */
+    box3 *body;         /* boxes of bodies along the axes of the model: [front_count] of each front's body, if that is
+                                  less than [solid_count]; NULL: not known */
     uint8_t *simple;    /* [solid_count] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
     bool by_front;      /* `body` has a box for each front; then `simple` is NULL */
     uint32_t whole;     /* number of whole solids, which come before single faces */
@@ -123,11 +123,11 @@ static inline bool filter_flat(const crossing_filter *p, uint32_t front)
 }
 
 /* Returns how far two boxes are apart along one of the axes; negative if they overlap. */
-static inline double filter_gap(const hide_bounds *f, const hide_bounds *g)
+static inline double filter_gap(const box3 *f, const box3 *g)
 {
-    double x = greater(f->low.x - g->high.x, g->low.x - f->high.x);
-    double y = greater(f->low.y - g->high.y, g->low.y - f->high.y);
-    double z = greater(f->low.z - g->high.z, g->low.z - f->high.z);
+    double x = greater(f->lo.x - g->hi.x, g->lo.x - f->hi.x);
+    double y = greater(f->lo.y - g->hi.y, g->lo.y - f->hi.y);
+    double z = greater(f->lo.z - g->hi.z, g->lo.z - f->hi.z);
     return greater(greater(x, y), z);
 }
 

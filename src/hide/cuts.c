@@ -191,7 +191,7 @@ static box3 picture_box(const hide_fronts *fronts, const uint32_t *v, uint32_t c
     const double touching = fronts->space.epsilon;
     box3 box = {fronts->P[v[0]], fronts->P[v[0]]};
     for (uint32_t i = 1; i < count; i++)
-        box_add(&box.lo, &box.hi, fronts->P[v[i]]);
+        box3_add(&box, fronts->P[v[i]]);
     return (box3){{box.lo.x - touching, box.lo.y - touching, 0.0}, {box.hi.x + touching, box.hi.y + touching, 0.0}};
 }
 

@@ -311,8 +311,8 @@ static bool is_bundle(const hide_fronts *fronts, const front_faces *found, const
     if (found->count > FACES_OF_A_CELL * cells)
         return true;
     for (uint32_t k = 0; k < found->count; k++) {
-        hide_bounds own = hide_bounds_of(fronts->P, found->face[k].corner, found->face[k].count);
-        area += (own.high.x - own.low.x) * (own.high.y - own.low.y);
+        box3 own = box3_of(fronts->P, found->face[k].corner, found->face[k].count);
+        area += (own.hi.x - own.lo.x) * (own.hi.y - own.lo.y);
     }
     return area > DEPTH_OF_BUNDLE * width * height;
 }
@@ -328,7 +328,7 @@ static bool add_single_fronts(const hide_fronts *fronts, front_tile *tile, uint3
     for (uint32_t k = 0; k < found->count; k++, piece++) {
         while (fronts->seen->facing[piece] != VIEW_FRONT)
             piece++;
-        hide_bounds own = hide_bounds_of(fronts->P, found->face[k].corner, found->face[k].count);
+        box3 own = box3_of(fronts->P, found->face[k].corner, found->face[k].count);
         tile->single_box[tile->single_count] = hide_box_around(&own);
         tile->single[tile->single_count++] =
             (hide_front){.solid = solid, .piece = piece, .listed = true, .kind = HIDE_SOLID_FACE};

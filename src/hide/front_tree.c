@@ -24,7 +24,7 @@ typedef struct item {
     direction side[2]; /* of its longest side, and of the longest one aslant to it */
     roberts_vec3 up;   /* the outward normal of its largest face in the picture */
     double area;       /* of that face */
-    hide_bounds model; /* see model_bounds() */
+    box3 model;        /* see model_bounds() */
 } item;
 
 typedef struct building {
@@ -95,22 +95,22 @@ static double touching_margin(const hide_fronts *fronts, uint32_t front)
 
 /* Finds the box of a front along the axes of the model, with that margin. If its corners are many, the box has no
  * bounds. */
-static hide_bounds model_bounds(const hide_fronts *fronts, uint32_t front)
+static box3 model_bounds(const hide_fronts *fronts, uint32_t front)
 {
     hide_single single = {.front = ROBERTS_NONE};
-    hide_bounds own = hide_no_bounds;
+    box3 own = box3_none;
     uint32_t faces, corners = 0;
     const hide_face *face = hide_faces(fronts, front, &faces, &single);
     for (uint32_t k = 0; k < faces; k++) {
         corners += face[k].count;
         if (corners > FRONT_TREE_CORNERS)
-            return (hide_bounds){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+            return (box3){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
         for (uint32_t i = 0; i < face[k].count; i++)
-            box_add(&own.low, &own.high, fronts->scene->point[face[k].corner[i]]);
+            box3_add(&own, fronts->scene->point[face[k].corner[i]]);
     }
     const double m = touching_margin(fronts, front);
     const roberts_vec3 margin = {m, m, m};
-    return (hide_bounds){vec3_sub(own.low, margin), vec3_add(own.high, margin)};
+    return (box3){vec3_sub(own.lo, margin), vec3_add(own.hi, margin)};
 }
 
 static item measure_front(const hide_fronts *fronts, uint32_t front)
@@ -158,7 +158,7 @@ typedef struct bounds {
     } strip[2];
     roberts_vec3 up;
     double low, high; /* along `up` */
-    hide_bounds model;
+    box3 model;
 } bounds;
 
 static void widen_strips(bounds *b, const hide_fronts *fronts, const item *of)
@@ -231,25 +231,25 @@ static void add_box(hide_box *all, const hide_box *box, float loose)
 }
 
 /* Bounds a box along one axis by floats. */
-static void round_outward(const hide_bounds *box, int axis, float *low, float *high)
+static void round_outward(const box3 *box, int axis, float *low, float *high)
 {
-    *low = hide_float_below(axis == 0 ? box->low.x : axis == 1 ? box->low.y : box->low.z);
-    *high = hide_float_above(axis == 0 ? box->high.x : axis == 1 ? box->high.y : box->high.z);
+    *low = hide_float_below(axis == 0 ? box->lo.x : axis == 1 ? box->lo.y : box->lo.z);
+    *high = hide_float_above(axis == 0 ? box->hi.x : axis == 1 ? box->hi.y : box->hi.z);
 }
 
 /* Sets the bounds of child k. */
 static void bound(const building *of, front_node *n, int k, const uint32_t *place, uint32_t count)
 {
     const hide_fronts *fronts = of->fronts;
-    bounds b = {.box = hide_no_box, .low = INFINITY, .high = -INFINITY, .model = hide_no_bounds};
+    bounds b = {.box = hide_no_box, .low = INFINITY, .high = -INFINITY, .model = box3_none};
     choose_directions(&b, of->item, place, count);
     for (uint32_t i = 0; i < count; i++) {
         const item *own = &of->item[place[i]];
         add_box(&b.box, &fronts->front_box[own->front], (float)hide_loose(fronts, own->front));
         widen_strips(&b, fronts, own);
         widen_slab(&b, fronts, own);
-        box_add(&b.model.low, &b.model.high, own->model.low);
-        box_add(&b.model.low, &b.model.high, own->model.high);
+        box3_add(&b.model, own->model.lo);
+        box3_add(&b.model, own->model.hi);
     }
     n->x0[k] = b.box.x0;
     n->x1[k] = b.box.x1;
@@ -516,7 +516,7 @@ void front_shape_of(front_shape *shape, const hide_fronts *fronts, uint32_t fron
     }
     shape->margin = (float)(2.0 * margin + ROUNDINGS * most);
     shape->margin_plane = (float)(PLANE_MARGINS * margin + ROUNDINGS * most);
-    const hide_bounds model = model_bounds(fronts, front);
+    const box3 model = model_bounds(fronts, front);
     for (int i = 0; i < 3; i++)
         round_outward(&model, i, &shape->low[i], &shape->high[i]);
 }

@@ -33,35 +33,35 @@ typedef struct build {
 enum { POINTS_AT_ONCE = 64 };
 
 /* Returns the box of a solid's view points. */
-static hide_bounds measure_solid(const hide_fronts *fronts, uint32_t solid)
+static box3 measure_solid(const hide_fronts *fronts, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
     const roberts_vec3 *point = scene->point + scene->solid[solid].vertex;
     uint32_t left = scene->solid[solid + 1].vertex - scene->solid[solid].vertex;
     roberts_vec3 P[POINTS_AT_ONCE];
-    hide_bounds own = hide_no_bounds;
+    box3 own = box3_none;
     for (uint32_t count; left > 0; left -= count, point += count) {
         count = left < POINTS_AT_ONCE ? left : POINTS_AT_ONCE;
         view_points(&fronts->seen->view, point, count, P);
-        box_add_all(&own.low, &own.high, P, count);
+        box_add_all(&own.lo, &own.hi, P, count);
     }
     return own;
 }
 
 /* Widens a box of the picture so that it holds another one, which may be empty. */
-static void widen_by(hide_bounds *all, const hide_bounds *own)
+static void widen_by(box3 *all, const box3 *own)
 {
-    all->low = (roberts_vec3){lesser(all->low.x, own->low.x), lesser(all->low.y, own->low.y), 0.0};
-    all->high = (roberts_vec3){greater(all->high.x, own->high.x), greater(all->high.y, own->high.y), 0.0};
+    all->lo = (roberts_vec3){lesser(all->lo.x, own->lo.x), lesser(all->lo.y, own->lo.y), 0.0};
+    all->hi = (roberts_vec3){greater(all->hi.x, own->hi.x), greater(all->hi.y, own->hi.y), 0.0};
 }
 
 /* Finds the boxes of the solids first..end-1, and returns the box round all of them. If the near plane has left nothing
  * of a solid, its box is empty. */
-static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
+static box3 box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 {
-    hide_bounds all = hide_no_bounds;
+    box3 all = box3_none;
     for (uint32_t s = first; s < end; s++) {
-        hide_bounds own = measure_solid(fronts, s);
+        box3 own = measure_solid(fronts, s);
         fronts->box[s] = hide_box_around(&own);
         widen_by(&all, &own);
     }
@@ -70,7 +70,7 @@ static hide_bounds box_some(hide_fronts *fronts, uint32_t first, uint32_t end)
 
 typedef struct boxing {
     hide_fronts *fronts;
-    hide_bounds *part; /* round each BOXES_AT_ONCE solids */
+    box3 *part; /* round each BOXES_AT_ONCE solids */
 } boxing;
 
 static bool box_parts(void *context, size_t first, size_t end)
@@ -87,14 +87,14 @@ static bool box_parts(void *context, size_t first, size_t end)
 static bool box_solids(hide_fronts *fronts, int threads)
 {
     uint32_t count = fronts->scene->solid_count / BOXES_AT_ONCE + 1;
-    hide_bounds *part = alloc_array(count, sizeof *part), all = hide_no_bounds;
+    box3 *part = alloc_array(count, sizeof *part), all = box3_none;
     if (!part)
         return false;
     threads_each(threads, count, 0, box_parts, &(boxing){fronts, part});
     for (uint32_t i = 0; i < count; i++)
         widen_by(&all, &part[i]);
-    fronts->low = (roberts_vec2){all.low.x, all.low.y};
-    fronts->high = (roberts_vec2){all.high.x, all.high.y};
+    fronts->low = (roberts_vec2){all.lo.x, all.lo.y};
+    fronts->high = (roberts_vec2){all.hi.x, all.hi.y};
     free(part);
     return true;
 }

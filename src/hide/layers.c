@@ -189,7 +189,7 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
     set_sheet(grid, cell, -INFINITY, INFINITY);
     grid->apart[cell] = 0;
     double x = scan_left(s, column + ACROSS_CELL), y = scan_lower(s, row + UP_CELL);
-    hide_bounds point = {{x, y, 0.0}, {x, y, 0.0}};
+    box3 point = {{x, y, 0.0}, {x, y, 0.0}};
     hide_box about = hide_box_around(&point);
     uint32_t most = objet_most(objet_cut(objet_place(grid, &about), column, row));
     double slack = SHEET_SLACK * fronts->space.epsilon;

@@ -84,18 +84,18 @@ static BITS_PER_PROCESSOR bool is_seen_once(const star *s, const roberts_scene *
     return met <= 1;
 }
 
-bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const hide_bounds *box, double touching)
+bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const box3 *box, double touching)
 {
     const scene_solid *own = &scene->solid[body];
     const uint32_t *corner = scene->corner + scene->face_start[own->face];
-    const roberts_vec3 size = vec3_sub(box->high, box->low);
+    const roberts_vec3 size = vec3_sub(box->hi, box->lo);
     const double D = greater(size.x, greater(size.y, size.z));
     if (!(D > SIZE_LEAST && D < SIZE_MOST))
         return false;
     star s = {.least = DETERMINANT_ERROR * D * D * D + FLATTEST * STAR_APART * touching * D * D,
               .slope = D / FLATTEST * (D / FLATTEST),
               .turn = TURN_ERROR * D * D};
-    s.o = vec3_add(box->low, (roberts_vec3){star_centre.x * size.x, star_centre.y * size.y, star_centre.z * size.z});
+    s.o = vec3_add(box->lo, (roberts_vec3){star_centre.x * size.x, star_centre.y * size.y, star_centre.z * size.z});
     const roberts_vec3 a = vec3_sub(scene->point[corner[0]], s.o), b = vec3_sub(scene->point[corner[1]], s.o),
                        c = vec3_sub(scene->point[corner[2]], s.o);
     s.sense = vec3_dot(vec3_cross(a, b), c) < 0.0 ? -1.0 : 1.0;

@@ -7,6 +7,6 @@
 /* Is it certain that no two faces of a body cross, or touch except in a common corner or side? Asked of closed bodies
  * of triangles that are all wound alike, with coordinates that have no low parts. box: that of the body along the axes
  * of the model. touching: model units; faces without a common corner are farther apart than this. */
-bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const hide_bounds *box, double touching);
+bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const box3 *box, double touching);
 
 #endif

@@ -92,28 +92,12 @@ static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, dou
     return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
 }
 
-/* The exact bounding box of points; low > high if there are none. */
-typedef struct hide_bounds {
-    roberts_vec3 low, high;
-} hide_bounds;
-
-static const hide_bounds hide_no_bounds = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-/* The bounding box of the vertices `corner`, at the points P. */
-BITS_INLINE hide_bounds hide_bounds_of(const roberts_vec3 *P, const uint32_t *corner, uint32_t count)
+static inline hide_box hide_box_around(const box3 *all)
 {
-    hide_bounds own = hide_no_bounds;
-    for (uint32_t i = 0; i < count; i++)
-        box_add(&own.low, &own.high, P[corner[i]]);
-    return own;
-}
-
-static inline hide_box hide_box_around(const hide_bounds *all)
-{
-    if (all->low.x > all->high.x)
+    if (all->lo.x > all->hi.x)
         return hide_no_box;
-    return (hide_box){hide_float_below(all->low.x),  hide_float_above(all->high.x), hide_float_below(all->low.y),
-                      hide_float_above(all->high.y), hide_float_below(all->low.z),  hide_float_above(all->high.z)};
+    return (hide_box){hide_float_below(all->lo.x), hide_float_above(all->hi.x), hide_float_below(all->lo.y),
+                      hide_float_above(all->hi.y), hide_float_below(all->lo.z), hide_float_above(all->hi.z)};
 }
 
 #endif

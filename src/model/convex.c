@@ -199,15 +199,11 @@ static double polygon_spread(const roberts_vec3 *corner, uint32_t count)
  * over the leaves. A box is skipped if its least possible F is no better than the best so far. Source: G. M. Morton, "A
  * computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
 
-typedef struct vertex_box {
-    roberts_vec3 lo, hi;
-} vertex_box;
-
 typedef struct vertex_tree {
     const roberts_vec3 *point;
     uint32_t count, leaves; /* leaves: number of leaves, a power of two */
     uint32_t *order;        /* [count] points along a space-filling curve */
-    vertex_box *box; /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` boxes hold points */
+    box3 *box; /* [2 * leaves] a heap: box i holds boxes 2 i and 2 i + 1; the last `leaves` boxes hold points */
 } vertex_tree;
 
 enum { LEAF = 8 }; /* points in a leaf */
@@ -257,7 +253,6 @@ static void vertex_tree_free(vertex_tree *tree)
 /* `point` stays the caller's and must outlive the tree. False: no memory. */
 static bool vertex_tree_build(vertex_tree *tree, const roberts_vec3 *point, uint32_t count)
 {
-    const vertex_box empty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     *tree = (vertex_tree){.point = point, .count = count, .leaves = 1};
     while ((uint64_t)tree->leaves * LEAF < count)
         tree->leaves *= 2;
@@ -268,22 +263,20 @@ static bool vertex_tree_build(vertex_tree *tree, const roberts_vec3 *point, uint
         return false;
     }
     for (uint32_t i = 0; i < 2 * tree->leaves; i++)
-        tree->box[i] = empty;
-    for (uint32_t i = 0; i < count; i++) {
-        vertex_box *box = &tree->box[tree->leaves + i / LEAF];
-        box_add(&box->lo, &box->hi, point[tree->order[i]]);
-    }
+        tree->box[i] = box3_none;
+    for (uint32_t i = 0; i < count; i++)
+        box3_add(&tree->box[tree->leaves + i / LEAF], point[tree->order[i]]);
     for (uint32_t i = tree->leaves - 1; i > 0; i--)
         for (uint32_t child = 2 * i; child <= 2 * i + 1; child++)
             if (tree->box[child].lo.x <= tree->box[child].hi.x) {
-                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].lo);
-                box_add(&tree->box[i].lo, &tree->box[i].hi, tree->box[child].hi);
+                box3_add(&tree->box[i], tree->box[child].lo);
+                box3_add(&tree->box[i], tree->box[child].hi);
             }
     return true;
 }
 
 /* Returns the least F in a box; INFINITY if the box is empty. */
-static double least_in_box(const vertex_box *box, plane F)
+static double least_in_box(const box3 *box, plane F)
 {
     roberts_vec3 corner = {F.a > 0.0 ? box->lo.x : box->hi.x, F.b > 0.0 ? box->lo.y : box->hi.y,
                            F.c > 0.0 ? box->lo.z : box->hi.z};

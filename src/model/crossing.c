@@ -690,9 +690,9 @@ static double near_margin(const crossing_rules *rules, const crossing_face *f, c
 /* The box of vertices, wider by m. */
 static box3 box_around(const roberts_scene *scene, const uint32_t *vertex, uint32_t count, double m)
 {
-    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    box3 box = box3_none;
     for (uint32_t k = 0; k < count; k++)
-        box_add(&box.lo, &box.hi, scene->point[vertex[k]]);
+        box3_add(&box, scene->point[vertex[k]]);
     const roberts_vec3 margin = {m, m, m};
     return (box3){vec3_sub(box.lo, margin), vec3_add(box.hi, margin)};
 }

@@ -28,9 +28,9 @@ enum { FEW_FACES = 24 };
 
 static box3 union_face_box(const roberts_scene *scene, uint32_t face, double margin)
 {
-    box3 box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    box3 box = box3_none;
     for (uint32_t i = scene->face_start[face]; i < scene->face_start[face + 1]; i++)
-        box_add(&box.lo, &box.hi, union_place(scene, scene->point[scene->corner[i]]));
+        box3_add(&box, union_place(scene, scene->point[scene->corner[i]]));
     roberts_vec3 m = {margin, margin, margin};
     return (box3){vec3_sub(box.lo, m), vec3_add(box.hi, m)};
 }
@@ -47,8 +47,8 @@ static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
         box[i] = union_face_box(scene, first + i, all->touch + all->departure[s]);
         if (i == 0)
             *whole = box[0];
-        box_add(&whole->lo, &whole->hi, box[i].lo);
-        box_add(&whole->lo, &whole->hi, box[i].hi);
+        box3_add(whole, box[i].lo);
+        box3_add(whole, box[i].hi);
     }
     return count <= FEW_FACES || box_tree_add(&all->tree, box, count, first, &all->root[s]);
 }
@@ -398,7 +398,7 @@ static bool meet_bodies(union_cutter *c)
     const union_span whole = {0.0, 1.0, 0};
     roberts_vec3 B = vec3_add(c->A, c->U), m = {c->touch, c->touch, c->touch};
     box3 box = {c->A, c->A};
-    box_add(&box.lo, &box.hi, B);
+    box3_add(&box, B);
     box.lo = vec3_sub(box.lo, m);
     box.hi = vec3_add(box.hi, m);
     for (uint32_t i = all->bodies, end = node[i].skip; i < end;) {

@@ -390,7 +390,7 @@ static void place_body(planner *pl, const view *v, plan_place *place, box3 *box)
     facts->whole.low = (roberts_vec2){lesser(facts->whole.low.x, box->lo.x), lesser(facts->whole.low.y, box->lo.y)};
     facts->whole.high =
         (roberts_vec2){greater(facts->whole.high.x, box->hi.x), greater(facts->whole.high.y, box->hi.y)};
-    const hide_box rounded = hide_box_around(&(hide_bounds){box->lo, box->hi});
+    const hide_box rounded = hide_box_around(box);
     place->low[0] = rounded.x0;
     place->low[1] = rounded.y0;
     place->high[0] = rounded.x1;

@@ -288,10 +288,10 @@ static void deep_by_table(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const view seen_by = {.perspective = cases[i].perspective};
         hide_fronts fronts = {.space = bare_space(cases[i].corner, EPSILON, 1e-15, 10.0)};
-        hide_bounds own = hide_no_bounds, edges = {{-1, -1, -3}, {1, 1, cases[i].z}};
+        box3 own = box3_none, edges = {{-1, -1, -3}, {1, 1, cases[i].z}};
         fronts.space.view = &seen_by;
         for (int k = 0; k < 3; k++)
-            box_add(&own.low, &own.high, cases[i].corner[k]);
+            box3_add(&own, cases[i].corner[k]);
         const hide_box face = hide_box_around(&own), box = hide_box_around(&edges);
         if (hide_are_deep(&fronts, (uint32_t[]){0, 1, 2}, &face, &box) != cases[i].deep)
             fail_msg("%s", cases[i].name);

@@ -58,7 +58,7 @@ static roberts_scene *scene_of_case(const star_case *c, double size, int copies,
 
 static bool is_simple(const roberts_scene *scene, double touching)
 {
-    hide_bounds box = {scene->box_min, scene->box_max};
+    box3 box = {scene->box_min, scene->box_max};
     return star_body_is_simple(scene, 0, &box, touching);
 }
 
