@@ -43,7 +43,7 @@ static void fill_depths(float *depth, size_t count, int threads)
     threads_each(count > FILLED_BY_ONE ? threads : 1, count, 0, fill_some, depth);
 }
 
-/* Allocates the cells, and takes the warps of the frame. Where nothing is written, cells take no memory. */
+/* Allocates the cells, and takes the warps of the frame. */
 static bool alloc_cells(cover *c, scan_frame frame)
 {
     size_t cells = scan_cells(&frame);

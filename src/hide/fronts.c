@@ -459,7 +459,8 @@ static void count_convex(hide_fronts *fronts, uint32_t *other_faces)
             *other_faces += scene->solid[s + 1].face - scene->solid[s].face;
 }
 
-/* Only a part of most arrays is ever written. The rest costs no memory, because it is never touched. */
+/* Only a part of the faces and of the outlines is ever written. The rest costs no memory, because it is never
+ * touched. */
 static bool alloc_fronts(build *b)
 {
     hide_fronts *fronts = b->fronts;

@@ -298,7 +298,8 @@ static void write_string(output *out, const char *text)
     output_bytes(out, "\n", 1);
 }
 
-/* 72: 0 the text begins at the point, 1 it is centred there, 2 it ends there; the latter two have it once more. */
+/* 72: 0 the text begins at the point, 1 it is centred there, 2 it ends there; in cases 1 and 2 the point is written
+ * once more. */
 static void write_texts(dxf *p, roberts_line class)
 {
     const strokes *s = p->s;
