@@ -73,7 +73,7 @@ typedef struct crossing_filter {
     const hide_fronts *fronts;
     model_box *model;   /* [whole] */
     box3 *body;         /* boxes of bodies along the axes of the model: [front_count] of each front's body, if that is
-                                  less than [solid_count]; NULL: not known */
+                           less than [solid_count]; NULL: not known */
     uint8_t *simple;    /* [solid_count] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
     bool by_front;      /* `body` has a box for each front; then `simple` is NULL */
     uint32_t whole;     /* number of whole solids, which come before single faces */

@@ -273,18 +273,29 @@ static plane near_plane(const cutter *c)
     return (plane){-c->dir.x, -c->dir.y, -c->dir.z, vec3_dot(c->dir, vec3_sub(c->eye, c->from->centre)) - c->near};
 }
 
-/* Adds the cap. `start` is one of the cut edges. If a border weaves through the plane, there are several rings, and the
+static bool cutter_touch(const cutter *c, uint32_t v, uint32_t w)
+{
+    const roberts_vec3 *P = c->clip->scene.point;
+    return vec3_length(vec3_sub(P[v], P[w])) <= c->touching;
+}
+
+/* Adds the cap. `start` is one of the cut edges. Of cuts that touch, as those of a face without area, the cap has one:
+ * rounding may have put them in the wrong order. If a border weaves through the plane, there are several rings, and the
  * cap has one of them. Then the outline is not a single cycle, and the faces hide one by one (see hide/front.c). False:
  * no memory. */
 static bool add_cap(cutter *c, uint32_t start)
 {
-    uint32_t begin = (uint32_t)c->clip->scene.corner_count, e = start;
+    const roberts_scene *to = &c->clip->scene;
+    uint32_t begin = (uint32_t)to->corner_count, e = start;
     double width;
     do {
-        if (!cutter_add_corner(c, c->cut[e]))
+        const bool again = to->corner_count > begin && cutter_touch(c, c->cut[e], to->corner[to->corner_count - 1]);
+        if (!again && !cutter_add_corner(c, c->cut[e]))
             return false;
         e = c->next[e];
     } while (e != start);
+    if (to->corner_count > begin + 1 && cutter_touch(c, to->corner[to->corner_count - 1], to->corner[begin]))
+        c->clip->scene.corner_count--;
     return cutter_measure_width(c, begin, &width) &&
            cutter_add_face(c, near_plane(c), c->touching, width, ROBERTS_NONE);
 }

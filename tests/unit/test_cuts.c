@@ -89,6 +89,32 @@ static void boxes_are_cut(void **state)
     }
 }
 
+/* A box with a facet without area, which the near plane cuts in two points at one place. Rounding may put them in
+ * either order. */
+static void a_facet_without_area_is_cut(void **state)
+{
+    roberts_scene *scene = scene_of_text(
+        "OFF\n10 16 0\n0 0 0\n1 0 0\n2 0 0\n2 2 0\n0 2 0\n0 0 2\n1 0 2\n2 0 2\n2 2 2\n0 2 2\n3 0 2 1\n3 0 3 2\n3 0 4 "
+        "3\n"
+        "3 5 6 7\n3 5 7 8\n3 5 8 9\n3 0 1 6\n3 0 6 5\n3 1 2 7\n3 1 7 6\n3 2 3 8\n3 2 8 7\n3 3 4 9\n3 3 9 8\n3 4 0 5\n"
+        "3 4 5 9\n");
+    (void)state;
+    for (int i = 0; i <= 40; i++) {
+        roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {3, -4, 5}, .has_look_at = true, .look_at = {1, 1, 1},
+                                 .near_distance = 6 + 0.0125 * i};
+        const roberts_hide_options options = roberts_hide_options_default();
+        roberts_region_list regions;
+        size_t sections = 0;
+        assert_int_equal(roberts_regions(scene, &camera, &options, &regions, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < regions.count; k++)
+            sections += regions.region[k].face == ROBERTS_NONE;
+        if (sections != 1)
+            fail_msg("%g before the eye: %zu sections", camera.near_distance, sections);
+        roberts_regions_free(&regions);
+    }
+    roberts_scene_free(scene);
+}
+
 /* An L-block is one body that is not convex. The sides between the pieces of its cap are no lines. Without one of its
  * walls it is open, and the cut has a gap. */
 static void other_bodies_are_cut(void **state)
@@ -229,6 +255,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_are_cut),
+        cmocka_unit_test(a_facet_without_area_is_cut),
         cmocka_unit_test(other_bodies_are_cut),
         cmocka_unit_test(cube_is_cut_in_a_hexagon),
         cmocka_unit_test(what_is_whole_has_no_cuts),
