@@ -473,6 +473,29 @@ static uint32_t convex_hull(const hide_fronts *fronts, uint32_t solid, uint32_t 
     return outline_is_convex(fronts, outline, corners, width) ? corners : 0;
 }
 
+/* View units: the greatest distance at which an edge with exactly one front face lies inside the hull of its solid in
+ * the picture. Lines behind the solid end at the hull, that far from the edge that is drawn. */
+static double hull_gap(const hide_fronts *fronts, uint32_t solid, const uint32_t *hull, uint32_t corners)
+{
+    const roberts_scene *scene = fronts->scene;
+    const scene_solid *own = &scene->solid[solid];
+    double gap = 0.0;
+    for (uint32_t e = own->edge; corners > 0 && e < own[1].edge; e++) {
+        const scene_edge *edge = scene_edge_stored(scene, solid, e);
+        for (int k = 0; k < 2 && seen_fronts(fronts->seen->facing + own->face, edge) == 1; k++) {
+            const roberts_vec3 X = fronts->P[own->vertex + edge->v[k]];
+            double inside = INFINITY;
+            for (uint32_t i = 0; i < corners; i++) {
+                const roberts_vec3 A = fronts->P[hull[i]], B = fronts->P[hull[i + 1 < corners ? i + 1 : 0]];
+                const double x = B.x - A.x, y = B.y - A.y;
+                inside = lesser(inside, (x * (X.y - A.y) - y * (X.x - A.x)) / vec2_length(x, y));
+            }
+            gap = greater(gap, inside);
+        }
+    }
+    return gap;
+}
+
 bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, uint32_t solid)
 {
     const roberts_scene *scene = fronts->scene;
@@ -486,8 +509,10 @@ bool front_add(hide_fronts *fronts, front_scratch *scratch, front_tile *tile, ui
     double width = (double)(box->x1 - box->x0) + (double)(box->y1 - box->y0);
     if (!outline_is_convex(fronts, outline, corners, width))
         corners = 0;
-    if (corners == 0 && found.count > 0 && found.count <= FACES_OF_ONE_FRONT)
+    if (corners == 0 && found.count > 0 && found.count <= FACES_OF_ONE_FRONT) {
         cycle = corners = convex_hull(fronts, solid, scratch->next, outline, width);
+        tile->hull_gap = greater(tile->hull_gap, hull_gap(fronts, solid, outline, corners));
+    }
     bool whole = corners && found.count <= FACES_OF_ONE_FRONT;
     bool bundled = cycle && !whole && is_bundle(fronts, &found, box);
     double size = box_size(box);

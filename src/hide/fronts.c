@@ -315,6 +315,7 @@ static void add_counts(hide_fronts *fronts, const tiles *t)
         fronts->back += from->back;
         fronts->edge_on += from->edge_on;
         fronts->culled_count += from->culled;
+        fronts->hull_gap = greater(fronts->hull_gap, from->hull_gap);
         if (from->most_corners > fronts->most_corners)
             fronts->most_corners = from->most_corners;
     }

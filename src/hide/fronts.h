@@ -77,6 +77,7 @@ typedef struct hide_fronts {
     cover cover;
     cover **own;                      /* [solid_count] covers that hide faces and lines of their own body; or NULL */
     uint32_t most_corners;            /* of a face or an outline */
+    double hull_gap;                  /* view units: how far outlines lie inside the hulls that replace them */
     size_t face_count, back, edge_on; /* faces of bodies that are not culled, by their facing */
     size_t culled_count;              /* bodies that are hidden; not those that the near plane has removed */
     roberts_vec2 low, high;           /* box of the picture, view units */

@@ -500,24 +500,27 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
-/* The greatest departure of a face from its plane, but no more than rounding to six digits explains: one bent face must
- * not join what is apart elsewhere. The plane of a sliver may be wrong by far, so its width counts if that is less. */
-static double greatest_departure(const seen *s)
+/* The greatest departure of a face from its plane, or of an outline from the hull that replaces it, but no more than
+ * rounding to six digits explains: one bent face must not join what is apart elsewhere. The plane of a sliver may be
+ * wrong by far, so its width counts if that is less. */
+static double greatest_departure(const hide_fronts *fronts)
 {
+    const seen *s = fronts->seen;
     const roberts_scene *scene = s->scene;
     float most = 0.0f;
     for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++) {
         float own = scene->face_deviation[f] < scene->face_width[f] ? scene->face_deviation[f] : scene->face_width[f];
         most = own > most ? own : most;
     }
-    return lesser((double)most * scene->unit * s->view.per_unit, SCENE_TOLERANCE * s->view.diameter);
+    return lesser(greater((double)most * scene->unit * s->view.per_unit, fronts->hull_gap),
+                  SCENE_TOLERANCE * s->view.diameter);
 }
 
 bool regions_find(const hide_job *job, region_lines *lines)
 {
     const view *v = &job->seen.view;
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
-    const double departure = greatest_departure(&job->seen), joined = touching + LOOSE_DEPARTURES * departure;
+    const double departure = greatest_departure(&job->fronts), joined = touching + LOOSE_DEPARTURES * departure;
     region_work w = {.job = job, .map = &lines->map};
     bool enough = take_drawn(lines, NULL) && planar_map_divide(w.map, joined) &&
                   planar_map_join_loose(w.map, joined, joined + REGION_DEPARTURES * departure) &&

@@ -50,6 +50,7 @@ typedef struct front_tile {
     size_t single_count, single_room, single_box_room;
     size_t faces, back, edge_on, culled;
     uint32_t most_corners;
+    double hull_gap;
     char apart[THREADS_APART];
 } front_tile;
 

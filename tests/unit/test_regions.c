@@ -500,6 +500,33 @@ static void test_bent_neighbour(void **state)
 }
 
 /* The near plane cuts solids, and what it cuts is seen. */
+/* A prism whose coordinates are rounded, before a square. Its outline bends inward by the rounding, so its hull hides
+ * the square's border, which ends beside the outline. Still, the square is seen round the prism. */
+static void test_bent_outline(void **state)
+{
+    roberts_scene *scene =
+        scene_of_text("OFF\n14 17 0\n0 0 1.5\n-0.40679 -0.08667 1.2225\n-0.81359 -0.17334 0.945\n"
+                      "-0.98235 -1.01638 1.4557\n-0.16877 -0.84303 2.0107\n-0.55641 0.50917 2.15663\n"
+                      "-0.9632 0.42249 1.87912\n-1.37 0.33582 1.60162\n-1.53877 -0.50721 2.11232\n"
+                      "-0.72518 -0.33387 2.66733\n-0.738 -3.931 -1\n5.262 -3.931 -1\n5.262 2.069 -1\n"
+                      "-0.738 2.069 -1\n3 0 4 3\n3 3 2 1\n3 1 0 3\n3 6 7 8\n3 6 8 9\n3 9 5 6\n3 0 1 6\n3 6 5 0\n"
+                      "3 7 6 1\n3 1 2 7\n3 8 7 2\n3 2 3 8\n3 8 3 4\n3 4 9 8\n3 4 0 5\n3 5 9 4\n4 10 11 12 13\n");
+    const roberts_vec3 dirs[] = {{0.098, 0.071, 2.021}, {0.3, -0.2, 1.3}, {-0.4, 0.5, 0.9}, {0.61, 0.13, 1.7}};
+    (void)state;
+    for (size_t i = 0; i < sizeof dirs / sizeof dirs[0]; i++) {
+        const roberts_camera camera = {.dir = dirs[i]};
+        const roberts_hide_options options = roberts_hide_options_default();
+        roberts_region_list regions;
+        double area = 0.0;
+        assert_int_equal(roberts_regions(scene, &camera, &options, &regions, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < regions.count; k++)
+            area += regions.region[k].face == 16 ? regions.region[k].area : 0.0;
+        assert_in_range(area, 12, 36); /* of 36, seen aslant */
+        roberts_regions_free(&regions);
+    }
+    roberts_scene_free(scene);
+}
+
 static void test_near_plane(void **state)
 {
     rng r = {7};
@@ -838,6 +865,7 @@ int main(void)
         cmocka_unit_test(test_merged),
         cmocka_unit_test(test_rounded),
         cmocka_unit_test(test_bent_neighbour),
+        cmocka_unit_test(test_bent_outline),
         cmocka_unit_test(test_near_plane),
         cmocka_unit_test(test_threads_and_grid),
         cmocka_unit_test(test_refused),
