@@ -1,7 +1,7 @@
 /* cuts.c - the lines along which the near plane cuts bodies. See cuts.h.
  *
- * The near plane is a plane of one depth in view space, and nothing is nearer. So a line is a side of a face whose ends
- * are new vertices at the greatest depth of all. A face with no other corners is part of a cap. */
+ * A line is a side of a face whose ends are new vertices in the near plane. A face with no other corners is part of a
+ * cap. */
 #include "hide/cuts.h"
 
 #include <math.h>
@@ -14,51 +14,40 @@
 #include "base/sort.h"
 #include "hide/tolerance.h"
 
-static double greatest_depth(const hide_fronts *fronts)
-{
-    const roberts_scene *scene = fronts->scene;
-    double most = -INFINITY;
-    for (uint32_t s = 0; s < scene->solid_count; s++)
-        for (uint32_t v = scene->solid[s].vertex; !fronts->culled[s] && v < scene->solid[s + 1].vertex; v++)
-            most = greater(most, fronts->P[v].z);
-    return most;
-}
-
-/* The least depth of a vertex in the near plane. */
-static double least_depth(const hide_fronts *fronts)
-{
-    return greatest_depth(fronts) - CUT_TOUCHING * (fronts->space.epsilon + fronts->space.depth_rounding);
-}
-
 typedef struct line_list {
     seen_line *line; /* [count] */
     size_t count, room;
 } line_list;
 
-/* Is this a vertex in the near plane, where an edge is cut? least: least_depth(). */
-static bool is_cut(const hide_fronts *fronts, uint32_t v, double least)
+/* Is this a vertex in the near plane, where an edge is cut? Asked in the model: near the eye, the depth in view space
+ * multiplies its rounding by a million. */
+static bool is_cut(const hide_fronts *fronts, uint32_t vertex)
 {
-    return fronts->P[v].z >= least && scene_vertex_number(fronts->scene, v) == ROBERTS_NONE;
+    const view *v = &fronts->seen->view;
+    if (scene_vertex_number(fronts->scene, vertex) != ROBERTS_NONE)
+        return false;
+    const double depth = vec3_dot(v->dir, vec3_sub(v->viewpoint, fronts->scene->point[vertex]));
+    return depth <= fronts->seen->clip.near + CUT_TOUCHING * v->epsilon * v->unit;
 }
 
-static bool is_in_cap(const hide_fronts *fronts, uint32_t face, double least)
+static bool is_in_cap(const hide_fronts *fronts, uint32_t face)
 {
     const roberts_scene *scene = fronts->scene;
     for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
-        if (!is_cut(fronts, scene->corner[k], least))
+        if (!is_cut(fronts, scene->corner[k]))
             return false;
     return true;
 }
 
 /* Adds the sides of a face that are cuts. The face is on their left in the picture. False: no memory. */
-static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, double least, line_list *to)
+static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, line_list *to)
 {
     const roberts_scene *scene = fronts->scene;
     const uint32_t first = scene->face_start[face], end = scene->face_start[face + 1];
     const bool turned = fronts->seen->facing[face] == VIEW_BACK;
     for (uint32_t k = first; k < end; k++) {
         const uint32_t v = scene->corner[k], next = scene->corner[k + 1 < end ? k + 1 : first];
-        if (!is_cut(fronts, v, least) || !is_cut(fronts, next, least))
+        if (!is_cut(fronts, v) || !is_cut(fronts, next))
             continue;
         if (!array_reserve(&to->line, &to->room, to->count + 1, sizeof *to->line))
             return false;
@@ -119,17 +108,17 @@ static bool is_whole(const seen *s, uint32_t body)
 }
 
 /* Adds the lines of a body: those of its cap, or else of its faces. False: no memory. */
-static bool add_body(const hide_fronts *fronts, uint32_t body, double least, line_list *to)
+static bool add_body(const hide_fronts *fronts, uint32_t body, line_list *to)
 {
     const scene_solid *own = &fronts->scene->solid[body];
     const size_t first = to->count;
     bool enough = true, capped = false;
     for (int pass = 0; pass < 2 && !capped; pass++)
         for (uint32_t f = own->face; enough && f < own[1].face; f++) {
-            const bool cap = is_in_cap(fronts, f, least);
+            const bool cap = is_in_cap(fronts, f);
             capped = capped || cap;
             if (cap || pass > 0)
-                enough = add_sides(fronts, body, f, least, to);
+                enough = add_sides(fronts, body, f, to);
         }
     if (to->count > first)
         to->count = first + drop_equal(to->line + first, to->count - first, capped);
@@ -139,13 +128,12 @@ static bool add_body(const hide_fronts *fronts, uint32_t body, double least, lin
 bool cuts_find(const hide_fronts *fronts, seen_further *lines)
 {
     const uint32_t bodies = fronts->scene->solid_count;
-    const double least = least_depth(fronts);
     line_list found = {0};
     uint32_t *first = alloc_array((size_t)bodies + 1, sizeof *first);
     bool enough = first != NULL;
     for (uint32_t s = 0; enough && s < bodies; s++) {
         first[s] = (uint32_t)found.count;
-        enough = fronts->culled[s] || is_whole(fronts->seen, s) || add_body(fronts, s, least, &found);
+        enough = fronts->culled[s] || is_whole(fronts->seen, s) || add_body(fronts, s, &found);
     }
     if (enough)
         first[bodies] = (uint32_t)found.count;
@@ -206,7 +194,6 @@ static void free_caps(cap_pieces *caps)
 /* False: no memory. Call free_caps() in any case. */
 static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_pieces *caps)
 {
-    const double least = least_depth(fronts);
     const roberts_scene *scene = fronts->scene;
     caps->face = alloc_array(scene->face_count, sizeof *caps->face);
     caps->body = alloc_array(scene->face_count, sizeof *caps->body);
@@ -217,7 +204,7 @@ static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_
         if (lines->first[s] == lines->first[s + 1])
             continue; /* it is not cut */
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-            if (is_in_cap(fronts, f, least)) {
+            if (is_in_cap(fronts, f)) {
                 const uint32_t first = scene->face_start[f];
                 caps->face[caps->count] = f;
                 caps->body[caps->count] = s;

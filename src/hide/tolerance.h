@@ -148,7 +148,7 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
  * four. The rest is for both lines, and for ends that are beside one another. */
 #define REGION_MARGIN 16.0
 
-/* Epsilons, and roundings of a depth: corners made by the near plane are nearer to it than this. */
+/* Epsilons: corners made by the near plane are nearer to it than this. */
 #define CUT_TOUCHING 16.0
 
 /* Fraction of the scene's diameter: a face whose box begins deeper than this behind the visible point does not touch

@@ -907,6 +907,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
         return ROBERTS_OK;
     }
     clip->clipped = true;
+    clip->near = c.near;
     clip->pieces = scene->surface && scene->surface->plane_of;
     clip->origin = alloc_array(scene->edge_count, sizeof *clip->origin);
     c.vertex = alloc_array(scene->vertex_count, sizeof *c.vertex);

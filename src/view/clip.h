@@ -20,6 +20,7 @@ typedef struct view_clip {
     roberts_scene scene; /* the clipped scene; freed with the clip */
     clip_edge *origin;   /* [edge_count of the scene] */
     bool *cap;           /* [edge_count of the clipped scene] is it an edge of a cap? */
+    double near;         /* model units: the distance of the near plane from the eye */
     bool pieces;         /* faces of the scene have been cut into pieces before */
     bool clipped;        /* false: nothing is cut, and all of the above is empty */
 } view_clip;

@@ -115,6 +115,30 @@ static void a_facet_without_area_is_cut(void **state)
     roberts_scene_free(scene);
 }
 
+/* A room, seen from inside, that stands far from the origin. The near plane cuts the floor and two walls close to the
+ * eye, where depths are a million times as great as in the rest. */
+static void a_room_far_away(void **state)
+{
+    const roberts_hide_options options = roberts_hide_options_default();
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        const double x = i * 1000, y = i * 2000;
+        char text[400];
+        snprintf(text, sizeof text,
+                 "OFF\n8 4 0\n%g %g 0\n%g %g 0\n%g %g 0\n%g %g 0\n%g %g 3\n%g %g 3\n%g %g 3\n%g %g 3\n"
+                 "4 0 1 2 3\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n",
+                 x, y, x + 10, y, x + 10, y + 6, x, y + 6, x, y, x + 10, y, x + 10, y + 6, x, y + 6);
+        roberts_scene *scene = scene_of_text(text);
+        const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = {x + 1.3, y + 3.1, 1.7}, .has_look_at = true,
+                                       .look_at = {x + 9, y + 3.9, 1.2}};
+        roberts_region_list regions;
+        assert_int_equal(roberts_regions(scene, &camera, &options, &regions, NULL), ROBERTS_OK);
+        assert_int_equal(regions.count, 4);
+        roberts_regions_free(&regions);
+        roberts_scene_free(scene);
+    }
+}
+
 /* An L-block is one body that is not convex. The sides between the pieces of its cap are no lines. Without one of its
  * walls it is open, and the cut has a gap. */
 static void other_bodies_are_cut(void **state)
@@ -256,6 +280,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_are_cut),
         cmocka_unit_test(a_facet_without_area_is_cut),
+        cmocka_unit_test(a_room_far_away),
         cmocka_unit_test(other_bodies_are_cut),
         cmocka_unit_test(cube_is_cut_in_a_hexagon),
         cmocka_unit_test(what_is_whole_has_no_cuts),
