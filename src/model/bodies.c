@@ -33,7 +33,7 @@ typedef struct assembly {
     const roberts_mesh *mesh;
     const roberts_scene_options *options;
     polygons faces;      /* of the mesh, welded and cleaned as for the convex solids */
-    uint8_t *listed;     /* [faces] 1: belongs to a body that is not convex */
+    uint8_t *listed;     /* [faces] LISTED_... */
     uint32_t *vertex_of; /* [corners of the mesh] see name_corners(); NULL: nothing is welded */
     uint32_t *copied;    /* [copies] the vertex of the mesh that each copy repeats */
     uint32_t copies;
@@ -93,7 +93,7 @@ static bool group_components(const assembly *a, const uint8_t *open, uint8_t *li
         for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
             a->group[scene_vertex_number(scene, v)] = s + 1;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-            listed[scene_face_number(scene, f)] = 1;
+            listed[scene_face_number(scene, f)] = LISTED;
     }
     return any;
 }
@@ -103,6 +103,7 @@ static face_rules rules_of(const assembly *a, double touching)
 {
     return (face_rules){.tolerance = a->options->tolerance,
                         .touching = touching,
+                        .narrow = bodies_narrow(a->scene, a->mesh),
                         .unit = a->scene->unit,
                         .even_odd = a->options->even_odd};
 }
@@ -217,6 +218,13 @@ static void drop_shapes(roberts_scene *scene)
     scene->face_deviation = scene->face_width = NULL;
 }
 
+/* Has each edge of component s an even number of faces, without any vertex that divides it? */
+static bool is_closed(const assembly *a, const uint8_t *open, uint32_t s)
+{
+    const uint32_t vertex = scene_vertex_number(a->scene, a->scene->solid[s].vertex);
+    return open[s] == OPENING_NONE && !(a->group && a->group[vertex] > 0);
+}
+
 /* Lays out the components, and lists the faces of those that are not convex solids. known: some component is known not
  * to be one. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
@@ -253,10 +261,12 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
     if (status == ROBERTS_OK && !(a->listed = alloc_array(a->mesh->face_count, 1)))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK)
-        memset(a->listed, 1, a->mesh->face_count);
+        memset(a->listed, LISTED, a->mesh->face_count);
     for (uint32_t s = 0; status == ROBERTS_OK && s < a->scene->solid_count; s++)
-        for (uint32_t f = a->scene->solid[s].face; f < a->scene->solid[s + 1].face && convex[s]; f++)
-            a->listed[scene_face_number(a->scene, f)] = 0;
+        for (uint32_t f = a->scene->solid[s].face; f < a->scene->solid[s + 1].face; f++)
+            a->listed[scene_face_number(a->scene, f)] = convex[s]               ? LISTED_NOT
+                                                        : is_closed(a, open, s) ? LISTED_CLOSED
+                                                                                : LISTED;
     drop_shapes(a->scene);
 done:
     free(open);
@@ -277,14 +287,19 @@ static void add_wires(const roberts_mesh *mesh, roberts_vec3 *low, roberts_vec3 
     }
 }
 
-double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
+double bodies_narrow(const roberts_scene *scene, const roberts_mesh *mesh)
 {
     roberts_vec3 low = scene->box_min, high = scene->box_max;
     if (scene->face_count < mesh->face_count)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
-    return fmax(fmax(TOUCHING_OF_DIAMETER * diameter, rounding), scene_step(scene));
+    return fmax(TOUCHING_OF_DIAMETER * diameter, rounding);
+}
+
+double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
+{
+    return fmax(bodies_narrow(scene, mesh), scene_step(scene));
 }
 
 /* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];
@@ -355,7 +370,7 @@ static void list_convex(assembly *a)
     for (uint32_t k = 0; k < scene->solid_count; k++)
         for (uint32_t f = scene->solid[k].face; f < scene->solid[k + 1].face; f++) {
             const uint32_t own = scene_face_number(scene, f);
-            if (!a->listed[own])
+            if (a->listed[own] == LISTED_NOT)
                 add_item(a, sets + k, own, a->faces.corner + a->faces.start[own], polygon_size(&a->faces, own));
         }
 }
@@ -369,7 +384,7 @@ static bool make_item_room(assembly *a)
     for (size_t i = 0; i < s->edge_count; i++)
         odd += s->edge[i].odd;
     for (uint32_t f = 0; f < scene->face_count; f++)
-        if (!a->listed[scene_face_number(scene, f)]) {
+        if (a->listed[scene_face_number(scene, f)] == LISTED_NOT) {
             convex_faces++;
             corners += polygon_size(&a->faces, scene_face_number(scene, f));
         }
@@ -709,9 +724,9 @@ static size_t count_repeated(const assembly *a)
     size_t repeated = 0;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
-        if (!a->listed[f])
+        if (a->listed[f] == LISTED_NOT)
             repeated += end - first - polygon_size(&a->faces, f);
-        for (uint32_t i = first; a->listed[f] && end - first >= 3 && i < end; i++)
+        for (uint32_t i = first; a->listed[f] != LISTED_NOT && end - first >= 3 && i < end; i++)
             repeated += mesh->corner[i] == mesh->corner[i + 1 < end ? i + 1 : first];
     }
     return repeated;

@@ -22,4 +22,9 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
  * Of 32-bit floats, and of rounded decimals, it is at least two units of their last place. */
 double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
 
+/* Returns the same without the rounding of the coordinates. In a closed body, a triangle of greater height is a face:
+ * its sides are edges anyway. In an open one, where T-junctions may be closed within the touching distance, it has to
+ * be higher than that, so that no side is divided at the corner opposite. */
+double bodies_narrow(const roberts_scene *scene, const roberts_mesh *mesh);
+
 #endif

@@ -305,8 +305,8 @@ bool face_pieces_cut(face_pieces *f, const face_rules *rules, const uint32_t *co
         return true;
     fit(f, rules);
     f->planar = f->ring_count == 3 || f->fit.deviation <= greater(rules->tolerance * f->chord, rules->touching);
-    /* The least height of a triangle is twice its width. If it is more, no edge is divided at the third corner. */
-    if (!(f->fit.width > (f->ring_count == 3 ? 0.5 : 1.0) * rules->touching))
+    /* The least height of a triangle is twice its width. */
+    if (!(f->fit.width > (f->ring_count == 3 ? 0.5 * rules->narrow : rules->touching)))
         return true;
     if (!f->planar && is_quadrilateral(f))
         return take_quadrilateral(f) && add_sides(f);

@@ -60,6 +60,7 @@ typedef struct face_rules {
     const roberts_vec3 *point;
     double tolerance; /* how far corners may lie off a plane, as a fraction of the face's size */
     double touching;  /* points nearer than this touch; model units */
+    double narrow;    /* a triangle of no greater height is no face; model units, at most `touching` */
     double unit;      /* a power of two near the scene's size */
     bool even_odd;
     bool keep_straight; /* pieces with many corners keep those at which they go straight on */

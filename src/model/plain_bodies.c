@@ -414,13 +414,13 @@ typedef struct two_shapes {
 } two_shapes;
 
 /* Measures triangles f and g, which may be the same. False: one is too narrow to be a face. */
-BITS_INLINE bool measure_triangles(const roberts_scene *scene, uint32_t f, uint32_t g, double touching, two_shapes *to)
+BITS_INLINE bool measure_triangles(const roberts_scene *scene, uint32_t f, uint32_t g, double narrow, two_shapes *to)
 {
     two per_unit = two_all(1.0 / scene->unit), unit = two_all(scene->unit), minus = two_all(-1.0);
     two_vec3 origin = corners_at(scene, f, g, 0);
     two_planes fit = two_planes_of_triangles(scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 1), origin)),
                                              scaled(per_unit, two_vec3_sub(corners_at(scene, f, g, 2), origin)));
-    if (fit.empty || two_at_most(two_mul(fit.width, unit), two_all(touching)))
+    if (fit.empty || two_at_most(two_mul(fit.width, unit), two_all(narrow)))
         return false;
     two_vec3 P = two_vec3_sub(origin, two_vec3_all(scene->centre));
     two_part(&to->F.a, &to->G.a, two_mul(minus, fit.n.x));
@@ -432,12 +432,18 @@ BITS_INLINE bool measure_triangles(const roberts_scene *scene, uint32_t f, uint3
     return true;
 }
 
+/* A triangle of solid s that is no wider than this is handled elsewhere. */
+static inline double narrow_of(const plain_work *w, uint32_t s)
+{
+    return w->open[s] ? w->rules.touching : w->rules.narrow;
+}
+
 /* Stores the planes of triangles f and g, which may be the same. False: one is too narrow to be a face. */
-static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g)
+static inline bool take_triangles(const plain_work *w, uint32_t f, uint32_t g, double narrow)
 {
     roberts_scene *scene = w->scene;
     two_shapes found;
-    if (!measure_triangles(scene, f, g, w->rules.touching, &found))
+    if (!measure_triangles(scene, f, g, narrow, &found))
         return false;
     scene->face_plane[f] = found.F;
     scene->face_plane[g] = found.G;
@@ -469,7 +475,7 @@ static plain_answer take_faces(plain_work *w, uint32_t s)
             continue;
         }
         uint32_t g = f + 1 < end && start[f + 2] - start[f + 1] == 3 ? f + 1 : f;
-        if (!take_triangles(w, f, g))
+        if (!take_triangles(w, f, g, narrow_of(w, s)))
             return PLAIN_NO;
         f = g;
     }
@@ -797,10 +803,11 @@ static BITS_PER_PROCESSOR bool take_planes(plain_work *w, uint32_t s)
 {
     const roberts_scene *scene = w->scene;
     const uint32_t first = scene->solid[s].face, count = scene->solid[s + 1].face - first;
+    const double narrow = narrow_of(w, s);
     for (uint32_t f = 0; f < count; f += 2) {
         const uint32_t g = f + 1 < count ? f + 1 : f;
         two_shapes found;
-        if (!measure_triangles(scene, first + f, first + g, w->rules.touching, &found))
+        if (!measure_triangles(scene, first + f, first + g, narrow, &found))
             return false;
         w->plane[f] = found.F;
         w->plane[g] = found.G;
@@ -890,13 +897,14 @@ static bool fill_surface(plain_work *w)
 }
 
 plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const repeated_solids *list,
-                                const roberts_scene_options *options, double touching)
+                                const roberts_scene_options *options, double touching, double narrow)
 {
     plain_work w = {.scene = scene,
                     .mark = mark,
                     .rules = {.point = scene->point,
                               .tolerance = options->tolerance,
                               .touching = touching,
+                              .narrow = narrow,
                               .unit = scene->unit,
                               .even_odd = options->even_odd},
                     .edges = {.scene = scene},

@@ -223,11 +223,9 @@ static void note(noted_faces *faces, uint32_t face)
 static bool take_face(surface *s, face_pieces *p, const face_rules *rules, uint32_t face, const uint32_t *corner,
                       uint32_t count)
 {
-    face_rules own = *rules;
-    own.point = s->point; /* moves when vertices are added */
     if (count < 3)
         return count < 2 || take_wires(s, corner, count);
-    if (!face_pieces_cut(p, &own, corner, count))
+    if (!face_pieces_cut(p, rules, corner, count))
         return false;
     if (p->bent)
         note(&s->bent, face);
@@ -242,7 +240,7 @@ static bool take_shadows(surface *s, const uint8_t *listed)
     const roberts_mesh *mesh = s->mesh;
     for (uint32_t f = 0; f < mesh->face_count; f++) {
         uint32_t first = mesh->face_start[f], end = mesh->face_start[f + 1];
-        for (uint32_t k = first; k < end && !listed[f]; k++) {
+        for (uint32_t k = first; k < end && listed[f] == LISTED_NOT; k++) {
             uint32_t a = s->vertex_of[k], b = s->vertex_of[k + 1 < end ? k + 1 : first];
             if (a != b && !add_surface_side(s, a, b, SURFACE_SHADOW))
                 return false;
@@ -272,16 +270,19 @@ bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rul
     for (uint32_t f = 0; enough && f < mesh->face_count; f++) {
         uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f];
         bool repeats = false;
-        if (!listed[f] || n < 2)
+        if (listed[f] == LISTED_NOT || n < 2)
             continue;
         enough = array_reserve(&corner, &room, n, sizeof *corner);
         if (!enough)
             break;
+        face_rules own = *rules;
+        own.point = s->point; /* moves when vertices are added */
+        own.narrow = listed[f] == LISTED_CLOSED ? rules->narrow : rules->touching;
         take_corners(s, f, corner);
         enough = enter_face(&set, s, f, corner, n, &repeats);
         if (repeats)
             note(&s->repeated, f);
-        enough = enough && (repeats || take_face(s, &pieces, rules, f, corner, n));
+        enough = enough && (repeats || take_face(s, &pieces, &own, f, corner, n));
         wires = wires || n == 2;
     }
     if (enough && wires)

@@ -94,7 +94,14 @@ static inline uint32_t surface_group(const surface *s, uint32_t piece)
     return s->group[s->mesh->corner[s->mesh->face_start[s->face[piece]]]];
 }
 
-/* Cuts the faces f with listed[f] into pieces. Elements of two corners become edges without a face. False: no
+/* Which faces are handled here. */
+enum {
+    LISTED_NOT,    /* it belongs to a convex solid */
+    LISTED,        /* to any other body */
+    LISTED_CLOSED, /* to a closed one: a triangle is a face unless it is narrower than rules->narrow */
+};
+
+/* Cuts the faces that are listed into pieces. Elements of two corners become edges without a face. False: no
  * memory. */
 bool surface_take_faces(surface *s, const uint8_t *listed, const face_rules *rules);
 

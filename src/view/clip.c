@@ -690,6 +690,7 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool e
     const face_rules rules = {.point = to->point,
                               .tolerance = CAP_TOLERANCE,
                               .touching = c->touching,
+                              .narrow = c->touching,
                               .unit = to->unit,
                               .even_odd = even_odd,
                               .keep_straight = true};

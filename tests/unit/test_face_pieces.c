@@ -279,7 +279,7 @@ static void cases_have_their_area(void **unused)
         for (uint32_t i = 0; i < 12; i++)
             corner[i] = listed ? c->corner[i] : i;
         count = listed ? count : c->count;
-        face_rules rules = {c->point, 1e-5, 1e-11, 1.0, c->even_odd, false};
+        face_rules rules = {c->point, 1e-5, 1e-11, 1e-11, 1.0, c->even_odd, false};
         assert_true(face_pieces_cut(&f, &rules, corner, count));
         require_sound(&f, c->name);
         double area = sum_of_areas(&f);
@@ -359,7 +359,7 @@ static void straight_corners_are_dropped(void **unused)
     for (uint32_t i = 0; i < COUNT; i++)
         corner[i] = i;
     for (int keep = 0; keep < 2; keep++) {
-        face_rules rules = {point, 1e-5, 1e-9, 1.0, false, keep == 1};
+        face_rules rules = {point, 1e-5, 1e-9, 1e-9, 1.0, false, keep == 1};
         assert_true(face_pieces_cut(&f, &rules, corner, COUNT));
         require_sound(&f, "heat sink");
         require_sides(&f, COUNT, "heat sink");
@@ -419,7 +419,8 @@ static void random_faces_are_tiled(void **unused)
                 corner[i] = any() < 0.8 ? i : (uint32_t)(any() * count);
             bool even_odd = any() < 0.3;
             double size = family == FAR_AWAY ? 2e6 : family == ON_A_LATTICE || family == NEARLY_ON_A_LATTICE ? 4 : 1;
-            face_rules rules = {point, 1e-5, fmax(1e-11 * size, 16 * 0x1p-52 * size), 1.0, even_odd, false};
+            const double touching = fmax(1e-11 * size, 16 * 0x1p-52 * size);
+            face_rules rules = {point, 1e-5, touching, touching, 1.0, even_odd, false};
             snprintf(name, sizeof name, "%s, seed %d", names[family], (int)seed);
             assert_true(face_pieces_cut(&f, &rules, corner, count));
             require_sound(&f, name);
@@ -443,7 +444,7 @@ static void large_faces_come_out(void **unused)
     roberts_vec3 *point = malloc(MANY * sizeof *point);
     uint32_t *corner = malloc(MANY * sizeof *corner);
     face_pieces f = {0};
-    face_rules rules = {point, 1e-5, 1e-9, 1.0, false, false};
+    face_rules rules = {point, 1e-5, 1e-9, 1e-9, 1.0, false, false};
     (void)unused;
     assert_non_null(point);
     assert_non_null(corner);
@@ -546,7 +547,7 @@ static void quadrilaterals_have_one_diagonal(void **unused)
                 point[i] = vec3_add(quads[q].point[i], (roberts_vec3){way / 8 * 16.0, 0, 0});
                 corner[i] = way & 4 ? (way + 4 - i) % 4 : (way + i) % 4;
             }
-            const face_rules rules = {point, 1e-9, 1e-9, 1.0, false, false};
+            const face_rules rules = {point, 1e-9, 1e-9, 1e-9, 1.0, false, false};
             assert_true(face_pieces_cut(&f, &rules, corner, 4));
             assert_int_equal(f.piece_count, 2);
             for (uint32_t i = 0; i < 3; i++) /* both pieces have the ends of the diagonal */

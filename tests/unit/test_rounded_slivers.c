@@ -214,19 +214,44 @@ static void strips(void **state)
     roberts_scene_free(scene);
 }
 
-/* A plate of the shape of an L, turned anyhow. A corner lies beside the middle of a side, by little more than the
- * touching distance, and there are slivers along that side. The plate is closed. */
-static void a_sliver_along_a_side(void **state)
+/* Plates of the shape of an L, on one another. A corner lies `aside` from the middle of a side, and there are slivers
+ * along that side. */
+static roberts_scene *plates(int count, double aside)
 {
-    roberts_scene *scene = scene_of_floats(
-        "OFF\n14 24 0\n0 0 10\n40 -1.99999995e-05 10\n100 0 10\n100 0 0\n40 -1.99999995e-05 0\n0 0 0\n60 50 10\n60 50 "
-        "0\n100 50 10\n100 50 0\n0 90 10\n0 90 0\n60 90 10\n60 90 0\n3 0 1 2\n3 3 4 5\n3 0 2 6\n3 7 3 5\n3 2 8 6\n3 7 "
-        "9 3\n3 0 6 10\n3 11 7 5\n3 6 12 10\n3 11 13 7\n3 5 4 1\n3 5 1 0\n3 4 3 2\n3 4 2 1\n3 3 9 8\n3 3 8 2\n3 9 7 "
-        "6\n3 9 6 8\n3 7 13 12\n3 7 12 6\n3 13 11 10\n3 13 10 12\n3 11 5 0\n3 11 0 10\n");
+    static const char faces[] = "0 1 2 3 4 5 0 2 6 7 3 5 2 8 6 7 9 3 0 6 10 11 7 5 6 12 10 11 13 7 5 4 1 5 1 0 4 3 2 "
+                                "4 2 1 3 9 8 3 8 2 9 7 6 9 6 8 7 13 12 7 12 6 13 11 10 13 10 12 11 5 0 11 0 10";
+    put_text text = put_begin();
+    put(&text, "OFF\n%d %d 0\n", 14 * count, 24 * count);
+    for (int i = 0, z = 10, low = 0; i < count; i++, z += 10, low += 10) {
+        put(&text, "0 0 %d\n40 %.9g %d\n100 0 %d\n100 0 %d\n40 %.9g %d\n0 0 %d\n60 50 %d\n60 50 %d\n", z, -aside, z, z,
+            low, -aside, low, low, z, low);
+        put(&text, "100 50 %d\n100 50 %d\n0 90 %d\n0 90 %d\n60 90 %d\n60 90 %d\n", z, low, z, low, z, low);
+    }
+    for (int i = 0; i < count; i++)
+        for (const char *at = faces; *at;) {
+            int corner[3], length = 0;
+            assert_int_equal(sscanf(at, "%d %d %d%n", &corner[0], &corner[1], &corner[2], &length), 3);
+            put(&text, "3 %d %d %d\n", corner[0] + 14 * i, corner[1] + 14 * i, corner[2] + 14 * i);
+            at += length;
+        }
+    roberts_scene *scene = scene_of_floats(text.at);
+    test_free(text.at);
+    return scene;
+}
+
+/* The slivers are wider than the touching distance by little, or narrower. Plates are closed and stay apart. */
+static void slivers_along_a_side(void **state)
+{
+    static const double aside[] = {1.99999995e-05, 4e-6};
     (void)state;
-    assert_int_equal(roberts_scene_solid_count(scene), 1);
-    assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
-    roberts_scene_free(scene);
+    for (int i = 0; i < 2; i++)
+        for (int count = 1; count <= 2; count++) {
+            roberts_scene *scene = plates(count, aside[i]);
+            assert_int_equal(roberts_scene_solid_count(scene), count);
+            for (int body = 0; body < count; body++)
+                assert_int_equal(roberts_scene_body_kind(scene, (uint32_t)body), ROBERTS_CLOSED);
+            roberts_scene_free(scene);
+        }
 }
 
 int main(void)
@@ -237,6 +262,6 @@ int main(void)
                                        cmocka_unit_test(a_disc),
                                        cmocka_unit_test(a_facet_without_area),
                                        cmocka_unit_test(strips),
-                                       cmocka_unit_test(a_sliver_along_a_side)};
+                                       cmocka_unit_test(slivers_along_a_side)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
