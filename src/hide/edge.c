@@ -18,6 +18,8 @@
 /* Part of a cell: where cells have trees, a group must be smaller than this. The lines of a larger one go one by one,
  * since a tree excludes more for a line than for a box. */
 #define SMALL_GROUP 0.125
+/* For lists of at most this many fronts, choosing which fronts to meet first gains nothing. */
+#define SHORT_LIST 32
 /* After a group of lines has met this many fronts, most of what further fronts hide is already hidden. */
 #define MANY_FRONTS 6
 /* How many hidden parts of a line are compared with the part that a node of a tree may hide. */
@@ -420,7 +422,7 @@ static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint
     const uint32_t *start = grid->start + cell;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = p->alone && grid->next; /* in every cell, a line of a fan would go back over all faces of the fan */
-    if (!alone) {
+    if (!alone && start[1] - start[0] > SHORT_LIST) {
         k += objet_count_nearer(w->fronts, grid->entry + k, start[1] - k, p->box->z1);
         if (!meet_backward(w, p, start[0], k, sides))
             return false;
