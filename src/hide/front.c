@@ -480,15 +480,19 @@ static double hull_gap(const hide_fronts *fronts, uint32_t solid, const uint32_t
     const roberts_scene *scene = fronts->scene;
     const scene_solid *own = &scene->solid[solid];
     double gap = 0.0;
+    uint32_t last = 0; /* the side nearest to the last point is often near the next one */
     for (uint32_t e = own->edge; corners > 0 && e < own[1].edge; e++) {
         const scene_edge *edge = scene_edge_stored(scene, solid, e);
         for (int k = 0; k < 2 && seen_fronts(fronts->seen->facing + own->face, edge) == 1; k++) {
             const roberts_vec3 X = fronts->P[own->vertex + edge->v[k]];
             double inside = INFINITY;
-            for (uint32_t i = 0; i < corners; i++) {
+            for (uint32_t n = 0, i = last; n < corners && inside > gap; n++, i = i + 1 < corners ? i + 1 : 0) {
                 const roberts_vec3 A = fronts->P[hull[i]], B = fronts->P[hull[i + 1 < corners ? i + 1 : 0]];
-                const double x = B.x - A.x, y = B.y - A.y;
-                inside = lesser(inside, (x * (X.y - A.y) - y * (X.x - A.x)) / vec2_length(x, y));
+                const double x = B.x - A.x, y = B.y - A.y,
+                             from = (x * (X.y - A.y) - y * (X.x - A.x)) / vec2_length(x, y);
+                if (from < inside)
+                    last = i;
+                inside = lesser(inside, from);
             }
             gap = greater(gap, inside);
         }
