@@ -255,11 +255,12 @@ static int facing_of_narrow(const seen *s, uint32_t face)
 }
 
 /* A body that is smaller than epsilon in the picture has no lines. */
-void seen_decide_narrow(const seen_walk *w, const scene_edge *edge, int *f, int *g)
+void seen_decide_narrow(seen_walk *w, const scene_edge *edge, int *f, int *g)
 {
-    const roberts_scene *scene = w->of->scene;
-    const uint32_t faces = scene->solid[w->body + 1].face - w->face;
-    if (*f == *g && !memchr(w->facing, VIEW_FRONT, faces))
+    if (!w->asked)
+        w->any = memchr(w->facing, VIEW_FRONT, w->of->scene->solid[w->body + 1].face - w->face);
+    w->asked = true;
+    if (!w->any)
         return;
     if (*f == VIEW_EDGE_ON)
         *f = facing_of_narrow(w->of, w->face + edge->f[0]);

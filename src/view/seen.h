@@ -252,6 +252,7 @@ typedef struct seen_walk {
     bool slow;          /* a body that is not convex, a scene that the near plane has clipped, a union, or rules.rest */
     bool passing;       /* seen_pass_flat() may be called */
     bool hidden, all;   /* as in seen_rules */
+    bool asked, any;    /* has seen_decide_narrow() looked for front faces, and found any? */
     size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* the body's first in seen.scene: */
     const scene_edge *stored;
@@ -341,7 +342,7 @@ static inline bool seen_is_flat(const roberts_scene *scene, uint32_t first, cons
 
 /* An edge of a convex body has a face that is edge-on. If that face is narrow by itself, the sign of its plane replaces
  * its facing. *f, *g: the facing of the edge's faces. (lines.c) */
-void seen_decide_narrow(const seen_walk *w, const scene_edge *edge, int *f, int *g);
+void seen_decide_narrow(seen_walk *w, const scene_edge *edge, int *f, int *g);
 
 /* Finds the line of an edge of a convex body, as stored in seen.scene. An edge with exactly one front face is an
  * outline and always a line. An edge whose faces are both front or both not is no line if it is flat. */
