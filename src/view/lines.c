@@ -66,11 +66,9 @@ static bool is_uncertain(const seen *s, const roberts_scene *scene, const scene_
 {
     const view *v = &s->view;
     const plane F = scene_plane(scene, needle->face);
-    roberts_vec3 along = v->dir;
-    if (v->inverse_distance > 0.0) {
-        const roberts_vec3 eye = vec3_add(v->origin, vec3_scale(v->unit / v->inverse_distance, v->dir));
-        along = vec3_sub(eye, scene->point[scene->corner[scene->face_start[needle->face]]]);
-    }
+    roberts_vec3 along = v->viewpoint;
+    if (v->perspective)
+        along = vec3_sub(along, scene->point[scene->corner[scene->face_start[needle->face]]]);
     const double height = F.a * along.x + F.b * along.y + F.c * along.z;
     return needle->turn > SCENE_ROUNDED_BEND || fabs(height) < (double)needle->turn * vec3_length(along);
 }

@@ -26,9 +26,8 @@ static turned_text begin(void)
 }
 
 /* The number of edges of which something is drawn, hidden or not. Rows of an edge follow one another. */
-static size_t count_lines_along(turned_text *t, roberts_vec3 dir, bool rounded, double crease)
+static size_t count_lines_of(turned_text *t, roberts_camera camera, bool rounded, double crease)
 {
-    const roberts_camera camera = {.dir = mat3_map(t->turn, dir)};
     roberts_hide_options options = roberts_hide_options_default();
     roberts_verify_options verify = roberts_verify_options_default();
     roberts_verification found;
@@ -47,6 +46,11 @@ static size_t count_lines_along(turned_text *t, roberts_vec3 dir, bool rounded, 
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
     return lines;
+}
+
+static size_t count_lines_along(turned_text *t, roberts_vec3 dir, bool rounded, double crease)
+{
+    return count_lines_of(t, (roberts_camera){.dir = mat3_map(t->turn, dir)}, rounded, crease);
 }
 
 static size_t count_lines(turned_text *t, bool rounded, double crease)
@@ -82,15 +86,16 @@ static void fans(void **state)
 }
 
 /* Two triangles, cut into a fan each, which meet along a line at this angle from flat. Every other point there is a
- * few steps of the rounding beside it, so that there are 50 slivers between the fans. */
-static turned_text two_triangles(double degrees)
+ * few steps of the rounding beside it, so that there are 50 slivers of this width between the fans. If that is
+ * negative, the fans meet the slivers without a fold. */
+static turned_text two_triangles(double degrees, double width)
 {
     enum { STEPS = 100, LEFT = STEPS + 1, RIGHT };
     const double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180);
     turned_text t = begin();
     put(&t.text, "OFF\n%d %d 0\n", STEPS + 3, 2 * STEPS);
     for (int i = 0; i <= STEPS; i++)
-        put_point(&t, (double)i / STEPS, i % 2 * 0.00001 * c, i % 2 * 0.00001 * s);
+        put_point(&t, (double)i / STEPS, i % 2 * width * c, i % 2 * width * s);
     put_point(&t, 0.5, c, s);
     put_point(&t, 0.5, -1, 0);
     for (int i = 0; i < STEPS; i += 2) {
@@ -100,19 +105,26 @@ static turned_text two_triangles(double degrees)
     return t;
 }
 
-/* Rounding turns the slivers, so that some show their backs. */
+/* Slivers that are folded back by a few steps count as turned over by rounding. */
 static void slivers_that_are_turned_over(void **state)
 {
     const roberts_vec3 dir[] = {{0.2, -0.3, 0.9}, {0.3, -0.9, 0.002}, {0.1, 0.9, 0.3}};
-    turned_text flat = two_triangles(0), bent = two_triangles(30);
+    turned_text flat = two_triangles(0, 1e-5), bent = two_triangles(30, 1e-5), wider = two_triangles(0, -2e-5);
     (void)state;
     for (int i = 0; i < 3; i++) {
         assert_int_equal(count_lines_along(&flat, dir[i], true, 0.1), 4);
+        assert_int_equal(count_lines_along(&wider, dir[i], true, 0.1), 4);
         assert_true(count_lines_along(&flat, dir[i], false, 0.1) > 50);
         assert_int_equal(count_lines_along(&bent, dir[i], true, 0.1), 4 + 100);
     }
+    /* an oblique view, whose lines of sight are almost in the plane */
+    const roberts_camera oblique = {.dir = mat3_map(wider.turn, (roberts_vec3){0, -1, 1}),
+                                    .up = mat3_map(wider.turn, (roberts_vec3){0, 0, 1}),
+                                    .oblique = {0, -0.998}};
+    assert_int_equal(count_lines_of(&wider, oblique, true, 0.1), 4);
     test_free(flat.text.at);
     test_free(bent.text.at);
+    test_free(wider.text.at);
 }
 
 /* A roof whose ridge is cut off, by a few steps of the rounding: two slivers, with one of which a slope goes on. */
