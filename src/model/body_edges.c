@@ -757,7 +757,7 @@ static bool mostly_little(const bend_count *count)
 static double bend_at(const roberts_scene *scene, uint32_t b, uint32_t e)
 {
     const scene_solid *own = &scene->solid[b];
-    const scene_edge *edge = scene->edge + own->stored + (e - own->edge);
+    const scene_edge *edge = scene_edge_stored(scene, b, e);
     const uint8_t is = scene->surface->edge_is[e];
     if (is & (EDGE_MANY | EDGE_CUT) || edge->f[1] == ROBERTS_NONE)
         return NAN;
@@ -776,7 +776,6 @@ bend_count body_bends(const roberts_scene *scene, uint32_t b)
 static bool facets_are_curved(const roberts_scene *scene, uint32_t b, bool *curved)
 {
     const scene_solid *own = &scene->solid[b];
-    const scene_edge *edge = scene->edge + own->stored - own->edge;
     const uint32_t faces = own[1].face - own->face;
     uint32_t *parent = alloc_array(faces, sizeof *parent), facets = 0, round = 0;
     bend_count *of = alloc_zeroed(faces, sizeof *of);
@@ -785,10 +784,12 @@ static bool facets_are_curved(const roberts_scene *scene, uint32_t b, bool *curv
         parent[f] = f;
     for (uint32_t e = own->edge; enough && e < own[1].edge; e++)
         if (bend_at(scene, b, e) <= FLAT_BEND)
-            sets_join(parent, edge[e].f[0], edge[e].f[1]);
-    for (uint32_t e = own->edge; enough && e < own[1].edge; e++)
-        for (int k = 0; k < 2 && edge[e].f[k] != ROBERTS_NONE; k++)
-            bend_count_add(&of[sets_root(parent, edge[e].f[k])], bend_at(scene, b, e));
+            sets_join(parent, scene_edge_stored(scene, b, e)->f[0], scene_edge_stored(scene, b, e)->f[1]);
+    for (uint32_t e = own->edge; enough && e < own[1].edge; e++) {
+        const uint32_t *f = scene_edge_stored(scene, b, e)->f;
+        for (int k = 0; k < 2 && f[k] != ROBERTS_NONE; k++)
+            bend_count_add(&of[sets_root(parent, f[k])], bend_at(scene, b, e));
+    }
     for (uint32_t f = 0; enough && f < faces; f++) {
         facets += parent[f] == f;
         round += parent[f] == f && mostly_little(&of[f]);
