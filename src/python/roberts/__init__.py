@@ -147,8 +147,8 @@ def _choice(table: Mapping[str, Any], value: str, what: str) -> Any:
 
 
 def _names(value: Union[str, Sequence[str]]) -> Sequence[str]:
-    """A sequence of names; of a text, those between its commas, as the program takes them."""
-    return value.split(",") if isinstance(value, str) else value
+    """A sequence of names; of a text, those between its commas, as the program takes them. "": none."""
+    return (value.split(",") if value else ()) if isinstance(value, str) else value
 
 
 # ---- views ----------------------------------------------------------------------------------------------------------
