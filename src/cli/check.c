@@ -347,8 +347,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--light", "nothing is shaded without --fill shade or --hatch");
     for (size_t pen = 0; pen < PENS; pen++)
         if (values_pen(draw, pen)->number && draw->format != ROBERTS_HPGL &&
-            !(draw->format == ROBERTS_SVG && draw->number_layers)) {
-            warn("pen= of --style", "only pens of hpgl and numbered layers of svg have numbers");
+            !(draw->format == ROBERTS_SVG && draw->number_layers && draw->grouping != ROBERTS_GROUP_BODY)) {
+            warn("pen= of --style", "only pens of hpgl and numbered layers of classes in svg have numbers");
             break;
         }
     if (options_is_given(given, "landscape") && draw->page.width_mm == draw->page.height_mm)

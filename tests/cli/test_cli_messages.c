@@ -598,6 +598,10 @@ static const struct {
 } idle_cases[] = {
     {"--unit in", "--unit has no effect: the drawing is fitted on the page, and not true to --scale\n"},
     {"--unit in --scale 1:1", ""},
+    {"--layers numbered --style outline:pen=3", ""},
+    {"--layers numbered --group element --style outline:pen=3", ""},
+    {"--layers numbered --group body --style outline:pen=3",
+     "pen= of --style has no effect: only pens of hpgl and numbered layers of classes in svg have numbers\n"},
     {"--dpi 300", "--dpi has no effect: only png has a resolution\n"},
     {"--hatch on --style hatch:width=1.5",
      "--hatch: strokes of 1.5 mm, 0.8 mm apart, cover the darkest faces wholly\n"},
