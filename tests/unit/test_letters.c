@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "draw/letters.h"
+#include "missing.h"
 #include "testing.h"
 
 static const double units = 1000.0; /* in a mm */
@@ -143,12 +144,8 @@ static void signs_and_digits(void **state)
 static void faults_of_text(void **state)
 {
     (void)state;
-    static const struct {
-        const char *text;
-        size_t missing;
-        uint32_t first;
-    } cases[] = {
-        {"plain", 0, 7},
+    static const missing_case cases[] = {
+        {"plain", 0, MISSING_NOTHING},
         {"a\xff"
          "b",
          1, 0},
@@ -163,12 +160,7 @@ static void faults_of_text(void **state)
         {"\t", 1, 9},
         {"e\xcc", 1, 0},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        uint32_t first = 7;
-        const size_t missing = letters_missing(cases[i].text, &first);
-        if (missing != cases[i].missing || first != cases[i].first)
-            fail_msg("case %zu: %zu missing, first %x", i, missing, (unsigned)first);
-    }
+    expect_missing(letters_missing, cases, sizeof cases / sizeof cases[0]);
     assert_int_equal(strokes_of("\xff\xff"), 2); /* boxes */
     assert_int_equal(strokes_of(""), 0);
 }
