@@ -779,8 +779,7 @@ static const option rows[] = {
                "svg, pdf, tikz and dxf have the text itself, which can be searched, copied, and set in the "
                "document's fonts (in svg in the layers letters and hidden-letters). In pdf the fonts are Helvetica and "
                "Symbol, which are not part of the file. A warning tells of characters that these fonts, or in tikz "
-               "LaTeX itself, lack. Other formats have strokes all the same, and a warning says "
-               "so."},
+               "LaTeX itself, lack. Other formats have strokes all the same, and a warning says so."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

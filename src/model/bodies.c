@@ -98,16 +98,6 @@ static bool group_components(const assembly *a, const uint8_t *open, uint8_t *li
     return any;
 }
 
-/* How the faces of these bodies are cut into pieces. *touching*: in model units. */
-static face_rules rules_of(const assembly *a, double touching)
-{
-    return (face_rules){.tolerance = a->options->tolerance,
-                        .touching = touching,
-                        .narrow = bodies_narrow(a->scene, a->mesh),
-                        .unit = a->scene->unit,
-                        .even_odd = a->options->even_odd};
-}
-
 /* A closed component looks open if vertices lie on its edges, or slits lead to its holes. It is complete, and needs no
  * welding. Finds the edges of each component as if it were alone. If all have an even number of faces, it is marked as
  * not open. Its vertices are a group of their own, so that its edges are not compared with those of other bodies.
@@ -115,14 +105,13 @@ static face_rules rules_of(const assembly *a, double touching)
 static bool find_complete(assembly *a, uint8_t *open, bool *any_open)
 {
     const roberts_scene *scene = a->scene;
-    const double touching = bodies_touching(scene, a->mesh);
-    const face_rules rules = rules_of(a, touching);
+    const face_rules rules = bodies_rules(scene, a->mesh, a->options);
     surface s = {.mesh = a->mesh, .vertex_of = a->mesh->corner};
     uint8_t *listed = alloc_zeroed(a->mesh->face_count, 1), *odd = alloc_zeroed(scene->solid_count, 1);
     s.group = a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group);
     bool enough = listed && odd && a->group, any = false;
     if (enough && group_components(a, open, listed)) {
-        enough = surface_take_faces(&s, listed, &rules) && surface_find_edges(&s, touching);
+        enough = surface_take_faces(&s, listed, &rules) && surface_find_edges(&s, rules.touching);
         for (size_t i = 0; enough && i < s.edge_count; i++) {
             const uint32_t p = s.edge[i].piece[0];
             if (p != ROBERTS_NONE && !surface_is_even(&s, &s.edge[i]))
@@ -287,19 +276,19 @@ static void add_wires(const roberts_mesh *mesh, roberts_vec3 *low, roberts_vec3 
     }
 }
 
-double bodies_narrow(const roberts_scene *scene, const roberts_mesh *mesh)
+face_rules bodies_rules(const roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options)
 {
     roberts_vec3 low = scene->box_min, high = scene->box_max;
     if (scene->face_count < mesh->face_count)
         add_wires(mesh, &low, &high);
     double diameter = vec3_length(vec3_sub(high, low));
     double rounding = TOUCHING_ULPS * DBL_EPSILON * fmax(vec3_largest(low), vec3_largest(high));
-    return fmax(TOUCHING_OF_DIAMETER * diameter, rounding);
-}
-
-double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh)
-{
-    return fmax(bodies_narrow(scene, mesh), scene_step(scene));
+    double narrow = fmax(TOUCHING_OF_DIAMETER * diameter, rounding);
+    return (face_rules){.tolerance = options->tolerance,
+                        .touching = fmax(narrow, scene_step(scene)),
+                        .narrow = narrow,
+                        .unit = scene->unit,
+                        .even_odd = options->even_odd};
 }
 
 /* Joins pieces that are connected by edges, and wires that are connected by their ends. parent: [pieces + edges];
@@ -698,11 +687,8 @@ static roberts_status fill_scene(assembly *a, roberts_error *error)
         fit_planes(a, b);
         if (!body_edges_store(&list, scene, b))
             goto done;
-        const bend_count bends = body_bends(scene, b);
-        bool smooth;
-        if (!body_is_smooth(scene, b, &bends, &smooth))
+        if (!body_find_smooth(scene, b, NULL))
             goto done;
-        scene->surface->smooth[b] = smooth;
     }
     if (!copy_windings(a) || !rename_all(a))
         goto done;
@@ -742,9 +728,8 @@ roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, cons
         a.surface.copied = a.copied;
         a.surface.copies = a.copies;
         a.surface.group = a.group;
-        double touching = bodies_touching(scene, mesh);
-        const face_rules rules = rules_of(&a, touching);
-        if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, touching) ||
+        const face_rules rules = bodies_rules(scene, mesh, options);
+        if (!surface_take_faces(&a.surface, a.listed, &rules) || !surface_find_edges(&a.surface, rules.touching) ||
             !list_all(&a) || !number_bodies(&a))
             status = ROBERTS_NO_MEMORY;
         else if (a.body_count == 0)

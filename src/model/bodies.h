@@ -2,6 +2,7 @@
 #ifndef ROBERTS_MODEL_BODIES_H
 #define ROBERTS_MODEL_BODIES_H
 
+#include "model/face_pieces.h"
 #include "model/scene.h"
 
 /* What was left out or cannot be right, for warnings. */
@@ -18,13 +19,14 @@ typedef struct bodies_notes {
 roberts_status bodies_build(roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options,
                             bool known, bodies_notes *notes, roberts_error *error);
 
-/* Returns the touching distance, as in the view: a fraction of the scene's diameter, or ulps of its largest coordinate.
- * Of 32-bit floats, and of rounded decimals, it is at least two units of their last place. */
-double bodies_touching(const roberts_scene *scene, const roberts_mesh *mesh);
-
-/* Returns the same without the rounding of the coordinates. In a closed body, a triangle of greater height is a face:
- * its sides are edges anyway. In an open one, where T-junctions may be closed within the touching distance, it has to
- * be higher than that, so that no side is divided at the corner opposite. */
-double bodies_narrow(const roberts_scene *scene, const roberts_mesh *mesh);
+/* Returns how faces of bodies that are not convex are cut into pieces; `point` is not set.
+ *
+ * The touching distance is that of the view: a fraction of the scene's diameter, or ulps of its largest coordinate. Of
+ * 32-bit floats, and of rounded decimals, it is at least two units of their last place.
+ *
+ * `narrow` is the same without this rounding. In a closed body, a triangle of greater height is a face: its sides are
+ * edges anyway. In an open one, where T-junctions may be closed within the touching distance, it has to be higher than
+ * that, so that no side is divided at the corner opposite. */
+face_rules bodies_rules(const roberts_scene *scene, const roberts_mesh *mesh, const roberts_scene_options *options);
 
 #endif

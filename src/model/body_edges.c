@@ -764,7 +764,7 @@ static double bend_at(const roberts_scene *scene, uint32_t b, uint32_t e)
     return scene_bend(scene_plane(scene, own->face + edge->f[0]), scene_plane(scene, own->face + edge->f[1]), is);
 }
 
-bend_count body_bends(const roberts_scene *scene, uint32_t b)
+static bend_count count_bends(const roberts_scene *scene, uint32_t b)
 {
     bend_count count = {0};
     for (uint32_t e = scene->solid[b].edge; e < scene->solid[b + 1].edge; e++)
@@ -787,8 +787,9 @@ static bool facets_are_curved(const roberts_scene *scene, uint32_t b, bool *curv
             sets_join(parent, scene_edge_stored(scene, b, e)->f[0], scene_edge_stored(scene, b, e)->f[1]);
     for (uint32_t e = own->edge; enough && e < own[1].edge; e++) {
         const uint32_t *f = scene_edge_stored(scene, b, e)->f;
+        const double bend = bend_at(scene, b, e);
         for (int k = 0; k < 2 && f[k] != ROBERTS_NONE; k++)
-            bend_count_add(&of[sets_root(parent, f[k])], bend_at(scene, b, e));
+            bend_count_add(&of[sets_root(parent, f[k])], bend);
     }
     for (uint32_t f = 0; enough && f < faces; f++) {
         facets += parent[f] == f;
@@ -800,11 +801,15 @@ static bool facets_are_curved(const roberts_scene *scene, uint32_t b, bool *curv
     return enough;
 }
 
-bool body_is_smooth(const roberts_scene *scene, uint32_t b, const bend_count *count, bool *smooth)
+bool body_find_smooth(const roberts_scene *scene, uint32_t b, const bend_count *counted)
 {
-    const bool fine = scene->solid[b + 1].face - scene->solid[b].face > ROBERTS_FACETED_MOST && count->little > 0;
-    *smooth = fine && mostly_little(count);
-    return !fine || *smooth || facets_are_curved(scene, b, smooth);
+    if (scene->solid[b + 1].face - scene->solid[b].face <= ROBERTS_FACETED_MOST)
+        return true;
+    const bend_count count = counted ? *counted : count_bends(scene, b);
+    bool curved = mostly_little(&count);
+    const bool enough = curved || count.little == 0 || facets_are_curved(scene, b, &curved);
+    scene->surface->smooth[b] = curved;
+    return enough;
 }
 
 /* ---- wires beside convex solids ---------------------------------------------------------------------------------- */

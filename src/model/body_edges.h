@@ -62,14 +62,12 @@ typedef struct bend_count {
 /* Counts one edge with two faces. */
 void bend_count_add(bend_count *count, double bend);
 
-/* Counts the edges of body b of a scene that has planes and edges. */
-bend_count body_bends(const roberts_scene *scene, uint32_t b);
-
-/* Is body b, whose edges were counted, a curved surface? Then it has more than ROBERTS_FACETED_MOST faces, and at least
+/* Finds whether body b is a curved surface: scene_surface.smooth, which is zeroed. counted: its edges; NULL: they are
+ * counted here, by the planes of the scene. A curved surface has more than ROBERTS_FACETED_MOST faces, and at least
  * half of its bent edges are bent only slightly, or at least half of its facets are curved. Faces in one plane that
  * edges join are one facet. It is curved if at least half of its bent edges are bent only slightly. So are the walls of
  * a round extrusion, whose sharp rims outnumber all other edges. False: no memory. */
-bool body_is_smooth(const roberts_scene *scene, uint32_t b, const bend_count *count, bool *smooth);
+bool body_find_smooth(const roberts_scene *scene, uint32_t b, const bend_count *counted);
 
 /* ---- wires beside convex solids ---------------------------------------------------------------------------------- */
 

@@ -303,8 +303,8 @@ static roberts_status build_plain(construction *c, const polygons *faces, const 
     builder work = {0};
     *done = false;
     if (status == ROBERTS_OK && scene->face_count == mesh->face_count && faces->repeated == 0) {
-        plain_answer answer =
-            plain_bodies_build(scene, c->open, list, options, bodies_touching(scene, mesh), bodies_narrow(scene, mesh));
+        const face_rules rules = bodies_rules(scene, mesh, options);
+        plain_answer answer = plain_bodies_build(scene, c->open, list, &rules);
         *done = answer != PLAIN_NO;
         if (*done)
             return answer == PLAIN_YES ? ROBERTS_OK : ROBERTS_NO_MEMORY;

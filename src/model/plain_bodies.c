@@ -884,11 +884,8 @@ static bool fill_surface(plain_work *w)
             memcpy(is, w->edges.is + w->first[s], w->count[s]);
         else
             memset(is, EDGE_TURNED_1, scene->solid[s + 1].edge - scene->solid[s].edge);
-        const bend_count bends = w->bend ? w->smooth[s] : body_bends(scene, s);
-        bool smooth;
-        if (!body_is_smooth(scene, s, &bends, &smooth))
+        if (!body_find_smooth(scene, s, w->bend ? &w->smooth[s] : NULL))
             return false;
-        to->smooth[s] = smooth;
     }
     join_many(w);
     to->bend = w->bend;
@@ -897,21 +894,17 @@ static bool fill_surface(plain_work *w)
 }
 
 plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const repeated_solids *list,
-                                const roberts_scene_options *options, double touching, double narrow)
+                                const face_rules *rules)
 {
     plain_work w = {.scene = scene,
                     .mark = mark,
-                    .rules = {.point = scene->point,
-                              .tolerance = options->tolerance,
-                              .touching = touching,
-                              .narrow = narrow,
-                              .unit = scene->unit,
-                              .even_odd = options->even_odd},
+                    .rules = *rules,
                     .edges = {.scene = scene},
                     .first = alloc_zeroed(scene->solid_count, sizeof *w.first),
                     .count = alloc_zeroed(scene->solid_count, sizeof *w.count),
                     .open = alloc_zeroed(scene->solid_count, 1)};
     plain_answer answer = w.first && w.count && w.open ? PLAIN_YES : PLAIN_NO_MEMORY;
+    w.rules.point = scene->point;
     for (uint32_t s = 0; answer == PLAIN_YES && s < scene->solid_count; s++) {
         if (!mark[s])
             continue;

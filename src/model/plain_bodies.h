@@ -7,6 +7,7 @@
 #ifndef ROBERTS_MODEL_PLAIN_BODIES_H
 #define ROBERTS_MODEL_PLAIN_BODIES_H
 
+#include "model/face_pieces.h"
 #include "model/repeated_solids.h"
 
 /* PLAIN_NO: some component is not plain. */
@@ -14,9 +15,9 @@ typedef enum plain_answer { PLAIN_NO, PLAIN_YES, PLAIN_NO_MEMORY } plain_answer;
 
 /* Makes bodies of the components with mark[s] != 0, which are not convex solids, if all of these are plain. The other
  * components are built already. The scene is laid out, every vertex and face belongs to a component, and the edges of
- * repeated solids are stored, if these are closed. list: the patterns of the components. touching, narrow: see
- * bodies.h. If the answer is not PLAIN_YES, the scene can only be cleared. */
+ * repeated solids are stored, if these are closed. list: the patterns of the components. rules: see bodies_rules().
+ * If the answer is not PLAIN_YES, the scene can only be cleared. */
 plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const repeated_solids *list,
-                                const roberts_scene_options *options, double touching, double narrow);
+                                const face_rules *rules);
 
 #endif

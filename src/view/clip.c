@@ -285,7 +285,7 @@ static bool cutter_touch(const cutter *c, uint32_t v, uint32_t w)
  * no memory. */
 static bool add_cap(cutter *c, uint32_t start)
 {
-    const roberts_scene *to = &c->clip->scene;
+    roberts_scene *to = &c->clip->scene;
     uint32_t begin = (uint32_t)to->corner_count, e = start;
     double width;
     do {
@@ -295,7 +295,7 @@ static bool add_cap(cutter *c, uint32_t start)
         e = c->next[e];
     } while (e != start);
     if (to->corner_count > begin + 1 && cutter_touch(c, to->corner[to->corner_count - 1], to->corner[begin]))
-        c->clip->scene.corner_count--;
+        to->corner_count--;
     return cutter_measure_width(c, begin, &width) &&
            cutter_add_face(c, near_plane(c), c->touching, width, ROBERTS_NONE);
 }
