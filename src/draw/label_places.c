@@ -271,14 +271,14 @@ static size_t find_extents(extent *along[2], const placing *p, const strokes *s,
 
 /* Widens the box by the labels, so that a drawing of `part` of its size fits into `room`. */
 static void widen_box(extent *along[2], size_t count, const page_map *map, double part, roberts_vec2 room,
-                      roberts_vec2 *min, roberts_vec2 *max)
+                      roberts_vec2 wide[2])
 {
     double x[2], y[2];
     ends_within(along[0], count, part, room.x, x);
     ends_within(along[1], count, part, room.y, y);
     const double unit = map->half / (part * map->half_mm); /* model units per mm */
-    *min = (roberts_vec2){map->centre.x + x[0] * unit, map->centre.y - y[1] * unit};
-    *max = (roberts_vec2){map->centre.x + x[1] * unit, map->centre.y - y[0] * unit};
+    wide[0] = (roberts_vec2){map->centre.x + x[0] * unit, map->centre.y - y[1] * unit};
+    wide[1] = (roberts_vec2){map->centre.x + x[1] * unit, map->centre.y - y[0] * unit};
 }
 
 bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options *options, const roberts_page *page,
@@ -301,6 +301,7 @@ bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options
     done = list && e;
     while (done && next > 0.0) {
         extent *along[2] = {e, e + 2 * (t.count + 1)};
+        roberts_vec2 wide[2];
         *height = next;
         placing_set_height(&p, &s, *height);
         const size_t count = find_extents(along, &p, &s, &t, list, box);
@@ -308,7 +309,9 @@ bool labels_make_room(const roberts_drawing *drawing, const roberts_draw_options
         const double part = wanted > 0.0
                                 ? wanted / scale
                                 : largest_part(along[1], count, largest_part(along[0], count, 1.0, room.x), room.y);
-        widen_box(along, count, &s.view[0].map, part, room, min, max);
+        widen_box(along, count, &s.view[0].map, part, room, wide);
+        *min = wide[0];
+        *max = wide[1];
         next = wanted > 0.0 || part >= labels_roomy ? 0.0 : label_smaller_height(options, *height);
     }
     free(list);

@@ -778,26 +778,31 @@ static roberts_status find_reach(const roberts_sheet *sheet, const roberts_draw_
     return status;
 }
 
-/* Tries labels that belong beside their vertices and edges, with letters of that height. `*part` is the part of its
- * size that the sheet would have with the reach that is `wanted` then; 0: it would have no room. */
-static roberts_status try_label_reach(const roberts_sheet *sheet, const roberts_draw_options *options,
-                                      const sheet_reach *reach, double height, sheet_reach *wanted, double *part,
-                                      roberts_error *error)
+/* Letters of some height, and what they make of a sheet. */
+typedef struct letters_tried {
+    double height_mm;
+    sheet_reach reach; /* that the labels want */
+    double part;       /* of its size that the sheet would have with this reach; 0: it would have no room */
+} letters_tried;
+
+/* Tries labels that belong beside their vertices and edges. reach: without labels. */
+static roberts_status try_letters(letters_tried *tried, const roberts_sheet *sheet, const roberts_draw_options *options,
+                                  const sheet_reach *reach, roberts_error *error)
 {
     strokes s;
     roberts_status status = lay_sheet(&s, sheet, options, reach, error);
     const double scale = status == ROBERTS_OK ? page_scale(&s.map) : 0.0;
-    *wanted = *reach;
-    *part = 0.0;
-    s.label_mm = height;
-    if (status == ROBERTS_OK && !labels_add_reach(&s, wanted))
+    tried->reach = *reach;
+    tried->part = 0.0;
+    s.label_mm = tried->height_mm;
+    if (status == ROBERTS_OK && !labels_add_reach(&s, &tried->reach))
         status = error_no_memory(error);
     strokes_free(&s);
     if (status != ROBERTS_OK)
         return status;
-    status = lay_sheet(&s, sheet, options, wanted, NULL);
+    status = lay_sheet(&s, sheet, options, &tried->reach, NULL);
     if (status == ROBERTS_OK)
-        *part = page_scale(&s.map) / scale;
+        tried->part = page_scale(&s.map) / scale;
     strokes_free(&s);
     return status == ROBERTS_NO_MEMORY ? error_no_memory(error) : ROBERTS_OK;
 }
@@ -809,17 +814,16 @@ static roberts_status find_label_reach(const roberts_sheet *sheet, const roberts
 {
     roberts_draw_options quiet = *options;
     const sheet_reach without = *reach;
-    double part = 0.0, next = *height;
+    letters_tried tried = {.height_mm = *height};
     roberts_status status = ROBERTS_OK;
     quiet.lettering.warnings = (roberts_warnings){0};
-    while (next > 0.0 && part < labels_roomy && status == ROBERTS_OK) {
-        sheet_reach wanted;
-        status = try_label_reach(sheet, &quiet, &without, next, &wanted, &part, error);
-        if (status == ROBERTS_OK && part > (1.0 + 1e-9) * least_for_labels) {
-            *reach = wanted;
-            *height = next;
+    while (tried.height_mm > 0.0 && tried.part < labels_roomy && status == ROBERTS_OK) {
+        status = try_letters(&tried, sheet, &quiet, &without, error);
+        if (status == ROBERTS_OK && tried.part > (1.0 + 1e-9) * least_for_labels) {
+            *reach = tried.reach;
+            *height = tried.height_mm;
         }
-        next = label_smaller_height(options, next);
+        tried.height_mm = label_smaller_height(options, tried.height_mm);
     }
     return status;
 }

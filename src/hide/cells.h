@@ -92,10 +92,16 @@ static inline double scan_rows(const scan_frame *f, double y0, double y1)
     return (scan_along_y(f, y1) - scan_along_y(f, y0)) * f->per_dy;
 }
 
+/* Returns the number of a cell. */
+static inline size_t scan_number(const scan_frame *f, uint32_t column, uint32_t row)
+{
+    return (size_t)column * f->ny + row;
+}
+
 /* Returns the cell of picture point (x, y). */
 static inline size_t scan_cell(const scan_frame *f, double x, double y)
 {
-    return (size_t)scan_column(f, x) * f->ny + scan_row(f, y);
+    return scan_number(f, scan_column(f, x), scan_row(f, y));
 }
 
 /* ---- the scan of a polygon --------------------------------------------------------------------------------------- */

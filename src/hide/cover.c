@@ -75,7 +75,7 @@ bool cover_init_part(cover *c, scan_frame frame, roberts_vec2 low, roberts_vec2 
     const uint32_t end = scan_clamp(scan_row(&frame, high.y) + (double)CELLS_BESIDE, frame.last_y) + 1;
     const uint32_t last = scan_clamp(scan_column(&frame, high.x) + (double)CELLS_BESIDE, frame.last_x);
     for (uint32_t i = column > CELLS_BESIDE ? column - CELLS_BESIDE : 0; i <= last; i++)
-        fill_depths(c->depth + (size_t)i * frame.ny + first, end - first, 1);
+        fill_depths(c->depth + scan_number(&frame, i, first), end - first, 1);
     return true;
 }
 
@@ -253,7 +253,7 @@ static void raise_cells(cover *c, const body_cells *cells)
     for (uint32_t i = cells->in.left; i <= cells->in.right; i++)
         for (uint32_t j = 0; j < cells->rows; j++) {
             const float depth = cells->depth[(size_t)(i - cells->in.left) * cells->rows + j];
-            const size_t cell = (size_t)i * c->frame.ny + cells->in.low + j;
+            const size_t cell = scan_number(&c->frame, i, cells->in.low + j);
             if (depth > -INFINITY && depth < INFINITY)
                 raise_cell(&c->depth[cell], &c->by[cell], depth, ROBERTS_NONE);
         }
@@ -407,7 +407,7 @@ bool cover_hides(const cover *c, const hide_box *box)
     uint32_t last = scan_column(f, (double)box->x1 + m);
     uint32_t low = scan_row(f, (double)box->y0 - m), high = scan_row(f, (double)box->y1 + m);
     for (uint32_t i = scan_column(f, (double)box->x0 - m); i <= last; i++)
-        if (!all_nearer(c->depth + (size_t)i * f->ny + low, high - low + 1, box->z1))
+        if (!all_nearer(c->depth + scan_number(f, i, low), high - low + 1, box->z1))
             return false;
     return true;
 }
@@ -431,7 +431,7 @@ static BITS_RARE bool warped_hides_edge(const cover *c, roberts_vec3 A, roberts_
         const double ya = A.y + t0 * (B.y - A.y), yb = A.y + t1 * (B.y - A.y);
         const double near = greater(A.z + t0 * (B.z - A.z), A.z + t1 * (B.z - A.z)) + m;
         const uint32_t j = scan_row(f, lesser(ya, yb) - m), end = scan_row(f, greater(ya, yb) + m);
-        if (!all_nearer(c->depth + (size_t)i * f->ny + j, end - j + 1, hide_float_above(near)))
+        if (!all_nearer(c->depth + scan_number(f, i, j), end - j + 1, hide_float_above(near)))
             return false;
     }
     return true;
@@ -469,7 +469,7 @@ BITS_PER_PROCESSOR bool cover_hides_edge(const cover *c, roberts_vec3 A, roberts
         uint32_t j = scan_clamp(greater(low, row + k * row_step), f->last_y);
         uint32_t end = scan_clamp(lesser(high, row_end + k * row_step), f->last_y);
         float nearest = hide_float_above(lesser(near, z + k * z_step));
-        if (!all_nearer(c->depth + (size_t)(first + k) * f->ny + j, end - j + 1, nearest))
+        if (!all_nearer(c->depth + scan_number(f, first + k, j), end - j + 1, nearest))
             return false;
     }
     return true;

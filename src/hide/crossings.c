@@ -306,7 +306,7 @@ static bool is_met_before(const finder *t, const cell_list *c, uint32_t a, uint3
         return false;
     for (uint32_t i = left; i <= c->column; i++)
         for (uint32_t j = low; j <= c->row; j++)
-            if ((i < c->column || j < c->row) && is_sought(t, (size_t)i * frame->ny + j, q->z1))
+            if ((i < c->column || j < c->row) && is_sought(t, scan_number(frame, i, j), q->z1))
                 return true;
     return false;
 }
@@ -500,7 +500,7 @@ static bool is_alone(finder *t, const cell_list *c, uint32_t patch)
 {
     if (patch == ROBERTS_NONE)
         return false;
-    const uint32_t cell = c->column * t->grid->frame.ny + c->row;
+    const size_t cell = scan_number(&t->grid->frame, c->column, c->row);
     uint32_t k = 0;
     if (t->asked[patch].cell != cell) {
         while (k < c->count && lies_beside(t, c, k, patch))
@@ -547,7 +547,7 @@ static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, 
 static bool meet_cell(finder *t, uint32_t column, uint32_t row)
 {
     const objet *grid = t->grid;
-    size_t cell = (size_t)column * grid->frame.ny + row;
+    size_t cell = scan_number(&grid->frame, column, row);
     cell_list c = {grid->entry + grid->start[cell], grid->start[cell], grid->start[cell + 1] - grid->start[cell],
                    column, row};
     if (grid->apart && grid->apart[cell])

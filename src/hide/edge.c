@@ -418,7 +418,7 @@ BITS_INLINE bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uin
 static BITS_PER_PROCESSOR bool meet_list(hide_worker *w, const line_set *p, uint32_t column, uint32_t row, float far)
 {
     const objet *grid = w->grid;
-    size_t cell = (size_t)column * grid->frame.ny + row;
+    size_t cell = scan_number(&grid->frame, column, row);
     const uint32_t *start = grid->start + cell;
     uint32_t sides = objet_most(objet_cut(four_load(w->place), column, row)), k = start[0];
     bool alone = p->alone && grid->next; /* in every cell, a line of a fan would go back over all faces of the fan */
@@ -504,7 +504,7 @@ static bool meet_tree_together(hide_worker *w, const line_set *p, size_t cell)
 static bool meet_cell(hide_worker *w, const line_set *p, const objet_stretch *part, float far)
 {
     const objet *grid = w->grid;
-    const size_t cell = (size_t)part->column * grid->frame.ny + part->row;
+    const size_t cell = scan_number(&grid->frame, part->column, part->row);
     if (grid->below && far > grid->below[cell])
         return true; /* only edges of the sheet that fills the cell remain */
     if (grid->tree && grid->tree[cell].node)
@@ -600,7 +600,7 @@ static bool has_tree(const objet *grid, uint32_t left, uint32_t right, uint32_t 
 {
     for (uint32_t i = left; grid->tree && i <= right; i++)
         for (uint32_t j = low; j <= high; j++)
-            if (grid->tree[(size_t)i * grid->frame.ny + j].node)
+            if (grid->tree[scan_number(&grid->frame, i, j)].node)
                 return true;
     return false;
 }
@@ -788,7 +788,7 @@ static void look_by_tree(const hide_fronts *fronts, const objet *grid, size_t ce
 static void look_once(const hide_fronts *fronts, const objet *grid, hide_box *about, look *l)
 {
     const uint32_t column = scan_column(&grid->frame, l->x), row = scan_row(&grid->frame, l->y);
-    const size_t cell = (size_t)column * grid->frame.ny + row;
+    const size_t cell = scan_number(&grid->frame, column, row);
     double beyond = l->touching || l->faces ? fronts->thickest : 0.0;
     if (l->faces)
         beyond = lesser(beyond, LOOK_DEPTH * fronts->seen->view.diameter);

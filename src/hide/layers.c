@@ -36,7 +36,7 @@ static float of_rank(uint32_t rank)
 /* Records a fold in the cell that is nowhere nearer than z: sheets must be nearer. */
 static void fold_cell(const layers *l, uint32_t column, uint32_t row, float z)
 {
-    atomic_uint *fold = &l->fold[(size_t)column * l->grid->frame.ny + row];
+    atomic_uint *fold = &l->fold[scan_number(&l->grid->frame, column, row)];
     unsigned rank = rank_of(z), known = atomic_load_explicit(fold, memory_order_relaxed);
     while (known < rank && !atomic_compare_exchange_weak(fold, &known, rank)) {
     }
@@ -182,7 +182,7 @@ void layers_find(const layers *l, uint32_t column, uint32_t row)
     objet *grid = l->grid;
     const hide_fronts *fronts = l->fronts;
     const scan_frame *s = &grid->frame;
-    size_t cell = (size_t)column * s->ny + row;
+    size_t cell = scan_number(s, column, row);
     if (!l->fold)
         return;
     float fold = of_rank(atomic_load_explicit(&l->fold[cell], memory_order_relaxed));
@@ -238,7 +238,7 @@ static bool is_before_sheets(const layers *l, uint32_t body, const hide_box *box
     bool before = false;
     for (uint32_t i = in.left; i <= in.right; i++)
         for (uint32_t j = in.low; j <= in.high; j++)
-            if (covered || box->z1 < l->grid->sheet.depth[(size_t)i * s->ny + j])
+            if (covered || box->z1 < l->grid->sheet.depth[scan_number(s, i, j)])
                 fold_cell(l, i, j, box->z1);
             else
                 before = true;
@@ -288,7 +288,7 @@ bool layers_add_late(layers *l, hide_fronts *fronts)
 /* A sheet that was found before is still one. */
 void layers_find_again(const layers *l, uint32_t column, uint32_t row)
 {
-    float *depth = &l->grid->sheet.depth[(size_t)column * l->grid->frame.ny + row], before = *depth;
+    float *depth = &l->grid->sheet.depth[scan_number(&l->grid->frame, column, row)], before = *depth;
     layers_find(l, column, row);
     *depth = before > *depth ? before : *depth;
 }

@@ -44,7 +44,7 @@ static inline uint32_t count_one(uint32_t *cell, bool alone)
 BITS_INLINE void list_in_cell(const filling *job, uint32_t index, four place, uint32_t column, uint32_t row, bool fill)
 {
     objet *grid = job->grid;
-    size_t cell = (size_t)column * grid->frame.ny + row;
+    size_t cell = scan_number(&grid->frame, column, row);
     if (job->late && job->fronts->front_box[index].z1 < grid->sheet.depth[cell])
         return;
     uint32_t at = count_one(&job->place[cell], job->threads == 1);
@@ -166,10 +166,10 @@ typedef struct sorting {
 static bool sort_columns(void *context, size_t first, size_t end)
 {
     const sorting *s = context;
-    const uint32_t ny = s->job->grid->frame.ny;
+    const scan_frame *frame = &s->job->grid->frame;
     for (size_t i = first; i < end; i++)
-        for (uint32_t j = 0; j < ny; j++) {
-            size_t cell = i * ny + j;
+        for (uint32_t j = 0; j < frame->ny; j++) {
+            size_t cell = scan_number(frame, (uint32_t)i, j);
             if (s->job->late && !has_news(s->job, cell))
                 continue;
             if (!sort_list(s->job, cell, &s->job->lister[thread_self()]))

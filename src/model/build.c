@@ -32,6 +32,7 @@ enum {
 /* State shared by the threads that build solids. */
 typedef struct construction {
     roberts_scene *scene;
+    const roberts_scene_options *options;
     solid_rules rules;
     uint8_t *open; /* [solid_count] receives the marks; NULL: an open solid is an error */
     bool bodies;   /* solids may be of any shape */
@@ -215,11 +216,10 @@ static bool build_some(void *context, size_t first, size_t end)
 /* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty and receives them. `c` has the
  * scene, the rules and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not
  * depend on the number of threads. */
-static roberts_status build_solids(construction *c, uint32_t threads_wanted, repeated_solids *list,
-                                   roberts_error *error)
+static roberts_status build_solids(construction *c, repeated_solids *list, roberts_error *error)
 {
     const uint32_t solids = c->scene->solid_count, chunks = (solids + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
-    int threads = threads_for(threads_wanted, 1 + chunks / CHUNKS_PER_THREAD);
+    int threads = threads_for(c->options->threads, 1 + chunks / CHUNKS_PER_THREAD);
     construction_worker *worker = alloc_zeroed((size_t)threads, sizeof *worker);
     roberts_status status;
     if (!worker || !number_all_edges(c->scene, list, &worker[0].tools.edges)) {
@@ -295,15 +295,14 @@ static bool only_holes(const uint8_t *open, uint32_t count)
 /* Makes plain bodies of the marked solids, if possible. *done: it succeeded or failed for good. Otherwise the marks
  * show which solids are open, and the status is that of the first one that is not convex. */
 static roberts_status build_plain(construction *c, const polygons *faces, const repeated_solids *list,
-                                  const roberts_scene_options *options, roberts_status status, bool *done,
-                                  roberts_error *error)
+                                  roberts_status status, bool *done, roberts_error *error)
 {
     roberts_scene *scene = c->scene;
     const roberts_mesh *mesh = c->rules.mesh;
     builder work = {0};
     *done = false;
     if (status == ROBERTS_OK && scene->face_count == mesh->face_count && faces->repeated == 0) {
-        const face_rules rules = bodies_rules(scene, mesh, options);
+        const face_rules rules = bodies_rules(scene, mesh, c->options);
         plain_answer answer = plain_bodies_build(scene, c->open, list, &rules);
         *done = answer != PLAIN_NO;
         if (*done)
@@ -339,7 +338,7 @@ static roberts_status build_convex(roberts_scene *scene, const roberts_mesh *mes
     polygons faces;
     repeated_solids list = {0};
     const bool bodies = !options->solids && !options->hull;
-    construction c = {.scene = scene, .rules = {mesh, options->tolerance, false}, .bodies = bodies};
+    construction c = {scene, options, .rules = {mesh, options->tolerance, false}, .bodies = bodies};
     bool any_open, done = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
     if (status != ROBERTS_OK)
@@ -350,21 +349,21 @@ static roberts_status build_convex(roberts_scene *scene, const roberts_mesh *mes
     notes->repeated = faces.repeated;
     if (!(c.open = alloc_zeroed(scene->solid_count, sizeof *c.open)))
         goto done;
-    status = build_solids(&c, options->threads, &list, error);
+    status = build_solids(&c, &list, error);
     if (status != ROBERTS_NO_MEMORY && atomic_load(&c.any_marked) && bodies)
-        status = build_plain(&c, &faces, &list, options, status, &done, error);
+        status = build_plain(&c, &faces, &list, status, &done, error);
     any_open = status == ROBERTS_OK && !done && atomic_load(&c.any_open);
     notes->known = is_shape(status);
     if (any_open && bodies && only_holes(c.open, scene->solid_count)) {
         status = error_set(error, ROBERTS_NOT_CONVEX, 0, "a surface has holes"); /* bodies_build() handles it */
         notes->known = true;
     } else if (any_open) {
-        construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
+        construction closed = {scene, options, .rules = {mesh, options->tolerance, true}};
         repeated_free(&list);
         scene_turn_back(scene); /* regrouping starts from the original winding */
         status = weld_regroup(scene, c.open, &faces, mesh, false, error);
         if (status == ROBERTS_OK)
-            status = build_solids(&closed, options->threads, &list, error);
+            status = build_solids(&closed, &list, error);
     }
     if (status == ROBERTS_OK && scene->solid_count == 0)
         status = refuse_empty(mesh, error);
@@ -400,7 +399,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     polygons faces;
     repeated_solids list = {0};
     builder work = {0};
-    construction closed = {.scene = scene, .rules = {mesh, options->tolerance, true}};
+    construction closed = {scene, options, .rules = {mesh, options->tolerance, true}};
     uint8_t *open = NULL;
     bool any_open = false;
     roberts_status status = polygons_of_mesh(&faces, mesh, error);
@@ -419,7 +418,7 @@ static roberts_status build_hulls(roberts_scene *scene, const roberts_mesh *mesh
     if (status == ROBERTS_OK)
         status = hull_solids(scene, mesh, options, error);
     if (status == ROBERTS_OK)
-        status = build_solids(&closed, options->threads, &list, error);
+        status = build_solids(&closed, &list, error);
     if (status == ROBERTS_OK && !copy_colors(scene, mesh, false))
         status = ROBERTS_NO_MEMORY;
     free(open);

@@ -23,8 +23,7 @@ static int facing_of_face(const seen *s, const roberts_scene *scene, uint32_t fa
     const view *v = &s->view;
     if (scene == s->scene)
         return s->facing[face];
-    roberts_vec3 eye = vec3_add(v->origin, vec3_scale(v->unit / v->inverse_distance, v->dir));
-    double inside = plane_at(scene_plane(scene, face), vec3_sub(eye, scene->centre));
+    double inside = plane_at(scene_plane(scene, face), vec3_sub(v->viewpoint, scene->centre));
     return fabs(inside) <= v->epsilon * v->unit ? VIEW_EDGE_ON : inside < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
 
