@@ -171,7 +171,7 @@ void roberts_mesh_stand_up(roberts_mesh *mesh);
  */
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
-/** Returns two units of the last digit of decimal coordinates, model units: how near to one another things count as
+/** Returns two units of the last place of decimal coordinates, model units: how near to one another things count as
  * touching with roberts_scene_options.rounded. 0: there are no decimals of few digits. */
 double roberts_mesh_step(const roberts_mesh *mesh);
 
@@ -196,9 +196,11 @@ typedef struct roberts_scene_options {
     /** Which points belong to a face whose border crosses itself: those that the border winds round an odd number of
      * times (true), or any number of times but 0 (false). */
     bool even_odd;
-    /** Decimal coordinates were rounded: what touches to within two units of their last digit touches. Without this,
+    /** Decimal coordinates were rounded: what touches to within two units of their last place touches. Without this,
      * decimals are taken as they are. The digits count if all coordinates of an input have at most nine (whole numbers
-     * and fractions like 0.375, which doubles hold exactly, aside) and two units are at most 1e-4 of its size. */
+     * and fractions like 0.375, which doubles hold exactly, aside) and two units are at most 1e-4 of its size. The last
+     * place is that of the last digit, or of a 32-bit float if all coordinates are printed floats and that is coarser.
+     */
     bool rounded;
 } roberts_scene_options;
 
@@ -424,7 +426,7 @@ typedef enum roberts_epsilon_reason {
     ROBERTS_EPSILON_DIAMETER, /**< 1e-11 of the scene's diameter */
     ROBERTS_EPSILON_ROUNDING, /**< 16 units of the last place of the largest coordinate */
     ROBERTS_EPSILON_FLOAT32,  /**< 2 units of the last place of the largest coordinate that came as a 32-bit float */
-    ROBERTS_EPSILON_DECIMAL,  /**< 2 units of the last digit of decimal coordinates: roberts_scene_options.rounded */
+    ROBERTS_EPSILON_DECIMAL,  /**< 2 units of the last place of decimal coordinates: roberts_scene_options.rounded */
 } roberts_epsilon_reason;
 
 /** The segments of all edges, sorted by solid, v0, v1, t0; then those of all intersections, sorted by their faces and
@@ -486,7 +488,7 @@ typedef struct roberts_hide_options {
     bool slopes;        /**< for roberts_regions(): fill in `slope`. roberts_hide_options_default() sets it */
     double epsilon;   /**< touching distance, model units; 0 = 1e-11 of the scene's diameter, but at least 16 ulp of the
                            largest coordinate, 2 float ulp of the largest one that came as a 32-bit float, and 2
-                           units of the last digit with roberts_scene_options.rounded */
+                           units of the last place with roberts_scene_options.rounded */
     uint32_t grid;    /**< cells per side, up to ROBERTS_GRID_MOST; 0 = choose. Reduced if the grid would take several
                            times the scene's memory */
     uint32_t threads; /**< up to ROBERTS_THREADS_MOST; 0 = one per processor */

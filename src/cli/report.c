@@ -191,7 +191,7 @@ static void print_epsilon(FILE *log, const roberts_drawing *d, bool json)
                    [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
                    [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
                    [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
-                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last digit of decimal coordinates"}};
+                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last place of decimal coordinates"}};
     const struct reason *reason = &reasons[d->epsilon_reason];
     if (json)
         fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g", d->epsilon, reason->json,

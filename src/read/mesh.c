@@ -203,11 +203,35 @@ static int digit_count(double x)
     return count;
 }
 
-/* Returns two units of the last digit of coordinates that were rounded to decimals. 0: they were not, or so coarsely
- * that a picture would show such a touching distance. */
+/* Returns the unit of the last of so many decimal digits of x > 0. */
+static double digit_unit(double x, int digits)
+{
+    return pow(10.0, floor(log10(x)) + 1 - digits);
+}
+
+/* Returns two units of the last place of a 32-bit float as large as x > 0. */
+static double float32_units(double x)
+{
+    int exponent;
+    frexp(x, &exponent); /* 2^(exponent - 1) <= x, and the last of 24 bits is 2^-23 of that */
+    return ldexp(2.0, exponent - FLT_MANT_DIG);
+}
+
+/* Is x > 0, which has so many digits, what a 32-bit float shows in that many? Beyond floats, all doubles are exact. */
+static bool shows_float32(double x, int digits)
+{
+    return fabs((double)(float)x - x) <= (0.5 + DIGIT_ERROR) * digit_unit(x, digits);
+}
+
+/* Returns two units of the last place of coordinates that were rounded to decimals. 0: they were not, or so coarsely
+ * that a picture would show such a touching distance. The last place is that of the last digit. But the decimals may
+ * be 32-bit floats, printed in up to nine digits: then each shows what its float does, and the last place is that of
+ * the float if it is coarser. Decimals of six or seven digits always pass as floats, and are coarser. With eight digits
+ * nearly half of them pass by chance, with nine every twentieth: so even a few coordinates tell. */
 static double decimal_step(const roberts_vec3 *vertex, size_t count)
 {
     int digits = 0;
+    bool floats = true;
     double largest = 0.0;
     roberts_vec3 low = vertex[0], high = vertex[0];
     for (size_t i = 0; i < count; i += count / DECIMAL_SAMPLE + 1) {
@@ -221,27 +245,26 @@ static double decimal_step(const roberts_vec3 *vertex, size_t count)
             if (own > DECIMAL_DIGITS)
                 return 0.0;
             digits = own > digits ? own : digits;
+            floats = floats && shows_float32(coordinate[k], own);
             largest = greater(largest, coordinate[k]);
         }
     }
-    double step = digits ? 2.0 * pow(10.0, floor(log10(largest)) + 1 - digits) : 0.0;
+    double step = digits ? 2.0 * digit_unit(largest, digits) : 0.0;
+    if (digits && floats)
+        step = greater(step, float32_units(largest));
     return step <= DECIMAL_MOST * vec3_length(vec3_sub(high, low)) ? step : 0.0;
 }
 
-/* Returns two ulps of a 32-bit float as large as the largest coordinate read as one; 0: none was. */
+/* Returns two units of the last place of a 32-bit float as large as the largest coordinate read as one; 0: none was. */
 static double float32_step(const roberts_mesh *mesh)
 {
     double most = 0.0;
-    int exponent;
     for (size_t i = 0; i < mesh->source_count; i++) {
         size_t end = i + 1 < mesh->source_count ? mesh->source[i + 1].first_vertex : mesh->vertex_count;
         for (size_t v = mesh->source[i].first_vertex; mesh->source[i].float32 && v < end; v++)
             most = greater(most, vec3_largest(mesh->vertex[v]));
     }
-    if (most == 0.0)
-        return 0.0;
-    frexp(most, &exponent); /* 2^(exponent - 1) <= most, and the last of 24 bits is 2^-23 of that */
-    return ldexp(2.0, exponent - FLT_MANT_DIG);
+    return most > 0.0 ? float32_units(most) : 0.0;
 }
 
 double roberts_mesh_step(const roberts_mesh *mesh)

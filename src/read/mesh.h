@@ -108,7 +108,7 @@ bool mesh_missing(roberts_mesh *mesh, const char *path);
  * at most a quarter of that. */
 typedef struct mesh_steps {
     double float32; /* of the largest coordinate read as a 32-bit float */
-    double decimal; /* of the largest decimal one, if all have few digits */
+    double decimal; /* of the largest decimal one, if all have few digits: of the last digit, or of a printed float */
 } mesh_steps;
 
 /* Finds the steps. Each input says whether it holds 32-bit floats. decimals: look for rounded decimals, too, as

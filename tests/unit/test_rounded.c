@@ -32,6 +32,11 @@ static const struct {
     {"three digits: too coarse", 0.707, 0, 0, 0},
     {"five digits", 0.70711, 0, 0, 2e-5},
     {"a tenth in a model a million times as wide", 0.1, 0, 1e6, 0.2},
+    {"printed floats, in nine digits", 12.2099447, -0.745752811, 22.2603035, 0x1p-18},
+    {"printed floats, in as many digits as tell them apart", 9.2099447, 0.0012345, 0.1, 0x1p-19},
+    {"a power of two is the first of its units", 0.333333343, 2.0000002, 0, 0x1p-21},
+    {"one is no float", 12.2099447, 0.745752812, 22.2603035, 2e-7},
+    {"seven digits are coarser than a float", 0.7071068, 0, 0, 2e-7},
     {"many sizes: the unit is that of six digits of the largest", 98765.4, 1.23456e-7, 0, 0.2},
 };
 

@@ -231,7 +231,7 @@ class Scene:
     solids      what is no convex solid is refused
     tolerance   how far a corner may lie off its face's plane, as a part of the solid's size; 0: 1e-5
     even_odd    the inside of a face that crosses itself is what its border winds round an odd number of times
-    rounded     decimal coordinates were rounded: what touches to within two units of their last digit touches
+    rounded     decimal coordinates were rounded: what touches to within two units of their last place touches
     The scene keeps arrays that are read in place. What is drawn does not follow later changes of them.
     Raises Error, MemoryError, ValueError.
     """
