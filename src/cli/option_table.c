@@ -709,7 +709,7 @@ static const option rows[] = {
          "separate them, as spreadsheets write them. (They may take 4-17 for a date; v4-v17 is the same, as v4, f3 and "
          "b0 are for 4, 3 and 0.) Lines that begin with # are skipped, and so is a first line with the titles of the "
          "columns. Everything with a name is labelled; with --label, the rest is labelled by its numbers. An empty "
-         "name is no label."},
+         "name is no label. A warning tells of names that match nothing, with --batch for each file."},
     {.group = GROUP_TEXT,
      .name = "title",
      .flags = OPTION_DRAWS | OPTION_PAPER,

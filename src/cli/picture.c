@@ -208,10 +208,10 @@ static void find_missing(const roberts_mesh *mesh, run_stats *run)
         *c = message_is_control(*c) ? '?' : *c;
 }
 
-/* Are names compared with the mesh? With --batch they may be for other models. */
+/* Are names compared with the mesh? */
 static bool checks_names(const cli_options *options)
 {
-    return options->names && !options->quiet && !options->batch;
+    return options->names && !options->quiet;
 }
 
 static void warn_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies)

@@ -990,11 +990,15 @@ static void idle_names_are_told(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         put("names", rows[i].names);
-        assert_int_equal(run("--labels names models/platonic/cube.off -o a.svg"), 0);
-        if (*rows[i].said)
-            assert_said(rows[i].said);
-        else
-            assert_string_equal(last.err, "");
+        for (int batch = 0; batch < 2; batch++) {
+            assert_int_equal(run(batch ? "--labels names models/platonic/cube.off -f null --batch ."
+                                       : "--labels names models/platonic/cube.off -o a.svg"),
+                             0);
+            if (*rows[i].said)
+                assert_said(rows[i].said);
+            else
+                assert_string_equal(last.err, "");
+        }
     }
 }
 
