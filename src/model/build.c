@@ -214,8 +214,8 @@ static bool build_some(void *context, size_t first, size_t end)
 }
 
 /* Builds the solids of a scene that is laid out. `list` has their patterns, or is empty and receives them. `c` has the
- * scene, the rules and the array for marks; afterwards c->any_open tells whether a solid is open. The result does not
- * depend on the number of threads. */
+ * scene, the options, the rules and the array for marks; afterwards c->any_open tells whether a solid is open. The
+ * result does not depend on the number of threads. */
 static roberts_status build_solids(construction *c, repeated_solids *list, roberts_error *error)
 {
     const uint32_t solids = c->scene->solid_count, chunks = (solids + CHUNK_SOLIDS - 1) / CHUNK_SOLIDS;
