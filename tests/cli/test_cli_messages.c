@@ -991,7 +991,7 @@ static void idle_names_are_told(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         put("names", rows[i].names);
         for (int batch = 0; batch < 2; batch++) {
-            assert_int_equal(run(batch ? "--labels names models/platonic/cube.off -f null --batch ."
+            assert_int_equal(run(batch ? "--labels names models/platonic/cube.off -f svg --batch ."
                                        : "--labels names models/platonic/cube.off -o a.svg"),
                              0);
             if (*rows[i].said)
