@@ -187,6 +187,19 @@ static size_t at_hand(const input *in)
     return (size_t)(in->end - in->at);
 }
 
+/* Are these bytes, which begin with "solid", binary? A name may have control characters, but then a line with the first
+ * word of a facet follows, or with the end. */
+static bool solid_is_binary(const char *bytes, size_t count)
+{
+    const char *line = memchr(bytes, '\n', count), *end = bytes + count;
+    while (line && line < end && (*line == ' ' || (*line >= '\t' && *line <= '\r')))
+        line++;
+    const size_t rest = line ? (size_t)(end - line) : 0;
+    if ((rest >= 5 && memcmp(line, "facet", 5) == 0) || (rest >= 8 && memcmp(line, "endsolid", 8) == 0))
+        return false;
+    return looks_binary(bytes, count);
+}
+
 static bool is_obj_word(const char *word, size_t length)
 {
     static const char *const words[] = {"v", "vn", "vt", "vp", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
@@ -274,7 +287,7 @@ static roberts_status read_any(reader *r, const off_division *division)
         return ply_read(r);
     if (input_at_word(in, "solid")) {
         (void)input_need(in, LOOK);
-        if (looks_binary(in->at, at_hand(in) < LOOK ? at_hand(in) : LOOK))
+        if (solid_is_binary(in->at, at_hand(in) < LOOK ? at_hand(in) : LOOK))
             return stl_read_binary(r);
     }
     if (!input_skip(in))

@@ -32,6 +32,9 @@ static const read_good good[] = {
      "solid a\r\nfacet normal 0 0 1\r\nouter loop\r\nvertex 0 0 0\r\nvertex 1 0 0\r\nvertex 0 1 0\r\nendloop\r\n"
      "endfacet\r\nendsolid a\r\n",
      0, "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
+    {"a name with control characters", "solid \033[31ma\001\n" FIRST "endsolid\n", 0,
+     "0,0,0 1,0,0 0,1,0 | 0-1-2 | \033 [31ma \001@0", NULL},
+    {"an empty solid with such a name", "solid \001\r\nendsolid\r\n", 0, " | \001@0", NULL},
     {"blank lines before, and a byte-order mark", "\xef\xbb\xbf\n  solid a\n" FIRST "endsolid\n", 0,
      "0,0,0 1,0,0 0,1,0 | 0-1-2 | a@0", NULL},
     {"a normal that is none",
