@@ -154,8 +154,8 @@ void cover_add(cover *c, scan *s, const roberts_vec3 *P, const cover_front *fron
     float level = hide_float_below(front->depth - front->slack);
     for (uint32_t i = s->inner_first; i <= s->inner_last; i++) {
         uint32_t first, last;
-        float *cell = c->depth + (size_t)i * f->ny;
-        uint32_t *cell_by = c->by + (size_t)i * f->ny;
+        float *cell = c->depth + scan_number(f, i, 0);
+        uint32_t *cell_by = c->by + scan_number(f, i, 0);
         if (!scan_inside(s, f, i, &first, &last))
             continue;
         if (!front->face_count)

@@ -249,8 +249,10 @@ static double decimal_step(const roberts_vec3 *vertex, size_t count)
             largest = greater(largest, coordinate[k]);
         }
     }
-    double step = digits ? 2.0 * digit_unit(largest, digits) : 0.0;
-    if (digits && floats)
+    if (digits == 0)
+        return 0.0;
+    double step = 2.0 * digit_unit(largest, digits);
+    if (floats)
         step = greater(step, float32_units(largest));
     return step <= DECIMAL_MOST * vec3_length(vec3_sub(high, low)) ? step : 0.0;
 }
