@@ -37,8 +37,8 @@ void hint_memory(const cli_options *options, roberts_error *error);
  * does. */
 const char *hint_empty(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
-/* Whether the drawing is almost empty because the eye is on a solid, or so near that the near plane cuts the solid in
- * the middle of the picture; then `why` says so. */
+/* Whether the drawing is almost empty because the eye is in or on a solid, or so near that the near plane cuts the
+ * solid in the middle of the picture; then `why` says so. */
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size);
 

@@ -1100,6 +1100,10 @@ static void cuts_in_the_middle_are_warned_of(void **state)
         } else
             assert_string_equal(last.err, "");
     }
+    print_message("an eye inside a ring\n");
+    assert_int_equal(run("--eye 3,0,0 --look-at 4,1,0.2 models/shapes/torus.off"), 0);
+    assert_said("warning: the near plane, ");
+    assert_said("move --eye out of it if it is inside");
 }
 
 /* ---- several pictures ---- */
