@@ -967,8 +967,9 @@ typedef enum roberts_order {
  * attributes for scripts and style sheets: a body's group has data-body (its number) and data-name (the name of its
  * group in the input, if any); a piece of an edge has data-edge="4-17" (its vertices, not for an intersection),
  * data-faces="2,5" (the faces there, as roberts_segment_faces() gives them) and, where it is hidden, data-by (the body
- * seen there). Pens are attributes of groups, so style sheets override them. On a sheet the layers are the views, with
- * data-view="front" and so on, and contain the groups below. */
+ * seen there). A label whose text is native has what it names: data-vertex, data-edge, data-face or data-body. Pens are
+ * attributes of groups, so style sheets override them. On a sheet the layers are the views, with data-view="front" and
+ * so on, and contain the groups below. */
 typedef enum roberts_grouping {
     ROBERTS_GROUP_CLASS,   /**< a layer for each class, with one path */
     ROBERTS_GROUP_BODY,    /**< a layer for each body, with a group of one path for each class */

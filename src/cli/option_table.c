@@ -662,8 +662,9 @@ static const option rows[] = {
          "With body and element, groups and elements have names for style sheets and scripts. class is the line's "
          "class, body, view or edge. data-body and data-name are the body's number and its name in the file, if it has "
          "one. data-edge is like 4-17, the edge's vertices, and data-faces like 2,5, the faces there; all as in "
-         "tables. A hidden piece has data-by, the body seen there. Pens are attributes of groups, so that rules of "
-         "style sheets override them. On sheets the views are the layers. With --fill, the group seam lies below the "
+         "tables. A hidden piece has data-by, the body seen there. With --text native, a label has what it names, such "
+         "as data-vertex. Pens are attributes of groups, so that rules of style sheets override them. On sheets the "
+         "views are the layers. With --fill, the group seam lies below the "
          "areas: lines along their borders, without which viewers show gaps; each path has the data-body of its area."},
     {.group = GROUP_LINES,
      .name = "id-prefix",

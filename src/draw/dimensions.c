@@ -168,7 +168,7 @@ static bool dimension_draw(strokes *s, const dimension *d)
            notes_add_line(&s->notes, l.extension[1][0], l.extension[1][1], units) &&
            notes_add_line(&s->notes, l.line[0], l.line[1], units) &&
            add_arrow(s, d->end[0], l.is_narrow ? inward : outward) &&
-           add_arrow(s, d->end[1], l.is_narrow ? outward : inward) && notes_add_text(&s->notes, &l.text, false);
+           add_arrow(s, d->end[1], l.is_narrow ? outward : inward) && notes_add_text(&s->notes, &l.text);
 }
 
 /* How far the dimension lines of the whole scene are from a view: large letters must not reach it, and distances stand

@@ -293,11 +293,12 @@ static bool add_note(strokes *s, const label *l, double height)
                             .height_mm = height,
                             .align = 0.5,
                             .along = TEXT_LEVEL};
+    const roberts_name of = {.of = l->of->kind, .number = l->of->number, .other = l->of->other};
     const space_box box = label_box(l, l->middle);
     if (l->has_leader && !(notes_add_line(&s->notes, l->of->at, l->leader, s->units_per_mm) &&
                            notes_add_dot(&s->notes, l->of->at, dot_radius, s->units_per_mm)))
         return false;
-    return strokes_take(s, &box) && notes_add_text(&s->notes, &line, l->of->is_back);
+    return strokes_take(s, &box) && notes_add_label(&s->notes, &line, &of, l->of->is_back);
 }
 
 /* Hatching would leave no room anywhere, so labels may lie on it. */

@@ -7,15 +7,28 @@
 #include "base/angle.h"
 #include "base/array.h"
 
-bool notes_add_text(notes *n, const text_line *line, bool is_back)
+bool notes_add_text(notes *n, const text_line *line)
 {
     const size_t size = strlen(line->text) + 1;
     if (!array_reserve(&n->item, &n->room, n->count + 1, sizeof *n->item) ||
         !array_reserve(&n->chars, &n->char_room, n->char_count + size, 1))
         return false;
     memcpy(n->chars + n->char_count, line->text, size);
-    n->item[n->count++] = (note){n->char_count, line->at, line->height_mm, line->align, line->along, is_back};
+    n->item[n->count++] = (note){.text = n->char_count,
+                                 .at = line->at,
+                                 .height_mm = line->height_mm,
+                                 .align = line->align,
+                                 .along = line->along};
     n->char_count += size;
+    return true;
+}
+
+bool notes_add_label(notes *n, const text_line *line, const roberts_name *of, bool is_back)
+{
+    if (!notes_add_text(n, line))
+        return false;
+    n->item[n->count - 1].is_back = is_back;
+    n->item[n->count - 1].of = *of;
     return true;
 }
 

@@ -10,7 +10,8 @@ typedef struct note {
     roberts_vec2 at;
     double height_mm, align;
     roberts_vec2 along; /* as in text_line */
-    bool is_back;       /* of something hidden */
+    bool is_back;       /* a label of something hidden */
+    roberts_name of;    /* what a label names, without the text; of.of is 0 where the note is no label */
 } note;
 
 typedef struct notes {
@@ -21,7 +22,8 @@ typedef struct notes {
 } notes;
 
 /* Each returns false where there is no memory. */
-bool notes_add_text(notes *n, const text_line *line, bool is_back);
+bool notes_add_text(notes *n, const text_line *line);
+bool notes_add_label(notes *n, const text_line *line, const roberts_name *of, bool is_back);
 bool notes_add_line(notes *n, roberts_vec2 a, roberts_vec2 b, double units_per_mm);
 /* A small ring, which looks like a dot. */
 bool notes_add_dot(notes *n, roberts_vec2 at, double radius_mm, double units_per_mm);

@@ -143,7 +143,7 @@ static bool put_lines(strokes *s, const title_lines *t, roberts_vec2 at)
     const double first = at.y - (title_room_mm + t->height * lines_high(t->count)) / 2.0 + t->height;
     for (int i = 0; i < t->count; i++) {
         const text_line line = {part, {at.x, first + t->height * line_pitch * i}, t->height, 0.0, TEXT_LEVEL};
-        if (!notes_add_text(&s->notes, &line, false))
+        if (!notes_add_text(&s->notes, &line))
             return false;
         part += strlen(part) + 1;
     }
@@ -157,7 +157,7 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     const double top = corner.y + cell->top * row_mm, bottom = corner.y + cell->bottom * row_mm;
     const bool is_high = cell->bottom - cell->top > 1;
     text_line line = {cell->caption, {left, top + inset_mm + caption_mm}, caption_mm, 0.0, TEXT_LEVEL};
-    if (*cell->caption && !notes_add_text(&s->notes, &line, false))
+    if (*cell->caption && !notes_add_text(&s->notes, &line))
         return false;
     if (!*text)
         return true;
@@ -169,7 +169,7 @@ static bool fill_cell(strokes *s, const block_cell *cell, roberts_vec2 corner, c
     if (enough && title.count > 0)
         enough = put_lines(s, &title, (roberts_vec2){left, bottom - inset_mm});
     else if (enough)
-        enough = notes_add_text(&s->notes, &line, false);
+        enough = notes_add_text(&s->notes, &line);
     free(title.text);
     return enough;
 }
@@ -267,7 +267,7 @@ static bool add_zones(strokes *s, bool is_level)
                          near = is_centre && !(is_lower && is_at_block(s, at)) ? edge - out * mark_mm : edge;
             text_line line = {shown, by_side(is_level, middle, off), letter_mm, 0.5, TEXT_LEVEL};
             line.at.y += letter_mm / 2.0;
-            done = notes_add_text(&s->notes, &line, false);
+            done = notes_add_text(&s->notes, &line);
             if (done && i + 1 < fields)
                 done =
                     notes_add_line(&s->notes, by_side(is_level, at, far), by_side(is_level, at, near), s->units_per_mm);

@@ -75,13 +75,23 @@ static void svg_text(output *out, const char *text)
     write_escaped(out, text, false);
 }
 
-static void svg_attribute_integer(output *out, const char *name, uint32_t value)
+/* Writes ` name="a"`, or ` name="a,b"`, say, if b is not ROBERTS_NONE. */
+static void svg_attribute_pair(output *out, const char *name, uint32_t a, uint32_t b, const char *between)
 {
     output_text(out, " ");
     output_text(out, name);
     output_text(out, "=\"");
-    output_integer(out, value);
+    output_integer(out, a);
+    if (b != ROBERTS_NONE) {
+        output_text(out, between);
+        output_integer(out, b);
+    }
     output_text(out, "\"");
+}
+
+static void svg_attribute_integer(output *out, const char *name, uint32_t value)
+{
+    svg_attribute_pair(out, name, value, ROBERTS_NONE, "");
 }
 
 /* Writes ` name="text"`, with quotes, line feeds and tabs as entities, too. */
@@ -215,9 +225,31 @@ static void end_part(void *context, bool last)
 
 static const double capital = 0.716; /* height of capitals of usual fonts, as a part of their size */
 
-static void write_text_line(output *out, const text_line *line)
+/* Writes what a label names. */
+static void write_subject(output *out, const roberts_name *of)
 {
-    output_text(out, "<text x=\"");
+    switch (of->of) {
+    case ROBERTS_LABEL_VERTICES:
+        svg_attribute_integer(out, "data-vertex", of->number);
+        return;
+    case ROBERTS_LABEL_EDGES:
+        svg_attribute_pair(out, "data-edge", of->number, of->other, "-");
+        return;
+    case ROBERTS_LABEL_FACES:
+        svg_attribute_integer(out, "data-face", of->number);
+        return;
+    case ROBERTS_LABEL_BODIES:
+        svg_attribute_integer(out, "data-body", of->number);
+        return;
+    }
+}
+
+static void write_text_line(output *out, const text_line *line, const roberts_name *of)
+{
+    output_text(out, "<text");
+    if (of)
+        write_subject(out, of);
+    output_text(out, " x=\"");
     output_mm(out, line->at.x);
     output_text(out, "\" y=\"");
     output_mm(out, line->at.y);
@@ -262,7 +294,7 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
             svg_color(out, pen->red, pen->green, pen->blue);
             output_text(out, "\">\n");
         }
-        write_text_line(out, &line);
+        write_text_line(out, &line, strokes_are_grouped(s->options) ? &s->notes.item[i].of : NULL);
     }
     output_text(out, written ? "</g>\n" : "");
 }
@@ -423,17 +455,6 @@ typedef struct svg_groups {
     uint32_t bodies;     /* numbered layers: those of frame, symbol and text have greater numbers */
 } svg_groups;
 
-static void attribute_pair(output *out, const char *name, uint32_t a, uint32_t b, const char *between)
-{
-    output_text(out, name);
-    output_integer(out, a);
-    if (b != ROBERTS_NONE) {
-        output_text(out, between);
-        output_integer(out, b);
-    }
-    output_text(out, "\"");
-}
-
 static void open_view(const svg_groups *w, const stroke_group *g)
 {
     const char *name = view_name(w->s, g->view);
@@ -566,10 +587,10 @@ static void write_names(const svg_groups *w, const stroke_group *g, uint32_t num
     if (!segment)
         return;
     if (segment->v0 != ROBERTS_NONE)
-        attribute_pair(w->out, " data-edge=\"", segment->v0, segment->v1, "-");
+        svg_attribute_pair(w->out, "data-edge", segment->v0, segment->v1, "-");
     roberts_segment_faces(w->s->options->scene, drawing, segment, face);
     if (face[0] != ROBERTS_NONE)
-        attribute_pair(w->out, " data-faces=\"", face[0], face[1], ",");
+        svg_attribute_pair(w->out, "data-faces", face[0], face[1], ",");
     if (segment->state == ROBERTS_HIDDEN && segment->by != ROBERTS_NONE)
         svg_attribute_integer(w->out, "data-by", segment->by);
 }

@@ -429,6 +429,45 @@ static void sheets_have_views(void **state)
     free_views(&v);
 }
 
+/* A label in letters of the reader names what it belongs to, as its text says; without groups it does not. */
+static void labels_have_names(void **state)
+{
+    static const struct {
+        roberts_label_kind kind;
+        const char *name;
+        size_t count;
+    } cases[] = {{ROBERTS_LABEL_VERTICES, "<text data-vertex=\"", 8},
+                 {ROBERTS_LABEL_EDGES, "<text data-edge=\"", 12},
+                 {ROBERTS_LABEL_FACES, "<text data-face=\"", 3},
+                 {ROBERTS_LABEL_BODIES, "<text data-body=\"", 1}};
+    const roberts_camera camera = preset_camera("iso");
+    drawn d = draw_scene(scene_of_file("models/platonic/cube.off"));
+    roberts_region_list regions;
+    (void)state;
+    assert_int_equal(roberts_regions(d.scene, &camera, NULL, &regions, NULL), ROBERTS_OK);
+    d.drawing.regions = &regions;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_draw_options options = with_hidden();
+        options.lettering = (roberts_lettering){.labels = cases[i].kind, .native = true};
+        char *plain = save(&d, options, ROBERTS_GROUP_CLASS), *named = save(&d, options, ROBERTS_GROUP_ELEMENT);
+        size_t found = 0;
+        for (const char *at = named; (at = strstr(at, cases[i].name)); found++) {
+            at += strlen(cases[i].name);
+            const char *text = strchr(strchr(at, '"') + 1, '>') + 1;
+            const size_t length = strcspn(at, "\"");
+            assert_memory_equal(text, at, length);
+            assert_int_equal(text[length], '<');
+        }
+        assert_int_equal(found, cases[i].count);
+        assert_null(strstr(plain, "<text data-"));
+        assert_non_null(strstr(plain, "<text "));
+        free(plain);
+        free(named);
+    }
+    roberts_regions_free(&regions);
+    free_drawn(&d);
+}
+
 /* Other formats have no groups: the option changes nothing. */
 static void others_have_none(void **state)
 {
@@ -472,8 +511,8 @@ int main(void)
         cmocka_unit_test(lines_are_the_same),   cmocka_unit_test(elements_have_names),
         cmocka_unit_test(dashes_stay_together), cmocka_unit_test(elements_are_short),
         cmocka_unit_test(names_are_escaped),    cmocka_unit_test(bodies_hold_classes),
-        cmocka_unit_test(sheets_have_views),    cmocka_unit_test(others_have_none),
-        cmocka_unit_test(odd_arguments),
+        cmocka_unit_test(sheets_have_views),    cmocka_unit_test(labels_have_names),
+        cmocka_unit_test(others_have_none),     cmocka_unit_test(odd_arguments),
     };
     return cmocka_run_group_tests_name("svg, groups", tests, NULL, NULL);
 }
