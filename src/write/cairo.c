@@ -4,11 +4,13 @@
  * takes several times as long as one stroke for many segments. But the outline of 100,000 segments takes 600 MB, and
  * strokes of more than 1,000 segments are no faster.
  *
- * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Files have no date, so that the same drawing gives the same
- * bytes: the line with the date is dropped from the PostScript stream. */
+ * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Its pages are whole points, so the page may be up to a point
+ * wider and higher than asked for: the drawing keeps its distance from the upper left corner. Files have no date, so
+ * that the same drawing gives the same bytes: the line with the date is dropped from the PostScript stream. */
 #include "write/cairo.h"
 
 #include <cairo-ps.h>
+#include <math.h>
 
 #include "base/error.h"
 #include "write/formats.h"
@@ -136,19 +138,20 @@ static cairo_status_t date_filter_stream(void *closure, const unsigned char *byt
 
 /* ---- the page ---- */
 
-/* Fills a rectangle: if the whole surface were painted, PostScript would contain an image. */
-static void paint_page(cairo_t *cairo, const roberts_page *page, const roberts_background *color)
+/* Fills a rectangle of whole points, as the page is. If the whole surface were painted, PostScript would contain an
+ * image. */
+static void paint_page(cairo_t *cairo, const roberts_page *page, double units_per_mm, const roberts_background *color)
 {
     cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
-    cairo_rectangle(cairo, 0.0, 0.0, page->width_mm, page->height_mm);
+    cairo_rectangle(cairo, 0.0, 0.0, ceil(page->width_mm * units_per_mm), ceil(page->height_mm * units_per_mm));
     cairo_fill(cairo);
 }
 
 static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 {
-    cairo_scale(cairo, units_per_mm, units_per_mm);
     if (s->options->background.on)
-        paint_page(cairo, &s->options->page, &s->options->background);
+        paint_page(cairo, &s->options->page, units_per_mm, &s->options->background);
+    cairo_scale(cairo, units_per_mm, units_per_mm);
     surface_paint_fills(cairo, s);
     for (int i = 0; i < LINE_CLASSES; i++) {
         surface_set_pen(cairo, s->options, line_order[i]);

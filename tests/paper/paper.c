@@ -20,7 +20,7 @@ uint32_t paper_color(int line)
     static const uint32_t color[PAPER_CLASSES] = {
         [ROBERTS_OUTLINE] = 0xff0000, [ROBERTS_CREASE] = 0x00ff00, [ROBERTS_BACK] = 0x0000ff,
         [ROBERTS_BORDER] = 0xe0e000,  [ROBERTS_WIRE] = 0xc0c000,   [ROBERTS_INTERSECTION] = 0xd0d000,
-        [PAPER_FRAME] = 0xffff00,     [PAPER_SYMBOL] = 0x00ffff,
+        [PAPER_FRAME] = 0xffff00,     [PAPER_SYMBOL] = 0x00ffff,   [PAPER_HATCH] = 0xb0b000,
     };
     return color[line];
 }
@@ -44,6 +44,7 @@ roberts_draw_options paper_options(void)
     set_color(&options.intersection, ROBERTS_INTERSECTION);
     set_color(&options.frame, PAPER_FRAME);
     set_color(&options.symbol, PAPER_SYMBOL);
+    set_color(&options.hatch, PAPER_HATCH);
     return options;
 }
 
@@ -85,8 +86,9 @@ static void line_to(path *w, roberts_vec2 to)
 
 static int class_of_layer(const char *name)
 {
-    static const char *const layer[PAPER_CLASSES] = {"outline\"", "crease\"",       "hidden\"", "border\"",
-                                                     "wire\"",    "intersection\"", "frame\"",  "symbol\""};
+    static const char *const layer[PAPER_CLASSES] = {"outline\"", "crease\"",       "hidden\"",     "border\"",
+                                                     "wire\"",    "intersection\"", "frame\"",      "symbol\"",
+                                                     "hatch\"",   "text\"",         "hidden-text\""};
     for (int i = 0; i < PAPER_CLASSES; i++)
         if (strncmp(name, layer[i], strlen(layer[i])) == 0)
             return i;

@@ -7,8 +7,15 @@
 
 #include "roberts.h"
 
-/* Classes of lines: those of roberts_line, the frame, and the symbol of a sheet. */
-enum { PAPER_FRAME = ROBERTS_INTERSECTION + 1, PAPER_SYMBOL, PAPER_TEXT, PAPER_HIDDEN_TEXT, PAPER_CLASSES };
+/* Classes of lines: those of roberts_line, the frame, the symbol of a sheet, hatching, and text. */
+enum {
+    PAPER_FRAME = ROBERTS_INTERSECTION + 1,
+    PAPER_SYMBOL,
+    PAPER_HATCH,
+    PAPER_TEXT,
+    PAPER_HIDDEN_TEXT,
+    PAPER_CLASSES
+};
 
 /* A straight line of the pen, in mm from the upper left corner of the page, y down. */
 typedef struct paper_line {

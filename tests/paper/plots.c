@@ -9,8 +9,8 @@
 
 #include "base/array.h"
 
-static const char *const class_names[PAPER_CLASSES] = {"outline",      "crease", "hidden", "border", "wire",
-                                                       "intersection", "frame",  "symbol", "text",   "hidden-text"};
+static const char *const class_names[PAPER_CLASSES] = {
+    "outline", "crease", "hidden", "border", "wire", "intersection", "frame", "symbol", "hatch", "text", "hidden-text"};
 
 /* The class whose name begins `text`, in small or capital letters, and ends before `end`; -1: none. */
 static int class_at(const char *text, char end)
@@ -349,7 +349,7 @@ static const double hpgl_unit_mm = 0.025;
 
 static const int hpgl_class[] = {
     -1,          ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
-    PAPER_FRAME, PAPER_SYMBOL};
+    PAPER_FRAME, PAPER_SYMBOL, PAPER_HATCH};
 
 /* x,y,x,y,... up to a semicolon. */
 static void read_hpgl_points(reader *r, const char **at)

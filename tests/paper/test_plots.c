@@ -15,11 +15,17 @@ enum { SEGMENTS = ROBERTS_INTERSECTION + 1 };
 static const roberts_format formats[] = {ROBERTS_TIKZ, ROBERTS_DXF, ROBERTS_HPGL};
 enum { FORMATS = sizeof formats / sizeof formats[0] };
 
-/* A line of each class, and a bent one. */
+/* A line of each class, a bent one, and a square region for hatching. */
 static const roberts_drawing *all_classes(void)
 {
     static roberts_segment segment[SEGMENTS + 2];
-    static const roberts_drawing drawing = {.count = SEGMENTS + 2, .segment = segment, .window_max = {10, 10}};
+    static size_t start[] = {0, 4};
+    static roberts_vec2 corner[] = {{1, 1}, {6, 1}, {6, 6}, {1, 6}};
+    static roberts_region region = {.ring_count = 1, .normal = {0, 1, 0}};
+    static const roberts_region_list regions = {
+        .count = 1, .ring_count = 1, .corner_count = 4, .region = &region, .ring_start = start, .corner = corner};
+    static const roberts_drawing drawing = {
+        .count = SEGMENTS + 2, .segment = segment, .window_max = {10, 10}, .regions = &regions};
     for (int i = 0; i < SEGMENTS; i++)
         segment[i] = line_at(i == ROBERTS_BACK ? ROBERTS_OUTLINE : (roberts_line)i, 0, i, 10, i);
     segment[ROBERTS_BACK].state = ROBERTS_HIDDEN;
@@ -31,14 +37,17 @@ static const roberts_drawing *all_classes(void)
 static roberts_draw_options colourful(void)
 {
     roberts_draw_options options = paper_options();
-    roberts_pen *const pen[] = {&options.outline, &options.border, &options.crease, &options.intersection,
-                                &options.wire,    &options.back,   &options.frame,  &options.symbol};
+    roberts_pen *const pen[] = {&options.outline,      &options.border, &options.crease,
+                                &options.intersection, &options.wire,   &options.back,
+                                &options.frame,        &options.symbol, &options.hatch};
     options.hidden = ROBERTS_HIDDEN_DASHED;
     options.frame.off = false;
-    for (int i = 0; i < 8; i++) {
-        pen[i]->width_mm = 0.1 + 0.05 * i;
-        pen[i]->dash_mm = i % 3 ? 1.0 + i : 0.0;
-        pen[i]->gap_mm = i % 3 ? 0.7 + 0.1 * i : 0.0;
+    options.hatching.on = true;
+    options.hatching.spacing_mm = 5.0;
+    for (size_t i = 0; i < sizeof pen / sizeof pen[0]; i++) {
+        pen[i]->width_mm = 0.1 + 0.05 * (double)i;
+        pen[i]->dash_mm = i % 3 ? 1.0 + (double)i : 0.0;
+        pen[i]->gap_mm = i % 3 ? 0.7 + 0.1 * (double)i : 0.0;
     }
     return options;
 }
@@ -100,6 +109,7 @@ static const struct {
     {ROBERTS_TIKZ, "--cycle", ""},
     {ROBERTS_TIKZ, "dash pattern=on ", "dash pattern=on 1"},
     {ROBERTS_TIKZ, "{roberts crease}", "{roberts outline}"},
+    {ROBERTS_TIKZ, "{roberts hatch}", "{roberts outline}"},
     {ROBERTS_DXF, "\n200\n", "\n200.001\n"},
     {ROBERTS_DXF, "LINE\n8\nCREASE", "LINE\n8\nBORDER"},
     {ROBERTS_DXF, "\n70\n129\n", "\n70\n128\n"},
@@ -263,6 +273,22 @@ static void colours_of_dxf(void **state)
     }
 }
 
+/* The background reaches to the borders of a PostScript page, which is whole points. */
+static void backgrounds_of_postscript(void **state)
+{
+    static const roberts_format both[] = {ROBERTS_PS, ROBERTS_EPS};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
+        options.page = (roberts_page){100, 80, 10}; /* 283.46 and 226.77 points */
+        options.background = (roberts_background){true, 1, 2, 3};
+        char *text = written(all_classes(), options, both[i]);
+        assert_non_null(strstr(text, "\n%%BoundingBox: 0 0 284 227\n"));
+        assert_non_null(strstr(text, "\n0 0 284 227 rectfill\n"));
+        free(text);
+    }
+}
+
 /* ---- programs that read them ---- */
 
 static char top[4096]; /* the folder that the test began in */
@@ -283,22 +309,22 @@ static void a_reader_of_dxf_opens_it(void **state)
         SKIP_BECAUSE("no ezdxf (python3-ezdxf) here");
     assert_int_equal(chdir(temporary), 0);
     save("a.dxf", ROBERTS_DXF, &options);
-    assert_int_equal(
-        system("/usr/bin/python3 -c '\n"
-               "import ezdxf, collections\n"
-               "doc = ezdxf.readfile(\"a.dxf\")\n"
-               "audit = doc.audit()\n"
-               "assert doc.dxfversion == \"AC1009\" and doc.units == 4\n"
-               "assert not audit.errors and not audit.fixes\n"
-               "found = collections.Counter((e.dxf.layer, e.dxftype()) for e in doc.modelspace())\n"
-               "assert found == {(\"HIDDEN\", \"LINE\"): 1, (\"WIRE\", \"LINE\"): 1, (\"INTERSECTION\", \"LINE\"): 1,\n"
-               "    (\"CREASE\", \"LINE\"): 1, (\"BORDER\", \"LINE\"): 1, (\"OUTLINE\", \"LINE\"): 1,\n"
-               "    (\"OUTLINE\", \"POLYLINE\"): 1, (\"FRAME\", \"POLYLINE\"): 1}, found\n"
-               "assert doc.layers.get(\"HIDDEN\").dxf.linetype == \"DASHED\"\n"
-               "assert \"DASHED\" in doc.linetypes\n"
-               "closed = [e.is_closed for e in doc.modelspace() if e.dxf.layer == \"FRAME\"]\n"
-               "assert closed == [True]\n'"),
-        0);
+    assert_int_equal(system("/usr/bin/python3 -c '\n"
+                            "import ezdxf, collections\n"
+                            "doc = ezdxf.readfile(\"a.dxf\")\n"
+                            "audit = doc.audit()\n"
+                            "assert doc.dxfversion == \"AC1009\" and doc.units == 4\n"
+                            "assert not audit.errors and not audit.fixes\n"
+                            "found = collections.Counter((e.dxf.layer, e.dxftype()) for e in doc.modelspace())\n"
+                            "assert found == {(\"HATCH\", \"LINE\"): 12, (\"HIDDEN\", \"LINE\"): 1, (\"WIRE\", "
+                            "\"LINE\"): 1, (\"INTERSECTION\", \"LINE\"): 1,\n"
+                            "    (\"CREASE\", \"LINE\"): 1, (\"BORDER\", \"LINE\"): 1, (\"OUTLINE\", \"LINE\"): 1,\n"
+                            "    (\"OUTLINE\", \"POLYLINE\"): 1, (\"FRAME\", \"POLYLINE\"): 1}, found\n"
+                            "assert doc.layers.get(\"HIDDEN\").dxf.linetype == \"DASHED\"\n"
+                            "assert \"DASHED\" in doc.linetypes\n"
+                            "closed = [e.is_closed for e in doc.modelspace() if e.dxf.layer == \"FRAME\"]\n"
+                            "assert closed == [True]\n'"),
+                     0);
     assert_int_equal(chdir(top), 0);
 }
 
@@ -388,6 +414,7 @@ int main(void)
         cmocka_unit_test(tiny_strokes_of_hpgl),
         cmocka_unit_test(plotters_have_their_axes),
         cmocka_unit_test(colours_of_dxf),
+        cmocka_unit_test(backgrounds_of_postscript),
         cmocka_unit_test_setup_teardown(a_reader_of_dxf_opens_it, temporary_make, temporary_remove),
         cmocka_unit_test(texts_of_dxf),
         cmocka_unit_test_setup_teardown(a_reader_of_dxf_finds_text, temporary_make, temporary_remove),
