@@ -15,6 +15,9 @@
  * face's plane. Two faces that meet at the line leave it in one direction if the smaller stays within this distance of
  * the other. So doubles suffice: their errors are far below the distance.
  *
+ * Faces of a closed body that lie on one another may enclose nothing, but they hide what is behind them. They bound the
+ * region as if it filled one side of them.
+ *
  * Open bodies fill nothing, and their lines are not tested. */
 #ifndef ROBERTS_MODEL_UNION_H
 #define ROBERTS_MODEL_UNION_H

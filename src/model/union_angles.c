@@ -309,7 +309,7 @@ static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k
         const union_ray *r = &work->ray[i];
         if (r->cluster != k)
             continue;
-        other = other ? other : r;
+        other = other && other->side.face < r->side.face ? other : r;
         bool better = !found || r->side.face < found->side.face;
         if (found && c->line->body != ROBERTS_NONE && r->own != found->own)
             better = r->own;
@@ -366,6 +366,20 @@ static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
     return false;
 }
 
+/* Do faces of a body fold back on themselves in cluster k, so that it fills neither side of them? They hide what is
+ * behind them, as other faces do. */
+static bool is_folded(const union_cutter *c, uint32_t k)
+{
+    const union_work *work = c->work;
+    for (size_t i = 0; i < work->ray_count; i++) {
+        const union_ray *r = &work->ray[i];
+        const union_fill *of = fill_of(work, r->side.body);
+        if (r->cluster == k && !of->convex && !of->broken)
+            return true;
+    }
+    return false;
+}
+
 /* Adds the sides of a piece. False: no memory. */
 static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece *piece, bool *alone)
 {
@@ -386,7 +400,7 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
             filled = filled || fills(c, &work->fill[i], t, k, middle);
             was = was || fills(c, &work->fill[i], t, last, before);
         }
-        if (filled == was)
+        if (filled == was && (filled || !is_folded(c, k)))
             continue;
         const union_ray *r = bounding_ray(c, t, k, clusters, filled);
         if (!array_reserve(&work->side, &work->side_room, work->side_count + 1, sizeof *work->side))

@@ -484,6 +484,43 @@ static void test_star_bodies(void **state)
     }
 }
 
+/* Faces of a square, two and two: a closed body that fills nothing. */
+static void put_flat(model *m, roberts_vec3 a, roberts_vec3 b)
+{
+    const uint32_t at = (uint32_t)m->mesh.vertex_count;
+    const double sign[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    static const uint32_t corner[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+    for (int i = 0; i < 4; i++)
+        model_vertex(m, (roberts_vec3){sign[i][0] * a.x + sign[i][1] * b.x, sign[i][0] * a.y + sign[i][1] * b.y,
+                                       sign[i][0] * a.z + sign[i][1] * b.z});
+    for (int i = 0; i < 4; i++)
+        model_face(m, (uint32_t[]){at + corner[i][0], at + corner[i][1], at + corner[i][2]}, 3);
+}
+
+/* Bodies that fill nothing hide what is behind them, so the line in which they cross remains, and so do their edges.
+ * The same beside a body whose faces wind twice, in the presence of which winding numbers decide. */
+static void test_flat_bodies(void **state)
+{
+    (void)state;
+    for (int star = 0; star < 2; star++) {
+        const roberts_camera camera = {.dir = {0.37, -0.71, 0.53}};
+        const likeness how = {1e-8, false};
+        model m = {.mesh = {0}};
+        put_flat(&m, (roberts_vec3){2, 0, 0}, (roberts_vec3){0, 2, 0});
+        put_flat(&m, (roberts_vec3){0, 1, 0}, (roberts_vec3){0, 0, 1});
+        if (star)
+            put_star(&m, true, -20.0, -19.0, 0);
+        roberts_drawing alone = draw(&m, &camera, 0.0, false), united = draw(&m, &camera, 0.0, true);
+        for (size_t i = 0; i < alone.count; i++) /* only lines of the flat bodies count */
+            if (alone.segment[i].solid == 2)
+                alone.segment[i].state = ROBERTS_HIDDEN;
+        check_covered(&alone, &united, &how, "flat bodies");
+        roberts_drawing_free(&alone);
+        roberts_drawing_free(&united);
+        model_free(&m);
+    }
+}
+
 /* ---- a body whose faces wind twice ------------------------------------------------------------------------------- */
 
 /* Visible lengths by class: of the edges of boxes, and of the lines in which their faces cross others. The last one is
@@ -623,7 +660,8 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_touching_surfaces),
                                        cmocka_unit_test(test_random_cells),  cmocka_unit_test(test_random_blocks),
-                                       cmocka_unit_test(test_star_bodies),   cmocka_unit_test(test_pentagrams),
-                                       cmocka_unit_test(test_leg_on_cut),    cmocka_unit_test(test_same_result)};
+                                       cmocka_unit_test(test_star_bodies),   cmocka_unit_test(test_flat_bodies),
+                                       cmocka_unit_test(test_pentagrams),    cmocka_unit_test(test_leg_on_cut),
+                                       cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
