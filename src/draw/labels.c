@@ -150,7 +150,10 @@ static void drop_some(label *l, size_t count, free_space *r)
 /* A face or body may be too narrow for its label. Then the label moves to a free place near by, and a leader line goes
  * from there to a dot in the face (ISO 128-22). It goes through no label and crosses no other leader line. */
 
-enum { LEADERS_MOST = 100 /* so that the work is bounded: each is compared with the others */ };
+enum {
+    LEADERS_FEW = 12,  /* so many are no thicket */
+    LEADERS_MOST = 100 /* so that the work is bounded: each is compared with the others */
+};
 static const double most_leaders = 0.4;    /* part of the labels: more would be a thicket, and then there are none */
 static const double leader_crowded = 2.0;  /* the most that a place costs for being near to another label */
 static const double leader_crossing = 1.0; /* cost of each line that a leader line crosses */
@@ -226,7 +229,7 @@ static bool add_leaders(const placing *p, label *l, size_t count)
     size_t needed = 0;
     for (size_t i = 0; i < count; i++)
         needed += needs_leader(p, &l[i]);
-    if (needed > LEADERS_MOST || (double)needed > most_leaders * (double)count)
+    if (needed > LEADERS_MOST || (needed > LEADERS_FEW && (double)needed > most_leaders * (double)count))
         return true;
     for (size_t i = 0; i < count; i++) {
         const label before = l[i];
