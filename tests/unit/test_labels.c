@@ -531,7 +531,7 @@ static void labels_keep_apart(void **state)
  * thicket, even if all labels need one. */
 static void narrow_faces(void **state)
 {
-    static const roberts_name side[] = {{ROBERTS_LABEL_FACES, 1, 0, "side"}};
+    static const roberts_name side[] = {{ROBERTS_LABEL_FACES, 2, 0, "narrow"}};
     static const struct {
         const char *model;
         roberts_vec3 dir; /* 0: isometric */
