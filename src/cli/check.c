@@ -262,7 +262,7 @@ static bool has_hidden_labels(const cli_options *options, const options_given *g
 static bool has_text(const cli_options *options, const options_given *given)
 {
     return (options->draw.lettering.zones && !options->draw.frame.off) || has_labels(given) ||
-           options_is_given(given, "title") || options_is_given(given, "field") ||
+           (options->is_sheet && options_is_given(given, "title")) || options_is_given(given, "field") ||
            options_is_given(given, "dimensions");
 }
 
@@ -359,6 +359,9 @@ static void warn_pages(const cli_options *options, const options_given *given)
         warn("--group", "only svg has groups");
     if (options_is_given(given, "id-prefix") && draw->format != ROBERTS_SVG)
         warn("--id-prefix", "only svg has ids");
+    if (options_is_given(given, "title") && !options->is_sheet && draw->format != ROBERTS_SVG &&
+        draw->format != ROBERTS_TIKZ)
+        warn("--title", "only svg, tikz and sheets have a title");
     if (options_is_given(given, "text") && !has_text(options, given))
         warn("--text", no_text);
     if (options_is_given(given, "label-size") && !has_labels(given) && !options_is_given(given, "dimensions"))

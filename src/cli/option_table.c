@@ -717,12 +717,14 @@ static const option rows[] = {
      .value = "TEXT",
      .set = values_set_text,
      TO(draw.lettering.title),
-     .needs = "sheet",
-     .brief = "title block",
-     .help = "with --sheet: a title block with this title, the scale and the symbol of the projection",
+     .brief = "title of svg or title block",
+     .help = "the title of svg (default: the name of the file); with --sheet also a title block with it, the scale and "
+             "the symbol of the projection",
      .manual =
-         "Draws a title block (ISO 7200) in the lower right corner of a sheet, 180 x 27 mm: the title, the scale, "
-         "the symbol of the projection, and the fields of --field. A long title takes several lines. Without --scale "
+         "The title of svg, which browsers show and read out, and of tikz. Default: the name of the file.\n"
+         "On a sheet it also draws a title block (ISO 7200) in the lower right corner, 180 x 27 mm: the title, the "
+         "scale, the symbol of the projection, and the fields of --field. A long title takes several lines. Without "
+         "--scale "
          "or --fit the sheet is drawn at --scale standard. A page that is too small is refused, and the message names "
          "one that would do."},
     {.group = GROUP_TEXT,

@@ -301,8 +301,8 @@ static void set_camera(const options_given *given, cli_options *options)
 /* A title block names a scale of ISO 5455, unless --scale or --fit ask for another one. */
 static void choose_scale(const options_given *given, cli_options *options)
 {
-    bool block = options_is_given(given, "title") || options_is_given(given, "field");
-    if (block && !options_is_given(given, "scale") && !options_is_given(given, "fit"))
+    const bool block = options_is_given(given, "title") || options_is_given(given, "field");
+    if (options->is_sheet && block && !options_is_given(given, "scale") && !options_is_given(given, "fit"))
         options->draw.placement.standard = true;
 }
 

@@ -417,6 +417,8 @@ static const struct {
     {"--order none --view=top --crease 5",
      "<desc>roberts --order=none --view=top --crease=5 models/platonic/cube.off</desc>"},
     {"", "<title>cube.off</title>"},
+    {"--title A&B", "<title>A&amp;B</title>"},
+    {"--title T", "!id=\"text\""}, /* only sheets have title blocks */
     {"--sheet first --page a4 --landscape --title Cube", "<title>Cube</title>"},
 };
 

@@ -677,6 +677,10 @@ static const struct {
     {"--style symbol:dash=2,off --sheet first", "the pen of --style symbol has no effect: these lines are off\n"},
     {"--style text:width=1", "--style text has no effect: there is no text without --label, --labels, --title, "
                              "--field, --dimensions or --frame=zones\n"},
+    {"--style text:width=0.3 --title T", "--style text has no effect: there is no text without --label"},
+    {"--title T", ""},
+    {"--title T -f tikz", ""},
+    {"--title T -f pdf", "--title has no effect: only svg, tikz and sheets have a title\n"},
     {"--style text:width=0.3 --label vertices", ""},
     {"--style text:width=0.3 --frame=zones", ""},
     {"--style text:width=0.3 --frame=zones --style frame:off", "--frame has no effect: --style turns these lines off\n"

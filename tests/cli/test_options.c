@@ -159,6 +159,7 @@ static void scale_of_title_blocks(void **state)
         const char *said;
     } cases[] = {
         {"--sheet first --title T", true, 0.0, ""},
+        {"--title T", false, 0.0, ""},
         {"--sheet third --field number=17 --unit cm", true, 0.0, ""},
         {"--sheet first --title T --scale 1:3", false, 1.0 / 3.0, ""},
         {"--scale 2:1 --title T --sheet first", false, 2.0, ""},
