@@ -218,7 +218,8 @@ static const option rows[] = {
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
          "Draws all closed bodies as one. Parts that are flush show no seam. Nothing inside another body is drawn, "
-         "not even as a hidden line; where one body crosses itself, its lines stay. A line where bodies meet has the "
+         "not even as a hidden line; where one body crosses itself, its lines stay, except those that run through the "
+         "middle of a star face with the body below it. A line where bodies meet has the "
          "class that it has in the whole: the foot of a leg on a slab is a crease, and so is mostly a line in which "
          "faces cross. Open surfaces and wires are drawn as without this option. Where edges of several bodies lie on "
          "one another, that of the body of smallest number is drawn. --verify then checks what is drawn, and not what "
@@ -501,6 +502,7 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
+         "Flush bodies of two colours have no line between these then. "
          "Where two colours meet, a line of at most 0.4 mm lies below the border, so that no gap shines through on a "
          "screen. "
          "Translucent colours let the background through, not the faces behind. They stay translucent in svg, pdf and "
