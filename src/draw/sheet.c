@@ -51,14 +51,19 @@ static range join_ranges(range a, range b)
     return (range){fmin(a.low, b.low), fmax(a.high, b.high)};
 }
 
+static bool is_empty(range a)
+{
+    return !(a.low <= a.high);
+}
+
 static double length(range a)
 {
-    return fmax(a.high - a.low, 0.0);
+    return is_empty(a) ? 0.0 : a.high - a.low;
 }
 
 static double range_middle(range a)
 {
-    return a.low <= a.high ? (a.low + a.high) / 2.0 : 0.0;
+    return is_empty(a) ? 0.0 : (a.low + a.high) / 2.0;
 }
 
 static void take_windows(const roberts_sheet *sheet, layout *l)
@@ -81,11 +86,15 @@ static void take_windows(const roberts_sheet *sheet, layout *l)
     }
 }
 
+/* Views that are left out need no gap; those of a flat scene that are mere lines do. */
 static cells widths(range front, range beside, range iso, double gap_mm)
 {
-    cells c = {.front = length(front), .iso = fmax(length(beside), length(iso))};
-    c.gap_mm = c.front > 0.0 && c.iso > 0.0 ? gap_mm : 0.0;
-    return c;
+    const bool is_divided = !is_empty(front) && !(is_empty(beside) && is_empty(iso));
+    return (cells){
+        .front = length(front),
+        .iso = fmax(length(beside), length(iso)),
+        .gap_mm = is_divided ? gap_mm : 0.0,
+    };
 }
 
 /* A gap with room for what reaches into it from both sides. */

@@ -126,34 +126,71 @@ static const struct {
       {25 + 30 * 175 / (30 + W), 256.5 - (10 + H) * 175 / (30 + W), 200, 256.5 - 10 * 175 / (30 + W)}}},
 };
 
-/* Nothing lies outside of the four rectangles, each is filled, and the corners of the first three are there. */
+/* Nothing lies outside of the four rectangles, and each is filled. Returns how many points the lines have. */
+static size_t assert_places(const char *svg, const char *layer, const rectangle *wanted)
+{
+    rectangle found[VIEWS] = {empty, empty, empty, empty};
+    path lines;
+    read_layer(svg, layer, &lines);
+    for (size_t k = 0; k < lines.count; k++) {
+        int at = 0;
+        while (at < VIEWS && !is_inside(wanted[at], lines.point[k]))
+            at++;
+        if (at == VIEWS)
+            fail_msg("%g, %g belongs to no view", lines.point[k].x, lines.point[k].y);
+        enlarge(&found[at], lines.point[k]);
+    }
+    for (int k = 0; k < VIEWS; k++)
+        if (!is_same(found[k], wanted[k]))
+            fail_msg("view %d: %g %g %g %g", k, found[k].left, found[k].top, found[k].right, found[k].bottom);
+    return lines.count;
+}
+
+/* The corners of the first three rectangles are there, too. */
 static void views_have_their_places(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof place_cases / sizeof place_cases[0]; i++) {
-        const rectangle *wanted = place_cases[i].view;
-        rectangle found[VIEWS] = {empty, empty, empty, empty};
         roberts_draw_options options = roberts_draw_options_default();
         views v;
-        path lines;
         print_message("%s\n", place_cases[i].name);
         hide_text_views(&v, box, place_cases[i].angle);
         v.sheet.gap_mm = place_cases[i].gap_mm;
         options.placement = place_cases[i].placement;
         char *svg = sheet_written(&v.sheet, &options).bytes;
-        read_layer(svg, "outline", &lines);
-        assert_int_equal(lines.count, 4 + 4 + 4 + 6);
-        for (size_t k = 0; k < lines.count; k++) {
-            int at = 0;
-            while (at < VIEWS && !is_inside(wanted[at], lines.point[k]))
-                at++;
-            if (at == VIEWS)
-                fail_msg("%g, %g belongs to no view", lines.point[k].x, lines.point[k].y);
-            enlarge(&found[at], lines.point[k]);
-        }
-        for (int k = 0; k < VIEWS; k++)
-            if (!is_same(found[k], wanted[k]))
-                fail_msg("view %d: %g %g %g %g", k, found[k].left, found[k].top, found[k].right, found[k].bottom);
+        assert_int_equal(assert_places(svg, "outline", place_cases[i].view), 4 + 4 + 4 + 6);
+        free(svg);
+        free_views(&v);
+    }
+}
+
+/* A gap also lies beside the views of a flat scene that are mere lines. First angle, 1:1, in the upper left corner. */
+static const struct {
+    const char *name, *off;
+    rectangle view[VIEWS];
+} flat_cases[] = {
+    {"level",
+     "OFF\n4 1 0\n0 0 0\n30 0 0\n30 20 0\n0 20 0\n4 0 1 2 3\n",
+     {{10, 10, 40, 10}, {10, 25, 40, 45}, {55, 10, 75, 10}, {55, 25, 55 + W, 45.41241452319315}}},
+    {"upright, seen from the side",
+     "OFF\n4 1 0\n0 0 0\n0 30 0\n0 30 30\n0 0 30\n4 0 1 2 3\n",
+     {{10, 10, 10, 40},
+      {10, 55, 10, 85},
+      {25, 10, 55, 40},
+      {29.393398282201787, 55, 50.606601717798213, 91.742346141747673}}},
+};
+
+static void views_of_flat_scenes_stand_apart(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof flat_cases / sizeof flat_cases[0]; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
+        views v;
+        print_message("%s\n", flat_cases[i].name);
+        hide_text_views(&v, flat_cases[i].off, ROBERTS_FIRST_ANGLE);
+        options.placement = (roberts_placement){1, 0, -1, 1, false};
+        char *svg = sheet_written(&v.sheet, &options).bytes;
+        assert_places(svg, "border", flat_cases[i].view);
         free(svg);
         free_views(&v);
     }
@@ -558,6 +595,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(views_have_their_places),
+        cmocka_unit_test(views_of_flat_scenes_stand_apart),
         cmocka_unit_test(sides_are_the_right_ones),
         cmocka_unit_test(views_can_be_left_out),
         cmocka_unit_test(sheets_fill_the_page),
