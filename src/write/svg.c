@@ -171,6 +171,31 @@ static void svg_view(output *out, const strokes *s, uint32_t view)
     svg_attribute(out, "data-view", view_name(s, view));
 }
 
+/* Frame, symbol and text are in layers of their class alone. */
+static bool is_plain(const stroke_group *g)
+{
+    return g->body == ROBERTS_NONE;
+}
+
+/* The bodies of the scene; if it is not known, up to the last one that is drawn. */
+static uint32_t count_bodies(const strokes *s)
+{
+    uint32_t count = s->options->scene ? (uint32_t)roberts_scene_solid_count(s->options->scene) : 0;
+    for (size_t i = 0; i < s->group_count; i++)
+        if (!is_plain(&s->group[i]) && s->group[i].body >= count)
+            count = s->group[i].body + 1;
+    return count;
+}
+
+/* The number of a layer that is a class: that of its pen, if it has one of its own; greater than those of bodies, where
+ * these are layers. */
+static uint32_t layer_number(const strokes *s, roberts_line line)
+{
+    const bool own = strokes_pen(s->options, line)->number != 0;
+    const bool beside_bodies = s->options->grouping == ROBERTS_GROUP_BODY && !s->sheet;
+    return (beside_bodies && !own ? count_bodies(s) : 0) + strokes_class_number(s->options, line);
+}
+
 /* ---- layers of classes ------------------------------------------------------------------------------------------- */
 
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
@@ -285,7 +310,7 @@ static void write_text_layer(const strokes *s, roberts_line class, output *out)
         if (written++ == 0) {
             output_text(out, "<g");
             svg_id(out, s->options, name);
-            svg_layer(out, s->options, strokes_class_number(s->options, class), name);
+            svg_layer(out, s->options, layer_number(s, class), name);
             if (strokes_are_grouped(s->options)) {
                 svg_attribute(out, "class", name);
                 svg_attribute(out, "pointer-events", "none"); /* the pointer finds what lies below */
@@ -452,7 +477,6 @@ typedef struct svg_groups {
     output *out;
     level order[LEVELS]; /* from the outermost */
     int depth;           /* how many of them there are */
-    uint32_t bodies;     /* numbered layers: those of frame, symbol and text have greater numbers */
 } svg_groups;
 
 static void open_view(const svg_groups *w, const stroke_group *g)
@@ -472,10 +496,8 @@ static void open_class(const svg_groups *w, const stroke_group *g, bool outermos
     svg_attribute(w->out, "class", name);
     if (g->line == LINE_TEXT || g->line == LINE_HIDDEN_TEXT)
         svg_attribute(w->out, "pointer-events", "none"); /* the pointer finds what lies below */
-    if (outermost) {
-        const bool own = strokes_pen(w->s->options, g->line)->number != 0;
-        svg_layer(w->out, w->s->options, (own ? 0 : w->bodies) + strokes_class_number(w->s->options, g->line), name);
-    }
+    if (outermost)
+        svg_layer(w->out, w->s->options, layer_number(w->s, g->line), name);
     svg_pen(w->out, w->s->options, g->line);
 }
 
@@ -512,12 +534,6 @@ static void open_level(const svg_groups *w, const stroke_group *g, int depth)
 static bool same_group(const stroke_group *g, const stroke_group *h, level at)
 {
     return at == LEVEL_VIEW ? g->view == h->view : at == LEVEL_BODY ? g->body == h->body : g->line == h->line;
-}
-
-/* Frame, symbol and text are in layers of their class alone. */
-static bool is_plain(const stroke_group *g)
-{
-    return g->body == ROBERTS_NONE;
 }
 
 /* How many groups two runs share, from the outermost. */
@@ -611,16 +627,6 @@ static void write_group_path(const svg_groups *w, const stroke_group *g, size_t 
     output_text(w->out, "\"/>\n");
 }
 
-/* The bodies of the scene; if it is not known, up to the last one that is drawn. */
-static uint32_t count_bodies(const strokes *s)
-{
-    uint32_t count = s->options->scene ? (uint32_t)roberts_scene_solid_count(s->options->scene) : 0;
-    for (size_t i = 0; i < s->group_count; i++)
-        if (!is_plain(&s->group[i]) && s->group[i].body >= count)
-            count = s->group[i].body + 1;
-    return count;
-}
-
 /* With an element for each piece, the dashes of a piece and the hatching of a region are one path; otherwise all
  * strokes are. */
 static void write_paths(const svg_groups *w, const stroke_group *g)
@@ -646,7 +652,6 @@ static void svg_groups_write(const strokes *s, output *out)
         w.order[w.depth++] = LEVEL_VIEW;
     w.order[w.depth++] = by_body ? LEVEL_BODY : LEVEL_CLASS;
     w.order[w.depth++] = by_body ? LEVEL_CLASS : LEVEL_BODY;
-    w.bodies = w.order[0] == LEVEL_BODY ? count_bodies(s) : 0;
     for (size_t i = 0; i < s->group_count; i++) {
         const stroke_group *g = &s->group[i];
         const int kept = i > 0 ? shared(&w, g - 1, g) : 0;

@@ -373,6 +373,37 @@ static void names_are_escaped(void **state)
     free_drawn(&d);
 }
 
+/* Numbers of layers that are classes follow those of the bodies, whether text is strokes or text. */
+static void no_number_is_used_twice(void **state)
+{
+    static const struct {
+        bool native;
+        const char *layer[5]; /* the last ones */
+    } cases[] = {
+        {false, {"2 body-1", "9 frame", "12 text", "13 hidden-text"}},
+        {true, {"2 body-1", "9 frame", "13 hidden-letters", "12 letters"}},
+    };
+    drawn d = draw_scene(scene_of_file("models/cube-behind-cube.off"));
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        roberts_draw_options options = with_hidden();
+        options.number_layers = true;
+        options.frame.off = false;
+        options.lettering.labels = ROBERTS_LABEL_VERTICES;
+        options.lettering.native = cases[i].native;
+        char *text = save(&d, options, ROBERTS_GROUP_BODY);
+        const char *at = text;
+        for (const char *const *layer = cases[i].layer; *layer; layer++) {
+            char label[40];
+            snprintf(label, sizeof label, "inkscape:label=\"%s\"", *layer);
+            at = strstr(at, label);
+            assert_non_null(at);
+        }
+        free(text);
+    }
+    free_drawn(&d);
+}
+
 /* A body's group holds the classes; pens are on groups, never on paths. */
 static void bodies_hold_classes(void **state)
 {
@@ -510,9 +541,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lines_are_the_same),   cmocka_unit_test(elements_have_names),
         cmocka_unit_test(dashes_stay_together), cmocka_unit_test(elements_are_short),
-        cmocka_unit_test(names_are_escaped),    cmocka_unit_test(bodies_hold_classes),
-        cmocka_unit_test(sheets_have_views),    cmocka_unit_test(labels_have_names),
-        cmocka_unit_test(others_have_none),     cmocka_unit_test(odd_arguments),
+        cmocka_unit_test(names_are_escaped),    cmocka_unit_test(no_number_is_used_twice),
+        cmocka_unit_test(bodies_hold_classes),  cmocka_unit_test(sheets_have_views),
+        cmocka_unit_test(labels_have_names),    cmocka_unit_test(others_have_none),
+        cmocka_unit_test(odd_arguments),
     };
     return cmocka_run_group_tests_name("svg, groups", tests, NULL, NULL);
 }
