@@ -339,6 +339,16 @@ static void warn_lost(const cli_options *options)
         warn("the width of a pen", "dxf has no widths of lines");
 }
 
+/* Does the file have the number of this pen? Layers of views and bodies have numbers of their own. */
+static bool has_pen_number(const cli_options *options, size_t pen)
+{
+    const roberts_draw_options *draw = &options->draw;
+    const bool beside = pen == PEN_FRAME || pen == PEN_SYMBOL || pen == PEN_TEXT || pen == PEN_HIDDEN_TEXT;
+    const bool by_class =
+        draw->grouping == ROBERTS_GROUP_CLASS || (draw->grouping == ROBERTS_GROUP_ELEMENT && !options->is_sheet);
+    return draw->format == ROBERTS_HPGL || (draw->format == ROBERTS_SVG && draw->number_layers && (beside || by_class));
+}
+
 static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw;
@@ -346,8 +356,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
     if (options_is_given(given, "light") && !draw->shaded && !draw->hatching.on)
         warn("--light", "nothing is shaded without --fill shade or --hatch");
     for (size_t pen = 0; pen < PENS; pen++)
-        if (values_pen(draw, pen)->number && draw->format != ROBERTS_HPGL &&
-            !(draw->format == ROBERTS_SVG && draw->number_layers && draw->grouping != ROBERTS_GROUP_BODY)) {
+        if (values_pen(draw, pen)->number && !has_pen_number(options, pen)) {
             warn("pen= of --style", "only pens of hpgl and numbered layers of classes in svg have numbers");
             break;
         }
