@@ -494,6 +494,6 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
         status = plot_strokes(s, &to, out, error);
     write_nodes(&p, LINE_HIDDEN_TEXT);
     write_nodes(&p, LINE_TEXT);
-    output_text(out, "\\end{\\robertspicture}\n");
+    output_text(out, "\\end{\\robertspicture}%\n"); /* otherwise the line end would be a space beside the picture */
     return status;
 }

@@ -194,7 +194,7 @@ static void read_tikz(reader *r, const char *text)
             read_tikz_path(r, word);
         } else if (!(passed(&word, "%") || passed(&word, "--(") || passed(&word, "\\coordinate (v") ||
                      passed(&word, "\\ifpgfpicture") || passed(&word, "\\begin{\\robertspicture}[x=1mm,y=1mm]\n") ||
-                     passed(&word, "\\end{\\robertspicture}\n"))) {
+                     passed(&word, "\\end{\\robertspicture}%\n"))) {
             r->failed = true;
         }
     }

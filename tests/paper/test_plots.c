@@ -191,6 +191,8 @@ static void texts_of_tikz(void **state)
                          "{fill={rgb,255:red,1;green,2;blue,3}}}}\n"
                          "\\path[roberts page] (0,0) rectangle (210,297);\n";
     assert_memory_equal(text, begins, strlen(begins));
+    const char *ends = "\\end{\\robertspicture}%\n"; /* no space beside the picture */
+    assert_string_equal(text + strlen(text) - strlen(ends), ends);
     free(text);
     options.page = (roberts_page){5701, 100, 10};
     assert_int_equal(roberts_drawing_write(all_classes(), &options, sink_write, &to, &error), ROBERTS_BAD_ARGUMENT);
