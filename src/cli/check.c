@@ -245,7 +245,7 @@ static void warn_useless(const cli_options *options, const options_given *given,
 }
 
 static const char no_text[] =
-    "there is no text without --label, --labels, --title, --field, --dimensions or --frame=zones";
+    "there is no text without --label, --labels, --frame=zones, or --sheet with --title, --field or --dimensions";
 
 static bool has_labels(const options_given *given)
 {

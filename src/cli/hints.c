@@ -372,10 +372,11 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
     const bool cut = picked.count > 0 && picked.hit[0].face == ROBERTS_NONE;
     if (cut) {
         const roberts_vec3 eye = options->camera.eye, p = picked.hit[0].point;
-        snprintf(why, size,
-                 "the near plane, %.3g before the eye, cuts solid %u in the middle of the picture, so that nothing is "
-                 "seen there: move --eye out of it if it is inside; if not, move it away, or make --near less",
-                 hypot(hypot(p.x - eye.x, p.y - eye.y), p.z - eye.z), (unsigned)picked.hit[0].solid);
+        snprintf(
+            why, size,
+            "the near plane, %.3g before the eye, cuts solid %u in the middle of the picture, so that nothing is "
+            "seen there: if the eye is inside the solid, move --eye out; if not, move it away, or make --near less",
+            hypot(hypot(p.x - eye.x, p.y - eye.y), p.z - eye.z), (unsigned)picked.hit[0].solid);
     }
     roberts_picked_free(&picked);
     return cut;

@@ -218,10 +218,10 @@ static const option rows[] = {
      .help = "draw all closed bodies as one: no line where they touch flush or lie in one another",
      .manual =
          "Draws all closed bodies as one. Parts that are flush show no seam. Nothing inside another body is drawn, "
-         "not even as a hidden line; where one body crosses itself, its lines stay, except those that run through the "
-         "middle of a star face with the body below it. A line where bodies meet has the "
-         "class that it has in the whole: the foot of a leg on a slab is a crease, and so is mostly a line in which "
-         "faces cross. Open surfaces and wires are drawn as without this option. Where edges of several bodies lie on "
+         "not even as a hidden line; where one body crosses itself, its lines stay, except where they run through "
+         "the filled middle of a star-shaped face. A line where bodies meet has the class that it has in the whole: "
+         "the foot of a leg on a slab is a crease, and so is mostly a line in which faces cross. Open surfaces and "
+         "wires are drawn as without this option. Where edges of several bodies lie on "
          "one another, that of the body of smallest number is drawn. --verify then checks what is drawn, and not what "
          "is left out, since a ray cannot tell a seam from a line.\n"
          "Parts are flush if their faces lie in one plane to within the touching distance. Parts with small gaps or "
@@ -502,7 +502,7 @@ static const option rows[] = {
          "there are none, and makes faces darker where less light falls on them (see --light). shade:body and "
          "shade:COLOR do so with other colours.\n"
          "Neighbouring regions of one colour are joined; so flush bodies of one colour show no seam with --union. "
-         "Flush bodies of two colours have no line between these then. "
+         "Between flush bodies of two colours no line is drawn then. "
          "Where two colours meet, a line of at most 0.4 mm lies below the border, so that no gap shines through on a "
          "screen. "
          "Translucent colours let the background through, not the faces behind. They stay translucent in svg, pdf and "
@@ -723,12 +723,11 @@ static const option rows[] = {
      .help = "the title of svg (default: the name of the file); with --sheet also a title block with it, the scale and "
              "the symbol of the projection",
      .manual =
-         "The title of svg, which browsers show and read out, and of tikz. Default: the name of the file.\n"
+         "The title of svg, which browsers show and read out. In tikz it is a comment. Default: the name of the file.\n"
          "On a sheet it also draws a title block (ISO 7200) in the lower right corner, 180 x 27 mm: the title, the "
          "scale, the symbol of the projection, and the fields of --field. A long title takes several lines. Without "
-         "--scale "
-         "or --fit the sheet is drawn at --scale standard. A page that is too small is refused, and the message names "
-         "one that would do."},
+         "--scale or --fit the sheet is drawn at --scale standard. A page that is too small is refused, and the "
+         "message names one that would do."},
     {.group = GROUP_TEXT,
      .name = "field",
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,

@@ -38,7 +38,7 @@ double label_smaller_height(const roberts_draw_options *options, double height)
 
 placing placing_of(const strokes *s)
 {
-    placing p = {0};
+    placing p = {.view = s->view};
     placing_set_height(&p, s, s->label_mm);
     for (int i = 0; i < VERTEX_SIDES; i++)
         p.side[i] = angle_unit(360.0 / VERTEX_SIDES * i);

@@ -32,6 +32,7 @@ typedef struct label {
 typedef struct placing {
     free_space *room;
     free_space *vertices;            /* all that are drawn, as boxes without size */
+    const page_view *view;           /* those of the page */
     double height, gap;              /* of the letters; round a label, and between a vertex and its label; mm */
     roberts_vec2 side[VERTEX_SIDES]; /* directions, counter-clockwise from that to the right */
 } placing;

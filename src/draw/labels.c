@@ -157,6 +157,7 @@ enum {
 static const double most_leaders = 0.4;    /* part of the labels: more would be a thicket, and then there are none */
 static const double leader_crowded = 2.0;  /* the most that a place costs for being near to another label */
 static const double leader_crossing = 1.0; /* cost of each line that a leader line crosses */
+static const double leader_on_face = 1.5;  /* cost of a place on a face that is seen, instead of the paper */
 static const double leader_apart_heights = 3.0; /* heights of letters: other labels are near if they are nearer */
 static const double dot_radius = 0.3;           /* mm */
 
@@ -201,6 +202,24 @@ static double leader_cost(const placing *p, const label *l, const space_box *box
            leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart);
 }
 
+/* Does a point lie on a face that is seen? Regions have the same corners along a common border and do not overlap, so
+ * the parity of crossings with all of them tells. */
+static bool is_on_face(const page_view *view, roberts_vec2 at)
+{
+    const roberts_region_list *regions = view->drawing->regions;
+    bool inside = false;
+    for (size_t r = 0; r < regions->ring_count; r++) {
+        const size_t first = regions->ring_start[r], end = regions->ring_start[r + 1];
+        roberts_vec2 p = page_place(&view->map, regions->corner[end - 1]);
+        for (size_t k = first; k < end; k++) {
+            const roberts_vec2 q = page_place(&view->map, regions->corner[k]);
+            inside ^= vec2_ray_crosses(at, p, q);
+            p = q;
+        }
+    }
+    return inside;
+}
+
 /* Moves a label, which is not in the room, to the cheapest free place with a leader line. False: no memory. */
 static bool lead_out(const placing *p, label *l, const label *list, size_t count)
 {
@@ -213,6 +232,8 @@ static bool lead_out(const placing *p, label *l, const label *list, size_t count
         if (cost >= least || space_load_of(p->room, &box, UINT32_MAX, 0, ANYTHING).mm > 0.0)
             continue;
         cost += leader_cost(p, l, &box, end);
+        if (cost < least && is_on_face(&p->view[l->of->view], middle))
+            cost += leader_on_face;
         if (cost < least && leader_is_free(p, l, &box, end, list, count)) {
             least = cost;
             l->middle = middle;

@@ -238,7 +238,7 @@ static int count_fields(double length)
 /* Is a point of the lower side of the frame on the title block? No mark runs into the block. */
 static bool is_at_block(const strokes *s, double x)
 {
-    return title_block_is_wanted(s->options) && x > s->frame_mm[1].x - BLOCK_WIDTH;
+    return s->sheet && title_block_is_wanted(s->options) && x > s->frame_mm[1].x - BLOCK_WIDTH;
 }
 
 /* A point by its coordinates along a level or upright side and across it. */

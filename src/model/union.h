@@ -2,8 +2,8 @@
  *
  * The union is not built. Around a point of a line, in the plane across it, every closed body at that point fills an
  * angle: the wedge of an edge, the half-plane of a face, or everything if the point is inside the body. The line is
- * drawn there unless the bodies together fill nothing, everything, or exactly a half-plane. Events are places where the
- * line enters, leaves or passes a face. Between two events, the answer does not change.
+ * drawn there unless the bodies together fill nothing (but see below), everything, or exactly a half-plane. Events are
+ * places where the line enters, leaves or passes a face. Between two events, the answer does not change.
  *
  *       |##########       the foot of a leg on a slab: a quarter and a half-plane fill three quarters;
  *       |##########       the line is drawn, and its sides are the leg's side and the slab's top
@@ -15,8 +15,8 @@
  * face's plane. Two faces that meet at the line leave it in one direction if the smaller stays within this distance of
  * the other. So doubles suffice: their errors are far below the distance.
  *
- * Faces of a closed body that lie on one another may enclose nothing, but they hide what is behind them. They bound the
- * region as if it filled one side of them.
+ * Faces of a closed body that lie on one another may enclose nothing, but they hide what is behind them. They count as
+ * sides of the region.
  *
  * Open bodies fill nothing, and their lines are not tested. */
 #ifndef ROBERTS_MODEL_UNION_H

@@ -297,8 +297,16 @@ static void begin_fills(union_cutter *c, double t, uint32_t clusters)
     }
 }
 
+/* Does a ray represent a cluster rather than another one, or NULL? For an edge, its own faces are preferred. */
+static bool is_preferred(const union_cutter *c, const union_ray *r, const union_ray *to)
+{
+    if (to && c->line->body != ROBERTS_NONE && r->own != to->own)
+        return r->own;
+    return !to || r->side.face < to->side.face;
+}
+
 /* Returns the ray that represents a cluster where the filled region ends. It is a ray of a body that fills the filled
- * side. For an edge, its own faces are preferred. */
+ * side. */
 static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k, uint32_t clusters, bool after)
 {
     const union_work *work = c->work;
@@ -309,11 +317,8 @@ static const union_ray *bounding_ray(const union_cutter *c, double t, uint32_t k
         const union_ray *r = &work->ray[i];
         if (r->cluster != k)
             continue;
-        other = other && other->side.face < r->side.face ? other : r;
-        bool better = !found || r->side.face < found->side.face;
-        if (found && c->line->body != ROBERTS_NONE && r->own != found->own)
-            better = r->own;
-        if (better && fills(c, fill_of(work, r->side.body), t, filled, middle))
+        other = other ? other : r;
+        if (is_preferred(c, r, found) && fills(c, fill_of(work, r->side.body), t, filled, middle))
             found = r;
     }
     return found ? found : other;
@@ -366,18 +371,20 @@ static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
     return false;
 }
 
-/* Do faces of a body fold back on themselves in cluster k, so that it fills neither side of them? They hide what is
- * behind them, as other faces do. */
-static bool is_folded(const union_cutter *c, uint32_t k)
+/* Returns the ray that represents cluster k, on neither side of which anything is filled: of a body whose faces lie on
+ * one another there. These hide what is behind them, as other faces do. NULL: there is none. A convex body that fills
+ * neither side is a wedge narrower than the touching distance, and what a broken body fills is not known. */
+static const union_ray *folded_ray(const union_cutter *c, uint32_t k)
 {
     const union_work *work = c->work;
+    const union_ray *found = NULL;
     for (size_t i = 0; i < work->ray_count; i++) {
         const union_ray *r = &work->ray[i];
         const union_fill *of = fill_of(work, r->side.body);
-        if (r->cluster == k && !of->convex && !of->broken)
-            return true;
+        if (r->cluster == k && !of->convex && !of->broken && is_preferred(c, r, found))
+            found = r;
     }
-    return false;
+    return found;
 }
 
 /* Adds the sides of a piece. False: no memory. */
@@ -400,9 +407,11 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
             filled = filled || fills(c, &work->fill[i], t, k, middle);
             was = was || fills(c, &work->fill[i], t, last, before);
         }
-        if (filled == was && (filled || !is_folded(c, k)))
+        if (filled && was)
             continue;
-        const union_ray *r = bounding_ray(c, t, k, clusters, filled);
+        const union_ray *r = filled || was ? bounding_ray(c, t, k, clusters, filled) : folded_ray(c, k);
+        if (!r)
+            continue;
         if (!array_reserve(&work->side, &work->side_room, work->side_count + 1, sizeof *work->side))
             return false;
         work->side[work->side_count++] = r->side;

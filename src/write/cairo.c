@@ -4,9 +4,9 @@
  * takes several times as long as one stroke for many segments. But the outline of 100,000 segments takes 600 MB, and
  * strokes of more than 1,000 segments are no faster.
  *
- * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Its pages are whole points, so the page may be up to a point
- * wider and higher than asked for: the drawing keeps its distance from the upper left corner. Files have no date, so
- * that the same drawing gives the same bytes: the line with the date is dropped from the PostScript stream. */
+ * Cairo's fixed point holds 1/256 of a point, 0.0014 mm. Pages of PostScript are whole points, so a page may be up to
+ * a point wider and higher than asked for: the drawing keeps its distance from the upper left corner. Files have no
+ * date, so that the same drawing gives the same bytes: the line with the date is dropped from the PostScript stream. */
 #include "write/cairo.h"
 
 #include <cairo-ps.h>
@@ -138,8 +138,8 @@ static cairo_status_t date_filter_stream(void *closure, const unsigned char *byt
 
 /* ---- the page ---- */
 
-/* Fills a rectangle of whole points, as the page is. If the whole surface were painted, PostScript would contain an
- * image. */
+/* Fills a rectangle of whole points, as a page of PostScript is. If the whole surface were painted, PostScript would
+ * contain an image. */
 static void paint_page(cairo_t *cairo, const roberts_page *page, double units_per_mm, const roberts_background *color)
 {
     cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);

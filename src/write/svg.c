@@ -250,7 +250,7 @@ static void end_part(void *context, bool last)
 
 static const double capital = 0.716; /* height of capitals of usual fonts, as a part of their size */
 
-/* Writes what a label names. */
+/* Writes what a label names; nothing for text that is no label. */
 static void write_subject(output *out, const roberts_name *of)
 {
     switch (of->of) {

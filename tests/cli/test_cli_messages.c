@@ -680,8 +680,8 @@ static const struct {
     {"--hatch on --style hatch:off", "--hatch has no effect: --style turns these lines off\n"},
     {"--frame --style frame:off,width=2", "the pen of --style frame has no effect: these lines are off\n"},
     {"--style symbol:dash=2,off --sheet first", "the pen of --style symbol has no effect: these lines are off\n"},
-    {"--style text:width=1", "--style text has no effect: there is no text without --label, --labels, --title, "
-                             "--field, --dimensions or --frame=zones\n"},
+    {"--style text:width=1", "--style text has no effect: there is no text without --label, --labels, --frame=zones, "
+                             "or --sheet with --title, --field or --dimensions\n"},
     {"--style text:width=0.3 --title T", "--style text has no effect: there is no text without --label"},
     {"--title T", ""},
     {"--title T -f tikz", ""},
@@ -1112,7 +1112,7 @@ static void cuts_in_the_middle_are_warned_of(void **state)
     print_message("an eye inside a ring\n");
     assert_int_equal(run("--eye 3,0,0 --look-at 4,1,0.2 models/shapes/torus.off"), 0);
     assert_said("warning: the near plane, ");
-    assert_said("move --eye out of it if it is inside");
+    assert_said("if the eye is inside the solid, move --eye out");
 }
 
 /* ---- several pictures ---- */

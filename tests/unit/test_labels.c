@@ -526,12 +526,24 @@ static void labels_keep_apart(void **state)
     }
 }
 
+/* Whether a line on the page crosses an outline that is seen, and no other line. */
+static bool crosses_outline(const roberts_drawing *drawing, const strokes *s, roberts_vec2 a, roberts_vec2 b)
+{
+    size_t outlines = 0, others = 0;
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *other = &drawing->segment[i];
+        if (space_lines_cross(a, b, page_place(&s->map, other->p0), page_place(&s->map, other->p1)))
+            *(other->line == ROBERTS_OUTLINE ? &outlines : &others) += other->state == ROBERTS_VISIBLE;
+    }
+    return outlines == 1 && others == 0;
+}
+
 /* Faces that are narrower than their labels have these beside them, at the end of a leader line with a dot. Then no
  * letter lies on a line, and no leader line goes through letters or across another one. A few leader lines are no
- * thicket, even if all labels need one. */
+ * thicket, even if all labels need one. A label stands on the paper rather than on another face. */
 static void narrow_faces(void **state)
 {
-    static const roberts_name side[] = {{ROBERTS_LABEL_FACES, 2, 0, "narrow"}};
+    static const roberts_name side[] = {{ROBERTS_LABEL_FACES, 2, 0, "top"}};
     static const struct {
         const char *model;
         roberts_vec3 dir; /* 0: isometric */
@@ -560,6 +572,7 @@ static void narrow_faces(void **state)
             const roberts_vec2 a = {p[0].x / 1000.0, p[0].y / 1000.0}, b = {p[1].x / 1000.0, p[1].y / 1000.0};
             assert_int_equal(s.notes.lines.item[i].count, 2);
             assert_true(s.notes.lines.item[i + 1].closed);
+            assert_true(!row[n].name || crosses_outline(&c.drawing, &s, a, b));
             for (size_t k = 0; k < s.notes.count; k++)
                 assert_false(goes_through(a, b, letters_box(notes_line(&s.notes, k))));
             for (size_t k = 0; k < i; k += 2) {
@@ -571,6 +584,35 @@ static void narrow_faces(void **state)
         strokes_free(&s);
         free_cube(&c);
     }
+}
+
+/* Twelve leader lines are drawn, whatever part of the labels has them. Where most labels would need more, there are
+ * none. Each face that is seen adds one. */
+static void no_thicket(void **state)
+{
+    enum { FACES = 27 };
+    const roberts_camera camera = {.dir = {0.5, 0.2, 1.2}};
+    roberts_name name[FACES];
+    cube c;
+    (void)state;
+    see_model(&c, "models/archimedean/icosidodecahedron.off", &camera);
+    for (uint32_t i = 0; i < FACES; i++)
+        name[i] = (roberts_name){ROBERTS_LABEL_FACES, i, 0, "longer name"};
+    for (size_t count = FACES - 1; count <= FACES; count++) {
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        strokes s;
+        options.page = (roberts_page){200, 200, 10};
+        options.placement.scale = 15.0;
+        options.lettering.name = name;
+        options.lettering.name_count = count;
+        options.lettering.height_mm = 3.5;
+        assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.lines.count / 2, count < FACES ? 12 : 0);
+        assert_int_equal(s.notes.count, 14); /* the fifteenth label has no room */
+        strokes_free(&s);
+    }
+    free_cube(&c);
 }
 
 /* Whether a line that is seen lies between a vertex and its label. */
@@ -760,6 +802,7 @@ int main(void)
                                        cmocka_unit_test(fitted_with_its_labels),
                                        cmocka_unit_test(sheet_with_its_labels),
                                        cmocka_unit_test(narrow_faces),
+                                       cmocka_unit_test(no_thicket),
                                        cmocka_unit_test(lines_that_cross)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }
