@@ -456,15 +456,18 @@ static void warn_merged(const cli_options *options)
 static void warn_place(const cli_options *options)
 {
     char name[NAME_SIZE];
+    const bool views = options->is_sheet && values_is_table(options->draw.format);
+    const char *why = NULL;
     if (options->turntable > 0 || options->draw.format == ROBERTS_NULL)
         return;
     if (parse_numbered(options->output, 0, name, sizeof name))
-        message_warning(stderr, options->output, 0,
-                        "the file gets this very name: only --turntable puts a number there");
-    if (parse_named(options->output, "", name, sizeof name) &&
-        !(options->is_sheet && values_is_table(options->draw.format)))
-        message_warning(stderr, options->output, 0,
-                        "the file gets this very name: only tables of --sheet have the name of a view there");
+        why = "the file gets this very name: only --turntable puts a number there";
+    else if (parse_named(options->output, "", name, sizeof name) && !views)
+        why = "the file gets this very name: only tables of --sheet have the name of a view there";
+    else if (views && strstr(options->output, "%s") && !parse_named(options->output, "", name, sizeof name))
+        why = "the file gets this very name: %s, for the name of a view, may stand there once, without another %";
+    if (why)
+        message_warning(stderr, options->output, 0, why);
 }
 
 /* The vector over its length, which may be too large for a square. */

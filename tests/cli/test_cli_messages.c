@@ -870,6 +870,11 @@ static void places_that_nothing_fills_are_warned_of(void **state)
     assert_int_equal(run("-o in/%s.svg --sheet first models/platonic/cube.off"), 0);
     assert_said("in/%s.svg: warning: the file gets this very name: only tables of --sheet have the name of a view "
                 "there\n");
+    assert_int_equal(run("-o in/%s-%s.csv --sheet first models/platonic/cube.off"), 0);
+    assert_said(
+        "in/%s-%s.csv: warning: the file gets this very name: %s, for the name of a view, may stand there once");
+    assert_int_equal(run("-o in/%s.csv --sheet first models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
 }
 
 /* The user waits for a drawing, and the program for a model. */
