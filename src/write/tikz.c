@@ -3,7 +3,7 @@
  *
  * Each stroke is a path, each class a style: "roberts outline", "roberts crease", ... A style that the document has
  * defined is left as it is. Units are mm, the origin is the lower left corner of the page, and y is up. Each vertex
- * that is seen is a coordinate: v12 is vertex 12. */
+ * of a line that is drawn is a coordinate: v12 is vertex 12. */
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -300,14 +300,14 @@ static void write_page(const tikz *p)
 
 /* ---- vertices ---- */
 
-typedef struct seen_vertex {
+typedef struct drawn_vertex {
     uint32_t number;
     page_point at;
-} seen_vertex;
+} drawn_vertex;
 
 static int by_number(const void *a, const void *b)
 {
-    const seen_vertex *p = a, *q = b;
+    const drawn_vertex *p = a, *q = b;
     if (p->number != q->number)
         return p->number < q->number ? -1 : 1;
     if (p->at.x != q->at.x)
@@ -316,14 +316,14 @@ static int by_number(const void *a, const void *b)
 }
 
 /* Appends one end of a segment if it is a vertex within the page's frame. */
-static void add_seen_vertex(const strokes *s, uint32_t number, roberts_vec2 end, seen_vertex *list, size_t *count)
+static void add_vertex(const strokes *s, uint32_t number, roberts_vec2 end, drawn_vertex *list, size_t *count)
 {
     roberts_vec2 mm = page_place(&s->map, end);
     if (number != ROBERTS_NONE && strokes_is_in_frame(s, s->view, mm))
-        list[(*count)++] = (seen_vertex){number, page_from_mm(mm, s->units_per_mm)};
+        list[(*count)++] = (drawn_vertex){number, page_from_mm(mm, s->units_per_mm)};
 }
 
-/* Writes the vertices at which a line that is drawn as visible begins or ends, each once. A sheet has each vertex in
+/* Writes the vertices at which a line that is drawn begins or ends, each once. A sheet has each vertex in
  * several views: there they are left out. */
 static roberts_status write_vertices(const tikz *p, roberts_error *error)
 {
@@ -332,17 +332,17 @@ static roberts_status write_vertices(const tikz *p, roberts_error *error)
     roberts_line line;
     if (!drawing)
         return ROBERTS_OK;
-    seen_vertex *list = alloc_array(drawing->count, 2 * sizeof *list);
+    drawn_vertex *list = alloc_array(drawing->count, 2 * sizeof *list);
     if (!list)
         return error_no_memory(error);
     for (size_t i = 0; i < drawing->count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
-        if (segment->state != ROBERTS_VISIBLE || !strokes_has_place(p->s->options, segment, &line))
+        if (!strokes_has_place(p->s->options, segment, &line))
             continue;
         if (segment->t0 == 0.0)
-            add_seen_vertex(p->s, segment->v0, segment->p0, list, &count);
+            add_vertex(p->s, segment->v0, segment->p0, list, &count);
         if (segment->t1 == 1.0)
-            add_seen_vertex(p->s, segment->v1, segment->p1, list, &count);
+            add_vertex(p->s, segment->v1, segment->p1, list, &count);
     }
     qsort(list, count, sizeof *list, by_number);
     for (size_t i = 0; i < count; i++) {
