@@ -1,6 +1,6 @@
 /* test_loose_ends.c - every visible facet is bounded all round: at each end of a visible line, another line continues.
  * First, pictures whose answer is known by hand. Then all of models/ and the published models, from directions in which
- * no face is edge-on. */
+ * no face is edge-on. With --union, borders of regions have lines. */
 #include <dirent.h>
 #include <math.h>
 #include <stdio.h>
@@ -53,10 +53,17 @@ static void test_by_hand(void **state)
 
 /* ---- models ---- */
 
-enum { FILES = 2000, NAME = 600, LARGEST_FILE = 3000000 /* bytes */, REPORTS = 12, MOST_CORNERS = 200 };
+enum {
+    FILES = 2000,
+    NAME = 600,
+    LARGEST_FILE = 3000000 /* bytes */,
+    REPORTS = 12,
+    MOST_CORNERS = 200,
+    MOST_COMPARED = 3000 /* corners of a model */
+};
 
 typedef struct tally {
-    size_t models, left_out, twisted, refused, ends, loose, bad_models;
+    size_t models, left_out, twisted, refused, ends, loose, bad_models, borders, bare;
 } tally;
 
 static const roberts_camera views[] = {
@@ -95,6 +102,20 @@ static flat_face flatten(const roberts_mesh *mesh, size_t f)
     return out;
 }
 
+/* Parts of a face's size: one whose corners are no farther from its plane is planar. */
+static const double planar = 1e-5;
+
+/* Are all faces planar, as far as is looked? */
+static bool is_flat_faced(const roberts_mesh *mesh)
+{
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const uint32_t n = mesh->face_start[f + 1] - mesh->face_start[f];
+        if (n > MOST_CORNERS || (n > 3 && flatten(mesh, f).off > planar))
+            return false;
+    }
+    return true;
+}
+
 static double turn(const flat_face *f, uint32_t i, uint32_t k, uint32_t m)
 {
     return (f->x[k] - f->x[i]) * (f->y[m] - f->y[i]) - (f->y[k] - f->y[i]) * (f->x[m] - f->x[i]);
@@ -109,7 +130,7 @@ static bool is_twisted(const roberts_mesh *mesh)
         if (n < 4 || n > MOST_CORNERS)
             continue;
         const flat_face flat = flatten(mesh, f);
-        if (flat.off <= 1e-5)
+        if (flat.off <= planar)
             continue;
         for (uint32_t i = 0; i < n; i++)
             for (uint32_t k = 0; k < n; k++) {
@@ -119,6 +140,85 @@ static bool is_twisted(const roberts_mesh *mesh)
             }
     }
     return false;
+}
+
+/* ---- borders of regions ---- */
+
+/* A side of a ring, its ends in order. */
+typedef struct ring_side {
+    roberts_vec2 end[2];
+    roberts_vec3 normal; /* of the face */
+} ring_side;
+
+static int compare_ends(roberts_vec2 a, roberts_vec2 b)
+{
+    return a.x != b.x ? (a.x > b.x ? 1 : -1) : (a.y > b.y) - (a.y < b.y);
+}
+
+static int by_ends(const void *a, const void *b)
+{
+    const ring_side *p = a, *q = b;
+    const int order = compare_ends(p->end[0], q->end[0]);
+    return order != 0 ? order : compare_ends(p->end[1], q->end[1]);
+}
+
+static ring_side *list_sides(const roberts_region_list *regions)
+{
+    ring_side *side = malloc((regions->corner_count + 1) * sizeof *side);
+    size_t count = 0;
+    assert_non_null(side);
+    for (size_t i = 0; i < regions->count; i++) {
+        const roberts_region *r = &regions->region[i];
+        for (size_t k = r->first_ring; k < r->first_ring + r->ring_count; k++)
+            for (size_t first = regions->ring_start[k], end = regions->ring_start[k + 1], c = first; c < end; c++) {
+                const roberts_vec2 a = regions->corner[c], b = regions->corner[c + 1 < end ? c + 1 : first];
+                const bool turned = compare_ends(a, b) > 0;
+                side[count++] = (ring_side){{turned ? b : a, turned ? a : b}, r->normal};
+            }
+    }
+    qsort(side, count, sizeof *side, by_ends);
+    return side;
+}
+
+/* Does a visible line go through a point, within `near`? */
+static bool has_line(const roberts_drawing *drawing, roberts_vec2 p, double near)
+{
+    for (size_t i = 0; i < drawing->count; i++) {
+        const roberts_segment *s = &drawing->segment[i];
+        const double x = s->p1.x - s->p0.x, y = s->p1.y - s->p0.y, length = hypot(x, y);
+        const double u = p.x - s->p0.x, v = p.y - s->p0.y;
+        if (s->state == ROBERTS_VISIBLE && fabs(x * v - y * u) <= near * length && x * u + y * v >= -near * length &&
+            x * u + y * v <= (length + near) * length)
+            return true;
+    }
+    return false;
+}
+
+/* How many borders between two regions whose faces lie in different planes have no line, if bodies are drawn as one.
+ * A border of a face that is not planar may lie beside its line. Borders shorter than a hundred times `near` do not
+ * count. */
+static size_t count_bare(const roberts_scene *scene, const roberts_camera *camera, size_t *asked)
+{
+    roberts_hide_options options = roberts_hide_options_default();
+    roberts_region_list regions;
+    size_t bare = 0;
+    options.all_edges = options.unite = true;
+    roberts_drawing drawing = drawing_of(scene, camera, &options);
+    assert_int_equal(roberts_regions(scene, camera, &options, &regions, NULL), ROBERTS_OK);
+    ring_side *side = list_sides(&regions);
+    const double near = LOOSE_END_NEAR * drawing.scene_diameter;
+    for (size_t i = 0; i + 1 < regions.corner_count; i++) {
+        const roberts_vec2 a = side[i].end[0], b = side[i].end[1];
+        const roberts_vec3 n = vec3_sub(side[i].normal, side[i + 1].normal);
+        if (by_ends(&side[i], &side[i + 1]) != 0 || vec3_dot(n, n) < 1e-6 || hypot(b.x - a.x, b.y - a.y) < 100 * near)
+            continue;
+        ++*asked;
+        bare += !has_line(&drawing, (roberts_vec2){0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, near);
+    }
+    free(side);
+    roberts_regions_free(&regions);
+    roberts_drawing_free(&drawing);
+    return bare;
 }
 
 static void walk_model(const char *path, tally *t)
@@ -164,6 +264,12 @@ static void walk_model(const char *path, tally *t)
         roberts_drawing_free(&drawing);
     }
     t->bad_models += t->loose > before;
+    if (mesh.corner_count <= MOST_COMPARED && is_flat_faced(&mesh)) {
+        const size_t bare = count_bare(scene, &views[0], &t->borders);
+        if (bare)
+            printf("%s: with --union, %zu borders have no line\n", path, bare);
+        t->bare += bare;
+    }
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
 }
@@ -210,8 +316,9 @@ static void test_models(void **state)
     walk_folder("models", &t);
     print_message("note: %zu ends of lines of %zu models in two views: %zu loose, of %zu models\n", t.ends, t.models,
                   t.loose, t.bad_models);
-    assert_true(t.models > 50 && t.ends > 10000);
+    assert_true(t.models > 50 && t.ends > 10000 && t.borders > 1000);
     assert_int_equal(t.loose, 0);
+    assert_int_equal(t.bare, 0);
 }
 
 static void test_published_models(void **state)
@@ -226,7 +333,9 @@ static void test_published_models(void **state)
     print_message("note: %zu ends of lines of %zu published models in two views: %zu loose, of %zu models; left out: "
                   "%zu large files, %zu with a face that crosses itself and is not planar, %zu without a model\n",
                   t.ends, t.models, t.loose, t.bad_models, t.left_out, t.twisted, t.refused);
+    print_message("note: %zu borders of regions with --union, %zu without a line\n", t.borders, t.bare);
     assert_int_equal(t.loose, 0);
+    assert_int_equal(t.bare, 0);
 }
 
 int main(void)
