@@ -454,21 +454,6 @@ static bool need_plate(const roberts_draw_options *options, const roberts_pen *p
     return !pen->off && contrast_of(pen, fills_on_paper(options, fill)) < fmin(least_contrast, pale_part * on_paper);
 }
 
-/* Is a point of the page within a region? By the parity of crossings. */
-static bool region_holds(const page_region *region, roberts_vec2 at)
-{
-    bool inside = false;
-    for (size_t r = 0; r < region->ring_count; r++) {
-        roberts_vec2 p = region->point[region->ring_start[r + 1] - 1];
-        for (size_t k = region->ring_start[r]; k < region->ring_start[r + 1]; k++) {
-            const roberts_vec2 q = region->point[k];
-            inside ^= vec2_ray_crosses(at, p, q);
-            p = q;
-        }
-    }
-    return inside;
-}
-
 /* Finds letters that need a plate on a region. */
 static bool ask_region(void *context, const page_region *region)
 {
@@ -488,8 +473,8 @@ static bool ask_region(void *context, const page_region *region)
     for (plate *p = w->item; p < w->item + w->count; p++)
         for (int i = 0; i < PLATE_POINTS && needed[p->is_back] && !p->is_wanted; i++) {
             const roberts_vec2 at = plate_point(p, i);
-            p->is_wanted =
-                at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y && region_holds(region, at);
+            p->is_wanted = at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y &&
+                           page_rings_hold(region->ring_count, region->ring_start, region->point, at);
         }
     return true;
 }

@@ -203,21 +203,11 @@ static double leader_cost(const placing *p, const label *l, const space_box *box
 }
 
 /* Does a point lie on a face that is seen? Regions have the same corners along a common border and do not overlap, so
- * the parity of crossings with all of them tells. */
+ * all their rings may be taken together. */
 static bool is_on_face(const page_view *view, roberts_vec2 at)
 {
     const roberts_region_list *regions = view->drawing->regions;
-    bool inside = false;
-    for (size_t r = 0; r < regions->ring_count; r++) {
-        const size_t first = regions->ring_start[r], end = regions->ring_start[r + 1];
-        roberts_vec2 p = page_place(&view->map, regions->corner[end - 1]);
-        for (size_t k = first; k < end; k++) {
-            const roberts_vec2 q = page_place(&view->map, regions->corner[k]);
-            inside ^= vec2_ray_crosses(at, p, q);
-            p = q;
-        }
-    }
-    return inside;
+    return page_rings_hold(regions->ring_count, regions->ring_start, regions->corner, page_picture(&view->map, at));
 }
 
 /* Moves a label, which is not in the room, to the cheapest free place with a leader line. False: no memory. */

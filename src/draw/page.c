@@ -283,6 +283,20 @@ static bool walk_view(region_walk *w, page_region_fn *each, void *context)
     return enough;
 }
 
+bool page_rings_hold(size_t ring_count, const size_t *ring_start, const roberts_vec2 *point, roberts_vec2 at)
+{
+    bool inside = false;
+    for (size_t r = 0; r < ring_count; r++) {
+        roberts_vec2 p = point[ring_start[r + 1] - 1];
+        for (size_t k = ring_start[r]; k < ring_start[r + 1]; k++) {
+            const roberts_vec2 q = point[k];
+            inside ^= vec2_ray_crosses(at, p, q);
+            p = q;
+        }
+    }
+    return inside;
+}
+
 bool page_regions_walk(const strokes *s, page_region_fn *each, void *context)
 {
     region_walk w = {.s = s};

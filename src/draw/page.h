@@ -60,6 +60,13 @@ static inline roberts_vec2 page_place(const page_map *map, roberts_vec2 p)
                           map->page_mm.y - (p.y - map->centre.y) / map->half * map->half_mm};
 }
 
+/* The point of the picture that page_place() puts there. */
+static inline roberts_vec2 page_picture(const page_map *map, roberts_vec2 mm)
+{
+    return (roberts_vec2){map->centre.x + (mm.x - map->page_mm.x) / map->half_mm * map->half,
+                          map->centre.y - (mm.y - map->page_mm.y) / map->half_mm * map->half};
+}
+
 /* ---- visible regions --------------------------------------------------------------------------------------------- */
 
 /* The visible regions of all views of a page, one after another, as polygons on the paper. Fills, hatching and labels
@@ -77,6 +84,9 @@ typedef struct page_region {
     const roberts_vec2 *point; /* ring r has point[ring_start[r]] .. [ring_start[r + 1] - 1]; units of the page, not
                                   rounded */
 } page_region;
+
+/* Is a point within rings, as in page_region and roberts_region_list? By the parity of crossings. */
+bool page_rings_hold(size_t ring_count, const size_t *ring_start, const roberts_vec2 *point, roberts_vec2 at);
 
 /* Receives a region, valid during the call only. False: no memory; the walk ends. */
 typedef bool page_region_fn(void *context, const page_region *region);

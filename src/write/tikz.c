@@ -323,8 +323,8 @@ static void add_vertex(const strokes *s, uint32_t number, roberts_vec2 end, draw
         list[(*count)++] = (drawn_vertex){number, page_from_mm(mm, s->units_per_mm)};
 }
 
-/* Writes the vertices at which a line that is drawn begins or ends, each once. A sheet has each vertex in
- * several views: there they are left out. */
+/* Writes the vertices at which a line that is drawn begins or ends, each once. A sheet has each vertex in several
+ * views: there they are left out. */
 static roberts_status write_vertices(const tikz *p, roberts_error *error)
 {
     const roberts_drawing *drawing = p->s->drawing;

@@ -150,16 +150,11 @@ typedef struct ring_side {
     roberts_vec3 normal; /* of the face */
 } ring_side;
 
-static int compare_ends(roberts_vec2 a, roberts_vec2 b)
-{
-    return a.x != b.x ? (a.x > b.x ? 1 : -1) : (a.y > b.y) - (a.y < b.y);
-}
-
 static int by_ends(const void *a, const void *b)
 {
     const ring_side *p = a, *q = b;
-    const int order = compare_ends(p->end[0], q->end[0]);
-    return order != 0 ? order : compare_ends(p->end[1], q->end[1]);
+    const int order = vec2_compare(p->end[0], q->end[0]);
+    return order != 0 ? order : vec2_compare(p->end[1], q->end[1]);
 }
 
 static ring_side *list_sides(const roberts_region_list *regions)
@@ -172,7 +167,7 @@ static ring_side *list_sides(const roberts_region_list *regions)
         for (size_t k = r->first_ring; k < r->first_ring + r->ring_count; k++)
             for (size_t first = regions->ring_start[k], end = regions->ring_start[k + 1], c = first; c < end; c++) {
                 const roberts_vec2 a = regions->corner[c], b = regions->corner[c + 1 < end ? c + 1 : first];
-                const bool turned = compare_ends(a, b) > 0;
+                const bool turned = vec2_compare(a, b) > 0;
                 side[count++] = (ring_side){{turned ? b : a, turned ? a : b}, r->normal};
             }
     }
