@@ -1046,7 +1046,7 @@ typedef struct roberts_draw_options {
                                           letters, digits, - . or _, so that the ids are valid; this is not checked */
     roberts_plotter plotter;         /**< HP-GL; default: zeroed */
     double dpi;                      /**< PNG: dots per inch; default: 150 */
-    const char *title, *description; /**< SVG and TikZ: UTF-8; NULL: none */
+    const char *title, *description; /**< SVG and TikZ: UTF-8; NULL or empty: none */
     roberts_ink *ink;                /**< NULL, or filled when a page is written */
     roberts_temporary_fn *temporary; /**< NULL: not needed */
     void *temporary_context;

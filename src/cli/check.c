@@ -371,6 +371,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
     if (options_is_given(given, "title") && !options->is_sheet && draw->format != ROBERTS_SVG &&
         draw->format != ROBERTS_TIKZ)
         warn("--title", "only svg, tikz and sheets have a title");
+    if (options_is_given(given, "description") && draw->format != ROBERTS_SVG && draw->format != ROBERTS_TIKZ)
+        warn("--description", "only svg and tikz have a description");
     if (options_is_given(given, "text") && !has_text(options, given))
         warn("--text", no_text);
     if (options_is_given(given, "label-size") && !has_labels(given) && !options_is_given(given, "dimensions"))

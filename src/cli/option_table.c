@@ -729,6 +729,16 @@ static const option rows[] = {
          "--scale or --fit the sheet is drawn at --scale standard. A page that is too small is refused, and the "
          "message names one that would do."},
     {.group = GROUP_TEXT,
+     .name = "description",
+     .flags = OPTION_DRAWS | OPTION_PAPER,
+     .value = "TEXT",
+     .set = values_set_any_text,
+     TO(draw.description),
+     .brief = "description of svg and tikz",
+     .help = "the description in svg and tikz (default: the command, with the names of its files)",
+     .manual = "The description of svg (<desc>), which screen readers read out. In tikz it is a comment. Default: the "
+               "command that draws it, with the names of its files and their folders. An empty text leaves it out."},
+    {.group = GROUP_TEXT,
      .name = "field",
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,
      .value = "NAME=TEXT",

@@ -525,7 +525,8 @@ static roberts_status save(const cli_options *options, const roberts_scene *scen
     roberts_draw_options page = options->draw;
     char title[256];
     page.title = page.lettering.title ? page.lettering.title : write_title(options, title, sizeof title);
-    page.description = options->description.text;
+    if (!page.description)
+        page.description = options->description.text;
     page.ink = &run->ink;
     page.scene = scene;
     page.lettering.warnings = options->scene.warnings;

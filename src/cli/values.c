@@ -50,9 +50,15 @@ int values_set_flag(const option *o, const char *value, cli_options *options)
     return EXIT_DONE;
 }
 
-int values_set_text(const option *o, const char *value, cli_options *options)
+int values_set_any_text(const option *o, const char *value, cli_options *options)
 {
     *(const char **)field(o, options) = value;
+    return EXIT_DONE;
+}
+
+int values_set_text(const option *o, const char *value, cli_options *options)
+{
+    values_set_any_text(o, value, options);
     if (*value)
         return EXIT_DONE;
     return message_misuse("--%s: the %s is empty", o->name, strcmp(o->value, "TEXT") == 0 ? "text" : "name");

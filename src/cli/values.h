@@ -68,6 +68,7 @@ static inline bool values_has_page(roberts_format format)
 /* For any option: the row says where the value goes (o->field) and what it may be. */
 option_set values_set_flag;      /* bool */
 option_set values_set_text;      /* const char *, not empty */
+option_set values_set_any_text;  /* const char * */
 option_set values_set_number;    /* double, from o->least to o->most */
 option_set values_set_integer;   /* uint32_t, from o->least to o->most */
 option_set values_set_length;    /* double in mm, from o->least to o->most; may have a unit */

@@ -675,7 +675,7 @@ static void svg_groups_write(const strokes *s, output *out)
 /* Writes nothing where `text` is NULL. */
 static void write_element(output *out, const char *tag, const char *text)
 {
-    if (!text)
+    if (!text || !*text)
         return;
     output_text(out, "<");
     output_text(out, tag);

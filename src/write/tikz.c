@@ -226,7 +226,7 @@ static void write_point(const tikz *p, page_point at)
  * mark. */
 static void write_comment(output *out, const char *text)
 {
-    if (!text)
+    if (!text || !*text)
         return;
     output_text(out, "% ");
     while (*text) {

@@ -418,6 +418,8 @@ static const struct {
      "<desc>roberts --order=none --view=top --crease=5 models/platonic/cube.off</desc>"},
     {"", "<title>cube.off</title>"},
     {"--title A&B", "<title>A&amp;B</title>"},
+    {"--description A&B", "<desc>A&amp;B</desc>"},
+    {"--description=", "!<desc>"},
     {"--title T", "!id=\"text\""}, /* only sheets have title blocks, which a mark of --frame=zones keeps off */
     {"--title T --frame=zones", "M 105 292 L 105 282"},
     {"--sheet first --page a4 --landscape --title Cube", "<title>Cube</title>"},

@@ -686,6 +686,8 @@ static const struct {
     {"--title T", ""},
     {"--title T -f tikz", ""},
     {"--title T -f pdf", "--title has no effect: only svg, tikz and sheets have a title\n"},
+    {"--description T -f tikz", ""},
+    {"--description T -f pdf", "--description has no effect: only svg and tikz have a description\n"},
     {"--style text:width=0.3 --label vertices", ""},
     {"--style text:width=0.3 --frame=zones", ""},
     {"--style text:width=0.3 --frame=zones --style frame:off", "--frame has no effect: --style turns these lines off\n"

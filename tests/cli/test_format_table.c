@@ -38,6 +38,7 @@ static const struct {
     {"label", "--label vertices"},
     {"labels", "--labels names.csv"},
     {"title", "--sheet first --title T"},
+    {"description", "--description T"},
     {"field", "--sheet first --field author=A"},
     {"dimensions", "--sheet first --dimensions overall"},
     {"label-size", "--label vertices --label-size 3"},
@@ -147,7 +148,7 @@ static void every_option_is_tried(void **state)
         }
     }
     assert_int_equal(wanted, TRIED);
-    assert_int_equal(count, 10);
+    assert_int_equal(count, 11);
 }
 
 int main(void)

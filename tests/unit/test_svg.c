@@ -259,7 +259,6 @@ static const struct {
     const char *given, *wanted;
 } xml_cases[] = {
     {"plain", "plain"},
-    {"", ""},
     {"a<b>&\"c'", "a&lt;b&gt;&amp;\"c'"},
     {"tab\tand\nline", "tab\tand\nline"},
     {"bell\a", "bell?"},
