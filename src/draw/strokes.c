@@ -146,13 +146,20 @@ static bool draws_hatching(const roberts_draw_options *options)
     return options->hatching.on && !options->hatch.off;
 }
 
+static bool draws_fills(const roberts_draw_options *options)
+{
+    return options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
+}
+
 /* How many segments there are, with those along which the near plane cuts bodies. */
 static size_t count_segments(const roberts_drawing *drawing)
 {
     return drawing->count + drawing->cut_count;
 }
 
-/* The box of all lines that have a place, or the drawing's window. No region reaches farther. */
+/* The box of all lines that have a place and of all regions that are filled or hatched, or the drawing's window. Such
+ * regions reach farther than lines where pens are off, or where `unite` leaves out edges of faces that are far from
+ * planar. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
 {
@@ -171,6 +178,9 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge_box(min, max, segment->p1);
         }
     }
+    if (drawing->regions && (draws_fills(options) || draws_hatching(options)))
+        for (size_t i = 0; i < drawing->regions->corner_count; i++)
+            enlarge_box(min, max, drawing->regions->corner[i]);
     if (min->x > max->x)
         *min = *max = (roberts_vec2){0.0, 0.0}; /* nothing is drawn */
 }
@@ -506,13 +516,11 @@ static roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
 static bool lacks_regions(const strokes *s)
 {
     const roberts_draw_options *options = s->options;
-    const bool filled =
-        options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
     const unsigned labels = targets_kinds(&options->lettering) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
     bool lacks = false;
     for (size_t i = 0; i < s->views; i++)
         lacks |= !s->view[i].drawing->regions;
-    return lacks && (filled || labels || draws_hatching(options));
+    return lacks && (draws_fills(options) || labels || draws_hatching(options));
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */

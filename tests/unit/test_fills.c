@@ -396,11 +396,32 @@ static void test_models(void **state)
     assert_true(rings > 2000 && seams > 200);
 }
 
+/* Of the lines of the row, which is 7 wide, one is left: the page has room for it alone, or for the fills, too. */
+static void test_room(void **state)
+{
+    static const roberts_vec2 corner = {3.5, 0.5};
+    (void)state;
+    roberts_draw_options options = roberts_draw_options_default();
+    roberts_scene *scene = make_row("1.0");
+    picture p;
+    draw_picture(scene, &from_above, &p);
+    p.drawing.count = 1;
+    for (int i = 0; i < 2; i++) {
+        strokes s;
+        options.fill = i ? ROBERTS_FILL_MODEL : ROBERTS_FILL_NONE;
+        assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
+        assert_true((page_place(&s.map, corner).x <= options.page.width_mm) == (i == 1));
+        strokes_free(&s);
+    }
+    free_picture(&p);
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_row),     cmocka_unit_test(test_elements),
-                                       cmocka_unit_test(test_plates),  cmocka_unit_test(test_ring),
-                                       cmocka_unit_test(test_colors),  cmocka_unit_test(test_corner_colors),
-                                       cmocka_unit_test(test_normals), cmocka_unit_test(test_models)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_row),     cmocka_unit_test(test_elements), cmocka_unit_test(test_plates),
+        cmocka_unit_test(test_ring),    cmocka_unit_test(test_colors),   cmocka_unit_test(test_corner_colors),
+        cmocka_unit_test(test_normals), cmocka_unit_test(test_models),   cmocka_unit_test(test_room)};
     return cmocka_run_group_tests_name("fills", tests, NULL, NULL);
 }
