@@ -287,6 +287,10 @@ bool roberts_scene_body_curved(const roberts_scene *scene, uint32_t body);
  * until the scene is freed. */
 const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid);
 
+/** Finds the vertex with this number in the input. False: no face has it; of vertices at one place, as in STL, only the
+ * smallest number counts. The time is linear in the number of vertices. */
+bool roberts_scene_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point);
+
 /** Whether this solid is a convex hull that replaces part of the mesh; false if no solid has that number. */
 bool roberts_scene_is_hull(const roberts_scene *scene, uint32_t solid);
 
@@ -342,6 +346,15 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
  */
 roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *camera, roberts_vec2 *min,
                               roberts_vec2 *max, bool *framed, roberts_error *error);
+
+/**
+ * Finds where points of the model lie in the picture, seen or not: the inverse of roberts_pick().
+ * point, out  [count] each; they may be the same. x and y of a result are as p0 of roberts_segment, z as its z0; all
+ *             three are NaN if the near plane cuts the point off
+ * For places on a page see roberts_ink.origin_mm. Returns ROBERTS_OK or _BAD_VIEW.
+ */
+roberts_status roberts_project(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *point,
+                               size_t count, roberts_vec3 *out, roberts_error *error);
 
 /* ---- hide: hidden lines removed -------------------------------------------------------------------------------- */
 
@@ -982,7 +995,10 @@ typedef struct roberts_ink {
     size_t strokes;        /**< how often the pen goes down */
     double down_mm, up_mm; /**< how far the pen travels on and above the paper, from the first stroke to the last */
     double scale;          /**< mm on paper per model unit */
-    double label_mm;       /**< height of the capitals of labels; 0: none are wanted */
+    /** Where the picture's 0,0 lies, mm to the right and down from the page's upper left corner; on a sheet, that of
+     * the front view. The point x, y of the picture lies at origin_mm.x + scale * x, origin_mm.y - scale * y. */
+    roberts_vec2 origin_mm;
+    double label_mm; /**< height of the capitals of labels; 0: none are wanted */
 } roberts_ink;
 
 /** Additional columns of tables, after the usual ones. */

@@ -133,10 +133,11 @@ static void print_ink(FILE *log, const roberts_ink *ink, const roberts_placement
 {
     char ratio[REPORT_RATIO];
     if (json && !(ink->scale > 0.0))
-        fputs(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null", log);
+        fputs(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null,\"origin_mm\":null", log);
     else if (json)
-        fprintf(log, ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g", ink->strokes,
-                ink->down_mm, ink->up_mm, ink->scale);
+        fprintf(log,
+                ",\"strokes\":%zu,\"pen_down_mm\":%.3f,\"pen_up_mm\":%.3f,\"scale\":%.17g,\"origin_mm\":[%.17g,%.17g]",
+                ink->strokes, ink->down_mm, ink->up_mm, ink->scale, ink->origin_mm.x, ink->origin_mm.y);
     else if (ink->scale > 0.0)
         fprintf(log,
                 "%14zu  strokes\n%14.1f  mm with the pen down\n%14.1f  mm with the pen up\n%14.6g  mm on paper per "

@@ -13,7 +13,6 @@
 #include "base/error.h"
 #include "base/output.h"
 #include "base/vec.h"
-#include "view/camera.h"
 
 /* mm */
 static const double nearest_mm = 10.0, ring_mm = 7.0; /* dimension lines from what they measure, and farther ones */
@@ -272,7 +271,7 @@ static roberts_status find_view(const strokes *s, const roberts_distance *of, co
         roberts_camera camera;
         roberts_vec3 p[2];
         roberts_sheet_camera(s->sheet->angle, s->view[i].place, &camera);
-        roberts_status status = view_map_ends(s->options->scene, &camera, end, p, error);
+        roberts_status status = roberts_project(s->options->scene, &camera, end, 2, p, error);
         if (status != ROBERTS_OK)
             return status;
         const roberts_vec3 a = p[0], b = p[1];
@@ -449,7 +448,7 @@ static roberts_status is_overall(const strokes *s, const roberts_vec3 end[2], bo
         if (view->place != ROBERTS_SHEET_FRONT && view->place != ROBERTS_SHEET_SIDE)
             continue;
         roberts_sheet_camera(s->sheet->angle, view->place, &camera);
-        roberts_status status = view_map_ends(s->options->scene, &camera, end, p, error);
+        roberts_status status = roberts_project(s->options->scene, &camera, end, 2, p, error);
         if (status != ROBERTS_OK)
             return status;
         const roberts_vec3 d = vec3_sub(p[1], p[0]);
@@ -479,7 +478,7 @@ static roberts_status add_distance(strokes *s, free_space *r, const roberts_dist
     char text[DIMENSION_TEXT];
     seen_distance seen;
     for (int i = 0; i < 2; i++)
-        if (!view_find_vertex(s->options->scene, i ? of->v1 : of->v0, &end[i]))
+        if (!roberts_scene_vertex(s->options->scene, i ? of->v1 : of->v0, &end[i]))
             return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                              "dimensions: no face has vertex %u (of vertices at one place the smallest number counts)",
                              (unsigned)(i ? of->v1 : of->v0));

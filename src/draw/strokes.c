@@ -873,7 +873,10 @@ size_t strokes_part_end(const strokes *s, size_t first, size_t end)
 
 roberts_ink strokes_measure(const strokes *s)
 {
-    roberts_ink ink = {.strokes = s->lines.count, .scale = page_scale(&s->map), .label_mm = s->label_mm};
+    roberts_ink ink = {.strokes = s->lines.count,
+                       .scale = page_scale(&s->map),
+                       .origin_mm = page_place(&s->map, (roberts_vec2){0.0, 0.0}),
+                       .label_mm = s->label_mm};
     for (size_t i = 0; i < s->lines.count; i++) {
         const polyline *line = &s->lines.item[i];
         const page_point *p = s->lines.point + line->first;

@@ -465,6 +465,16 @@ const char *roberts_scene_name(const roberts_scene *scene, uint32_t solid)
     return face != ROBERTS_NONE && low > 0 ? scene->group[low - 1].name : "";
 }
 
+bool roberts_scene_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point)
+{
+    for (uint32_t v = 0; v < scene->vertex_count; v++)
+        if (scene_vertex_number(scene, v) == number) {
+            *point = scene->point[v];
+            return true;
+        }
+    return false;
+}
+
 /* ---- files ------------------------------------------------------------------------------------------------------- */
 
 /* In a mesh the inputs follow one another, and solids are numbered by their smallest vertex, so the solids of a file

@@ -1,7 +1,5 @@
 /* camera.c - cameras: the named views, views by angles, and turning round the scene; the part of the picture plane that
- * a drawing covers; where single points are in the picture. */
-#include "view/camera.h"
-
+ * a drawing covers; where points of the model lie in the picture. */
 #include <string.h>
 
 #include "base/angle.h"
@@ -131,24 +129,15 @@ done:
     return status;
 }
 
-/* ---- single points ----------------------------------------------------------------------------------------------- */
+/* ---- points of the model ----------------------------------------------------------------------------------------- */
 
-bool view_find_vertex(const roberts_scene *scene, uint32_t number, roberts_vec3 *point)
-{
-    for (uint32_t v = 0; v < scene->vertex_count; v++)
-        if (scene_vertex_number(scene, v) == number) {
-            *point = scene->point[v];
-            return true;
-        }
-    return false;
-}
-
-roberts_status view_map_ends(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 end[2],
-                             roberts_vec3 out[2], roberts_error *error)
+roberts_status roberts_project(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *point,
+                               size_t count, roberts_vec3 *out, roberts_error *error)
 {
     view v;
-    roberts_status status = view_prepare(&v, scene, camera, 0.0, error);
-    for (int i = 0; i < 2 && status == ROBERTS_OK; i++)
-        out[i] = vec3_scale(v.unit, view_point(&v, end[i]));
+    roberts_status status = view_begin(&v, scene, camera, 0.0, error);
+    for (size_t i = 0; i < count && status == ROBERTS_OK; i++)
+        out[i] = view_is_cut(scene, camera, &point[i], 1) ? (roberts_vec3){NAN, NAN, NAN}
+                                                          : vec3_scale(v.unit, view_point(&v, point[i]));
     return status;
 }

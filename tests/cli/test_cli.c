@@ -1010,7 +1010,7 @@ static void statistics(void **state)
     assert_said("0.0  mm with the pen up\n");
     assert_said("40  mm on paper per model unit\n");
     assert_int_equal(run("-o in/a.svg --stats=json --view top --page 100x100 models/platonic/cube.off"), 0);
-    assert_said("\"strokes\":1,\"pen_down_mm\":320.000,\"pen_up_mm\":0.000,\"scale\":");
+    assert_said("\"strokes\":1,\"pen_down_mm\":320.000,\"pen_up_mm\":0.000,\"scale\":40,\"origin_mm\":[50,50],");
     assert_int_equal(run("-f null -q --stats=json models/platonic/cube.off"), 0);
     assert_int_equal(strncmp(last.err, "{\"version\":\"0.", 14), 0);
     assert_string_equal(last.err + strlen(last.err) - 3, "}}\n");

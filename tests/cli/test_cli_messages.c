@@ -1187,7 +1187,7 @@ static void counts_agree(void **state)
     assert_int_equal(run("--stats -f null models/table.off"), 0);
     assert_said("345  to draw, which leaves out those at the back and below the crease angle\n");
     assert_int_equal(run("--stats=json -f null models/table.off"), 0);
-    assert_said(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null,");
+    assert_said(",\"strokes\":null,\"pen_down_mm\":null,\"pen_up_mm\":null,\"scale\":null,\"origin_mm\":null,");
     assert_int_equal(run("--stats=json --verify=2 -q -f null models/table.off --hidden dashed"), 0);
     assert_said(",\"segments\":572,");
     assert_said(",\"verified\":{\"segments\":572,\"points\":");

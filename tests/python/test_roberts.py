@@ -277,6 +277,18 @@ class Pages(unittest.TestCase):
         self.same(scene.hide(roberts.view(eye=(9, -20, 8))), path, "--eye", "9,-20,8")
         self.assertIn("eye", repr(roberts.view(eye=(9, -20, 8))))
 
+    def test_project(self):
+        scene = roberts.read("models/table.off")
+        for where in (None, roberts.view(eye=(9, -20, 8))):
+            places, segments = scene.project(scene.vertices, where), scene.hide(where).segments
+            whole = segments[segments["t0"] == 0]
+            self.assertGreater(len(whole), 50)
+            np.testing.assert_allclose(places[whole["v0"], :2], whole["p0"], atol=1e-12)
+            np.testing.assert_allclose(places[whole["v0"], 2], whole["z0"], atol=1e-12)
+        self.assertTrue(np.isnan(scene.project([[9, -21, 8]], where)).all())
+        self.assertRaises(ValueError, scene.project, [1, 2, 3])
+        self.assertRaises(roberts.Error, scene.project, [[1, 2, 3]], roberts.view(direction=(0, 0, 0)))
+
     def test_rounded(self):
         path = "models/star/great-icosahedron.off"
         self.same(roberts.read(path, rounded=True).hide(), path, "--rounded")

@@ -315,6 +315,68 @@ static void windows(void **state)
     roberts_scene_free(scene);
 }
 
+static void expect_at(roberts_vec3 found, roberts_vec2 p, double z)
+{
+    assert_true(distance3(found, (roberts_vec3){p.x, p.y, z}) <= 16 * ROUNDING * fmax(1, vec3_length(found)));
+}
+
+/* Projects the vertices of each segment, and what roberts_pick() finds at its middle. Returns how many ends it has that
+ * are vertices. */
+static int expect_projected(const roberts_scene *scene, const roberts_camera *camera)
+{
+    const roberts_hide_options options = {.keep_hidden = true};
+    int ends = 0;
+    roberts_drawing drawing;
+    assert_int_equal(roberts_hide(scene, camera, &options, &drawing, NULL), ROBERTS_OK);
+    for (size_t i = 0; i < drawing.count; i++) {
+        const roberts_segment *s = &drawing.segment[i];
+        roberts_vec3 at[2];
+        assert_true(roberts_scene_vertex(scene, s->v0, &at[0]) && roberts_scene_vertex(scene, s->v1, &at[1]));
+        assert_int_equal(roberts_project(scene, camera, at, 2, at, NULL), ROBERTS_OK);
+        if (s->state == ROBERTS_CLIPPED) {
+            assert_true(s->t0 > 0 || isnan(at[0].x + at[0].y + at[0].z));
+            assert_true(s->t1 < 1 || isnan(at[1].x + at[1].y + at[1].z));
+            continue;
+        }
+        ends += (s->t0 == 0) + (s->t1 == 1);
+        if (s->t0 == 0)
+            expect_at(at[0], s->p0, s->z0);
+        if (s->t1 == 1)
+            expect_at(at[1], s->p1, s->z1);
+        const roberts_vec2 middle = {(s->p0.x + s->p1.x) / 2, (s->p0.y + s->p1.y) / 2};
+        roberts_picked picked;
+        assert_int_equal(roberts_pick(scene, camera, middle.x, middle.y, &picked, NULL), ROBERTS_OK);
+        if (picked.count) {
+            assert_int_equal(roberts_project(scene, camera, &picked.hit[0].point, 1, at, NULL), ROBERTS_OK);
+            expect_at(at[0], middle, at[0].z);
+        }
+        roberts_picked_free(&picked);
+    }
+    roberts_drawing_free(&drawing);
+    return ends;
+}
+
+/* As in the drawing and for a ray, in all projections, and where the near plane cuts the scene. */
+static void projected_points(void **state)
+{
+    rng r = {25};
+    roberts_scene *scene = cube_scene((roberts_vec3){-1, -1, -1}, 2);
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        const roberts_camera camera = random_camera(&r, i % PROJECTIONS);
+        assert_int_equal(expect_projected(scene, &camera), 24);
+    }
+    const roberts_camera beside = {
+        .projection = ROBERTS_PERSPECTIVE, .eye = {1.5, 0.5, 0}, .look_at = {1.5, 9, 0}, .has_look_at = true};
+    assert_int_equal(expect_projected(scene, &beside), 12);
+    const roberts_camera nowhere = {0};
+    roberts_vec3 point = {1, 2, 3};
+    assert_int_equal(roberts_project(scene, &nowhere, &point, 1, &point, NULL), ROBERTS_BAD_VIEW);
+    assert_false(roberts_scene_vertex(scene, 8, &point));
+    assert_true(point.x == 1 && point.y == 2 && point.z == 3);
+    roberts_scene_free(scene);
+}
+
 static void up_by_table(void **state)
 {
     static const struct {
@@ -827,6 +889,7 @@ int main(void)
         cmocka_unit_test(roll_turns_the_drawing),
         cmocka_unit_test(turning_goes_about_the_centre),
         cmocka_unit_test(windows),
+        cmocka_unit_test(projected_points),
         cmocka_unit_test(oblique_presets),
         cmocka_unit_test(up_by_table),
         cmocka_unit_test(frames_at_random),

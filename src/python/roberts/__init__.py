@@ -324,6 +324,19 @@ class Scene:
         """What is seen of each face. options: merge_regions, unite, epsilon, threads. Raises Error, MemoryError."""
         return Regions(self, _camera(where), options)
 
+    def project(self, points: Any, where: ViewLike = None) -> np.ndarray:
+        """Where points of the model, (n, 3) numbers, lie in the picture, seen or not.
+
+        Returns (n, 3) float64: x and y as p0 of segments, z as z0; NaN what the near plane cuts off.
+        Raises Error, ValueError.
+        """
+        camera, given = _camera(where), np.require(points, np.float64, "CA")
+        if given.ndim != 2 or given.shape[1] != 3:
+            raise ValueError(f"project: points are (n, 3) numbers, not {given.shape}")
+        places = np.empty_like(given)
+        c.check("project", self._handle, ctypes.byref(camera), given.ctypes.data, len(given), places.ctypes.data)
+        return places
+
     def _repr_svg_(self) -> str:
         return self.hide()._repr_svg_()
 
