@@ -483,7 +483,7 @@ typedef struct roberts_drawing {
 
 typedef struct roberts_hide_options {
     double crease_degrees; /**< an edge between two front faces, or two back ones, that bends by at most this is left
-                              out (default: 0.1); if coordinates were rounded, also by what that explains */
+                              out (default: 0.1), and so is one that rounding of the coordinates may have bent */
     bool crease_auto; /**< of curved bodies (a scan, a round part; see roberts_scene_body_curved()) edges that bend by
                            at most 30 degrees are left out (default: true) */
     bool all_edges;   /**< draw flat edges too */

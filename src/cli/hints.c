@@ -422,8 +422,9 @@ bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_
     if (idle == 0)
         return false;
     names_thing(&names->name[first], thing, sizeof thing);
-    snprintf(text, size, "--labels: %zu name%s no effect, the first because there is no %s", idle,
-             idle > 1 ? "s have" : " has", thing);
+    const int used = snprintf(text, size, "there is no %s, which %.60s names", thing, options->names);
+    if (idle > 1)
+        snprintf(text + used, size - (size_t)used, ", and %zu more of its names have no effect", idle - 1);
     return true;
 }
 
@@ -496,7 +497,7 @@ size_t hint_round(const roberts_scene *scene)
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)
 {
     if (!options->hide.crease_auto || options->hide.all_edges ||
-        drawing->drawn_edges > roberts_scene_edge_count(scene) / 2)
+        drawing->drawn_edges == roberts_scene_edge_count(scene))
         return false;
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)

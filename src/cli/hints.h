@@ -44,8 +44,8 @@ bool hint_near_plane(const cli_options *options, const roberts_scene *scene, con
 
 /* ---- options that change nothing in this drawing ---- */
 
-/* Writes which names of --labels belong to nothing in this model: the first one, and how many there are. False: each
- * belongs to something. */
+/* Writes which names of --labels belong to nothing in this model: the first one, and how many more there are. False:
+ * each belongs to something. */
 bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_t bodies, char *text, size_t size);
 
 /* Does --style set pens of classes that none of the drawings has? Then `text` names them. */
@@ -63,7 +63,7 @@ size_t hint_curved(const roberts_scene *scene);
 /* How many bodies are convex, with so many faces that they probably stand for round ones? */
 size_t hint_round(const roberts_scene *scene);
 
-/* Are most edges left out because they are flat, so that only borders are drawn? A tiling is like this. */
+/* Are edges left out because they are flat, so that only borders are drawn? A tiling and a net are like this. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 
 /* Is no body closed, so that --union changes nothing? */

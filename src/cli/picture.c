@@ -448,8 +448,11 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
     if (is_idle_rounded(options, &v->drawing[0]))
-        warn_of_inputs(options, "--rounded has no effect: coordinates are whole numbers, 32-bit floats, or decimals of "
-                                "more than nine digits or of too few");
+        warn_of_inputs(options,
+                       v->drawing[0].epsilon_reason == ROBERTS_EPSILON_FLOAT32
+                           ? "--rounded has no effect: coordinates are 32-bit floats, whose rounding counts anyway"
+                           : "--rounded has no effect: coordinates have no decimals, or more than nine digits, or "
+                             "so few that --epsilon must tell what touches");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
         warn_of_inputs(
             options,

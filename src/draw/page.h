@@ -26,10 +26,14 @@ bool page_is_valid(const roberts_page *page, roberts_error *error);
 /* Whether scale, unit and alignment are valid; fills `error` if not. */
 bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
 
+/* What would do in place of `page`: the page turned, or the smallest of A4 to A0, lying as `page` does, that has this
+ * width and height. *lying: the option for it to lie so. */
+const char *page_instead(const roberts_page *page, double width_mm, double height_mm, const char **lying);
+
 /* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, does not fit on the page. The message names
- * the scale that would fit, `fitting` mm per model unit. */
+ * the scale that would fit, `fitting` mm per model unit, and ends with `instead`. */
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
-                 roberts_error *error);
+                 const char *instead, roberts_error *error);
 
 /* Fits the box from `min` to `max`, finite, into the page's margins, as large as possible and centred. A box without
  * width or height is fitted by its other side. A point lies in the middle, at one mm per model unit; the box of an

@@ -139,27 +139,6 @@ static double fit_symbol(const layout *l, double width_mm, double height_mm)
     return size < least ? 0.0 : fmin(size, 1.0);
 }
 
-/* What would do in place of `page`: the page turned, or the smallest of A4 to A0, lying as `page` does, that has this
- * width and height. *lying: the option for it to lie so. */
-static const char *page_that_would_do(const roberts_page *page, double width_mm, double height_mm, const char **lying)
-{
-    static const struct {
-        const char *name;
-        double narrow, wide;
-    } sizes[] = {{"a4", 210, 297}, {"a3", 297, 420}, {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
-    const bool is_wide = page->width_mm > page->height_mm;
-    *lying = "";
-    if (page->height_mm >= width_mm && page->width_mm >= height_mm)
-        return is_wide ? "the same page upright" : "--landscape";
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
-        if ((is_wide ? sizes[i].wide : sizes[i].narrow) >= width_mm &&
-            (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm) {
-            *lying = is_wide ? " --landscape" : "";
-            return sizes[i].name;
-        }
-    return "a larger page";
-}
-
 /* Subtracts the strip of the title block from the room. Each view must have at least 20 mm. */
 static bool fit_block(layout *l, const roberts_draw_options *options, roberts_page *room, roberts_error *error)
 {
@@ -175,7 +154,7 @@ static bool fit_block(layout *l, const roberts_draw_options *options, roberts_pa
     const double height = page->height_mm - room->height_mm + l->rows.gap_mm + 2.0 * views_least;
     if (page->width_mm >= width && page->height_mm >= height)
         return true;
-    const char *lying, *other = page_that_would_do(page, width, height, &lying);
+    const char *lying, *other = page_instead(page, width, height, &lying);
     error_set(error, ROBERTS_BAD_ARGUMENT, 0,
               "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s%s "
               "would do",
@@ -226,7 +205,7 @@ static bool find_scale(layout *l, const roberts_placement *placement, const robe
     roberts_vec2 drawn = {views.x * l->half_mm + gap.x, views.y * l->half_mm + gap.y};
     if (drawn.x <= room->width_mm + PAGE_SLACK_MM && drawn.y <= room->height_mm + PAGE_SLACK_MM)
         return true;
-    page_refuse(room, placement, fitted / l->half, drawn, error);
+    page_refuse(room, placement, fitted / l->half, drawn, "", error);
     return false;
 }
 

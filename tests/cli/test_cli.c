@@ -656,7 +656,7 @@ static void too_large_for_the_page(void **state)
     assert_int_equal(run("--view top --page 100x100 --scale 1:20 --unit ft models/platonic/cube.off -o in/a.svg"), 0);
     assert_int_equal(run("--view top --page 100x100 --scale 1:2 --unit ft models/platonic/cube.off -o in/b.svg"), 2);
     assert_said("in/b.svg: at 1:2 the drawing is 305 x 305 mm and would leave the page, whose margins leave 80 x 80; "
-                "1:7.62 would fit\n");
+                "1:7.62 would fit, or a2\n");
     assert_int_equal(run("--view top --page 100x100 --scale 1:7.62 --unit ft models/platonic/cube.off -o in/b.svg"), 0);
     assert_int_equal(entries("in", false), 2);
 }

@@ -781,8 +781,10 @@ static const struct {
      "models/platonic/cube.off: warning: --fill-rule has no effect: no face crosses itself\n"},
     {"--fill-rule nonzero models/platonic/cube.off", ""},
     {"--rounded models/platonic/cube.off",
-     "models/platonic/cube.off: warning: --rounded has no effect: coordinates are whole numbers, 32-bit floats, or "
-     "decimals of more than nine digits or of too few\n"},
+     "models/platonic/cube.off: warning: --rounded has no effect: coordinates have no decimals, or more than nine "
+     "digits, or so few that --epsilon must tell what touches\n"},
+    {"--rounded float.stl",
+     "float.stl: warning: --rounded has no effect: coordinates are 32-bit floats, whose rounding counts anyway\n"},
     {"--rounded --epsilon 1e-9 models/platonic/cube.off", ""},
     {"--rounded --batch in models/platonic/cube.off", ""},
     {"--rounded rounded.off models/platonic/cube.off", ""},
@@ -795,6 +797,21 @@ static const struct {
     {"--fill-rule evenodd models/star/pentagrammic-prism.off", ""},
 };
 
+/* A triangle as binary STL, on a machine whose numbers begin with their low bytes. */
+static void put_float_stl(const char *path)
+{
+    const char head[80] = "a header";
+    const uint32_t count = 1;
+    const float facet[12] = {0, 0, 1, 0, 0, 0, 0.1F, 0, 0, 0, 0.1F, 0};
+    const uint16_t none = 0;
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(head, sizeof head, 1, file) + fwrite(&count, sizeof count, 1, file) +
+                         fwrite(facet, sizeof facet, 1, file) + fwrite(&none, sizeof none, 1, file),
+                     4);
+    assert_int_equal(fclose(file), 0);
+}
+
 static void what_a_drawing_lacks_is_warned_of(void **state)
 {
     char line[300], said[300];
@@ -802,6 +819,7 @@ static void what_a_drawing_lacks_is_warned_of(void **state)
     put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("points.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     put("crossing.off", "OFF\n6 2 0\n0 0 0\n1.414214 0 0\n0 1 0\n.2 .2 -1\n.2 .2 1\n2 2 0\n3 0 1 2\n3 3 4 5\n");
+    put_float_stl("float.stl");
     put("rounded.off", "OFF\n3 1 0\n0 0 0\n0.707107 0 0\n0 0.707107 0\n3 0 1 2\n");
     for (size_t i = 0; i < sizeof lacking_cases / sizeof lacking_cases[0]; i++) {
         print_message("roberts %s\n", lacking_cases[i].arguments);
@@ -970,7 +988,7 @@ static void put_tiles(const char *path, int n, double bend)
     put(path, text);
 }
 
-/* 2 n (n - 1) of 2 n (n + 1) edges are flat: few of two squares a side, most of six. */
+/* 2 n (n - 1) of 2 n (n + 1) edges are flat: few of two squares a side, as of a net, and most of six. */
 static void flat_sheets_are_told(void **state)
 {
     static const char said[] = "edges between faces in one plane are left out, so that only borders are drawn; "
@@ -979,10 +997,12 @@ static void flat_sheets_are_told(void **state)
     put_tiles("few.off", 2, 0.0);
     put_tiles("many.off", 6, 0.0);
     put_tiles("curved.off", 24, 0.001);
+    assert_int_equal(run("few.off --view top -o a.svg"), 0);
+    assert_said(said);
     assert_int_equal(run("many.off --view top -o a.svg"), 0);
     assert_said(said);
-    static const char *const silent[] = {"few.off", "--all-edges many.off", "--crease 1 many.off",
-                                         "many.off models/table.off", "curved.off"};
+    static const char *const silent[] = {"--all-edges many.off", "--crease 1 many.off", "many.off models/table.off",
+                                         "curved.off"};
     for (size_t i = 0; i < sizeof silent / sizeof silent[0]; i++) {
         char line[100];
         snprintf(line, sizeof line, "--view top -o a.svg %s", silent[i]);
@@ -998,17 +1018,17 @@ static void idle_names_are_told(void **state)
         const char *names, *said;
     } rows[] = {
         {"vertex,7,A\nedge,1-0,B\nface,5,C\nbody,0,D\n", ""},
-        {"vertex,8,A\n", "--labels: 1 name has no effect, the first because there is no vertex 8\n"},
-        {"edge,0-7,A\nedge,0-1,B\n", "--labels: 1 name has no effect, the first because there is no edge 0-7\n"},
-        {"face,6,A\nbody,1,B\n", "--labels: 2 names have no effect, the first because there is no face 6\n"},
-        {"body,1,B\n", "--labels: 1 name has no effect, the first because there is no body 1\n"},
+        {"vertex,8,A\n", "there is no vertex 8, which names.csv names\n"},
+        {"edge,0-7,A\nedge,0-1,B\n", "there is no edge 0-7, which names.csv names\n"},
+        {"face,6,A\nbody,1,B\n", "there is no face 6, which names.csv names, and 1 more of its names have no effect\n"},
+        {"body,1,B\n", "there is no body 1, which names.csv names\n"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        put("names", rows[i].names);
+        put("names.csv", rows[i].names);
         for (int batch = 0; batch < 2; batch++) {
-            assert_int_equal(run(batch ? "--labels names models/platonic/cube.off -f svg --batch ."
-                                       : "--labels names models/platonic/cube.off -o a.svg"),
+            assert_int_equal(run(batch ? "--labels names.csv models/platonic/cube.off -f svg --batch ."
+                                       : "--labels names.csv models/platonic/cube.off -o a.svg"),
                              0);
             if (*rows[i].said)
                 assert_said(rows[i].said);
