@@ -1013,8 +1013,9 @@ typedef enum roberts_column {
 
 /** The axes of a plotter, for HP-GL. A zeroed struct has the origin in the page's lower left corner, x to the right. */
 typedef struct roberts_plotter {
-    bool centre;   /**< the origin is in the middle of the page */
-    uint32_t turn; /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+    bool centre;            /**< the origin is in the middle of the page */
+    uint32_t turn;          /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
+    roberts_vec2 inside_mm; /**< how far the origin lies from that corner or middle, along the plotter's axes */
 } roberts_plotter;
 
 /** Reports where an unfinished file is: called with its name just before it is created, and with NULL once it is
@@ -1088,10 +1089,11 @@ roberts_status roberts_drawing_write(const roberts_drawing *drawing, const rober
                                      roberts_write_fn *write, void *context, roberts_error *error);
 
 /**
- * The same into a file; "-" is standard output. A regular file appears whole or not at all: it is written in the same
- * folder under a temporary name, then renamed. An existing file keeps its mode, and a symbolic link is followed. A
- * device, a pipe or any other existing file that is not regular is written in place. SIGPIPE is left to the caller; if
- * it is ignored, a closed pipe is an error like any other.
+ * The same into a file; "-" is standard output. The format is options->format, whatever the ending of `path`:
+ * roberts_format_by_path() finds the format of an ending. A regular file appears whole or not at all: it is written in
+ * the same folder under a temporary name, then renamed. An existing file keeps its mode, and a symbolic link is
+ * followed. A device, a pipe or any other existing file that is not regular is written in place. SIGPIPE is left to the
+ * caller; if it is ignored, a closed pipe is an error like any other.
  */
 roberts_status roberts_drawing_save(const roberts_drawing *drawing, const roberts_draw_options *options,
                                     const char *path, roberts_error *error);

@@ -542,15 +542,20 @@ static const option rows[] = {
     {.group = GROUP_PAGE,
      .name = "plotter",
      .flags = OPTION_DRAWS | OPTION_PAPER,
-     .value = "ORIGIN[,TURN]",
+     .value = "ORIGIN[,TURN[,XxY]]",
      .set = values_set_plotter,
      .brief = "origin and turn of hpgl",
-     .help = "origin of hpgl, corner or center (default: corner), and how the page is turned: 90, 180 or 270",
+     .help = "origin of hpgl, corner or center (default: corner), how the page is turned (90, 180 or 270), and how far "
+             "inside the origin lies, as 10x4 in mm",
      .manual =
          "Where an hpgl plotter has its origin: corner, the page's lower left one (the default), or center. TURN turns "
-         "the page counter-clockwise by 90, 180 or 270 degrees. A plotter whose x axis runs along the longer side of "
-         "the paper, as that of the HP 7475A, draws an upright page with corner,90 and a --landscape page as it is. "
-         "Large drafting plotters often have the origin in the middle."},
+         "the page counter-clockwise by 90, 180 or 270 degrees. XxY is how far the origin lies from there, along the "
+         "plotter's x and y axis, in mm.\n"
+         "On a plotter whose x axis runs along the longer side of the paper, an upright page needs a turn by 90, and a "
+         "--landscape page none. The HP 7475A has its origin inside the paper, for A4 at corner,90,10x4, or "
+         "corner,0,10x4 "
+         "with --landscape. It cannot reach the border, so --margin 15 is a good choice. Large drafting plotters often "
+         "have the origin in the middle."},
 
     /* ---- lines ---- */
     {.group = GROUP_LINES,

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <float.h>
 #include <stddef.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -314,16 +315,21 @@ int values_set_align(const option *o, const char *value, cli_options *options)
 /* ORIGIN or ORIGIN,TURN. */
 int values_set_plotter(const option *o, const char *value, cli_options *options)
 {
-    char origin[16];
-    bool fits;
+    char origin[16], turned[16] = "0";
+    bool fits, fits_turn = true;
     uint32_t turn = 0;
+    roberts_vec2 inside = {0.0, 0.0};
     const char *rest = parse_word(value, ',', origin, sizeof origin, &fits);
     const bool centre = strcmp(origin, "center") == 0 || strcmp(origin, "centre") == 0;
     if (!fits || (!centre && strcmp(origin, "corner") != 0))
         return message_misuse("--%s: the origin is corner or center, not \"%s\"", o->name, origin);
-    if (rest && (!parse_integer(rest, &turn) || turn > 270 || turn % 90 != 0))
-        return message_misuse("--%s: a page is turned by 0, 90, 180 or 270 degrees, not \"%s\"", o->name, rest);
-    options->draw.plotter = (roberts_plotter){centre, turn};
+    if (rest)
+        rest = parse_word(rest, ',', turned, sizeof turned, &fits_turn);
+    if (!fits_turn || !parse_integer(turned, &turn) || turn > 270 || turn % 90 != 0)
+        return message_misuse("--%s: a page is turned by 0, 90, 180 or 270 degrees, not \"%s\"", o->name, turned);
+    if (rest && (!parse_lengths(rest, 'x', &inside.x, &inside.y) || fmax(fabs(inside.x), fabs(inside.y)) > 1000.0))
+        return message_misuse("--%s: \"%s\" is not how far the origin lies inside, as 10x4, in mm", o->name, rest);
+    options->draw.plotter = (roberts_plotter){centre, turn, inside};
     return EXIT_DONE;
 }
 

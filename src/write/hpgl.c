@@ -2,9 +2,9 @@
  * cutters.
  *
  * A class has a pen (SP). The file also gives the width and colour of the pen (PW, PC): plotters with real pens ignore
- * them. 40 units are a mm. The origin is the lower left corner of the page, or its middle, and the page may be turned,
- * as the plotter needs it. Coordinates are whole numbers, because many plotters and cutters read no others. So they are
- * accurate to half a unit, 0.0125 mm. */
+ * them. 40 units are a mm. The origin is the lower left corner of the page, or its middle, or lies at some distance
+ * from there, and the page may be turned, as the plotter needs it. Coordinates are whole numbers, because many plotters
+ * and cutters read no others. So they are accurate to half a unit, 0.0125 mm. */
 #include "write/formats.h"
 #include "write/plot.h"
 
@@ -77,7 +77,7 @@ static page_point on_plotter(const hpgl *p, page_point at)
         x -= width / 2.0;
         y -= height / 2.0;
     }
-    return page_rounded((roberts_vec2){x, y});
+    return page_rounded((roberts_vec2){x - UNITS_PER_MM * axes->inside_mm.x, y - UNITS_PER_MM * axes->inside_mm.y});
 }
 
 static void write_point(output *out, page_point at)

@@ -44,7 +44,8 @@ typedef struct subject {
     const save_source *source;
 } subject;
 
-static const double widest_gap = 1000.0; /* mm, between the views of a sheet */
+static const double widest_gap = 1000.0;  /* mm, between the views of a sheet */
+static const double inside_most = 1000.0; /* mm, from the origin of a plotter to the corner or middle of the page */
 
 static const struct {
     const char *name; /* also the ending of file names */
@@ -173,6 +174,8 @@ static roberts_status check_options(const roberts_draw_options *options, roberts
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to group the lines of SVG");
     if (options->plotter.turn > 270 || options->plotter.turn % 90 != 0)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
+    if (!(fabs(options->plotter.inside_mm.x) <= inside_most) || !(fabs(options->plotter.inside_mm.y) <= inside_most))
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "a plotter's origin lies at most %g mm inside", inside_most);
     if (options->fill < ROBERTS_FILL_NONE || options->fill > ROBERTS_FILL_BODY)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "unknown way to fill faces");
     if (!(isnormal(vec3_length(options->light))))

@@ -224,10 +224,11 @@ static void plotters_have_their_axes(void **state)
         roberts_plotter plotter;
         const char *line;
     } cases[] = {
-        {{false, 0}, "PU0,0;PD4000,2400;"},          {{false, 90}, "PU2400,0;PD0,4000;"},
-        {{false, 180}, "PU4000,2400;PD0,0;"},        {{false, 270}, "PU0,4000;PD2400,0;"},
-        {{true, 0}, "PU-2000,-1200;PD2000,1200;"},   {{true, 90}, "PU1200,-2000;PD-1200,2000;"},
-        {{true, 180}, "PU2000,1200;PD-2000,-1200;"}, {{true, 270}, "PU-1200,2000;PD1200,-2000;"},
+        {{false, 0, {0, 0}}, "PU0,0;PD4000,2400;"},          {{false, 90, {0, 0}}, "PU2400,0;PD0,4000;"},
+        {{false, 180, {0, 0}}, "PU4000,2400;PD0,0;"},        {{false, 270, {0, 0}}, "PU0,4000;PD2400,0;"},
+        {{true, 0, {0, 0}}, "PU-2000,-1200;PD2000,1200;"},   {{true, 90, {0, 0}}, "PU1200,-2000;PD-1200,2000;"},
+        {{true, 180, {0, 0}}, "PU2000,1200;PD-2000,-1200;"}, {{true, 270, {0, 0}}, "PU-1200,2000;PD1200,-2000;"},
+        {{false, 0, {10, 4}}, "PU-400,-160;PD3600,2240;"},   {{false, 90, {10, 4}}, "PU2000,-160;PD-400,3840;"},
     };
     roberts_segment segment = line_at(ROBERTS_CREASE, 0, 0, 100, 60);
     const roberts_drawing drawing = {.count = 1, .segment = &segment, .framed = true, .window_max = {100, 60}};
@@ -247,6 +248,9 @@ static void plotters_have_their_axes(void **state)
     options.plotter.turn = 45;
     assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, &error), ROBERTS_BAD_ARGUMENT);
     assert_string_equal(error.message, "a plotter's page is turned by 0, 90, 180 or 270 degrees");
+    options.plotter = (roberts_plotter){.inside_mm = {0, NAN}};
+    assert_int_equal(roberts_drawing_write(&drawing, &options, sink_write, &to, &error), ROBERTS_BAD_ARGUMENT);
+    assert_string_equal(error.message, "a plotter's origin lies at most 1000 mm inside");
 }
 
 static const struct {

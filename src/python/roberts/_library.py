@@ -154,7 +154,7 @@ class lettering(Structure):
 
 
 class plotter(Structure):
-    _fields_ = [("centre", c_bool), ("turn", c_uint32)]
+    _fields_ = [("centre", c_bool), ("turn", c_uint32), ("inside_mm", vec2)]
 
 
 PENS = ("outline", "border", "crease", "intersection", "wire", "back", "frame", "symbol", "hatch", "text",
