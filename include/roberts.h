@@ -316,7 +316,7 @@ typedef struct roberts_camera {
      * off. */
     double near_distance;
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
-     * its shorter side); 0 = the whole scene, or 60 where the near plane cuts the scene. */
+     * its shorter side); 0 = the whole scene, but where the near plane cuts it, at most 60. */
     double fov_degrees;
     double roll_degrees; /**< turns the drawing counter-clockwise */
 } roberts_camera;

@@ -300,7 +300,7 @@ static glance look(const cli_options *options, const roberts_drawing *drawing, s
     for (const roberts_drawing *d = drawing; d < drawing + views; d++) {
         roberts_vec2 min = d->window_min, max = d->window_max;
         roberts_page_shape(&options->draw.page, &min, &max);
-        for (size_t i = 0; i < d->count && g.drawn < enough; i++) {
+        for (size_t i = 0; i < d->count + (page ? d->cut_count : 0) && g.drawn < enough; i++) {
             const roberts_segment *s = &d->segment[i];
             if (s->state == ROBERTS_CLIPPED)
                 continue;

@@ -420,6 +420,17 @@ static const option rows[] = {
      .manual = "Draws as large as the margins allow. This is the default, except for sheets with a title block: see "
                "--title."},
     {.group = GROUP_PAGE,
+     .name = "room-for",
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS | OPTION_FILE,
+     .value = "FILE",
+     .set = values_add_room,
+     .excludes = "sheet plan part join",
+     .brief = "leave room for this model, too",
+     .help = "leave room for this model, too, without drawing it, so that pictures of steps fit together",
+     .manual = "Lays out the page as if it showed the model in FILE, too. FILE is not drawn, and hides nothing. So the "
+               "steps of a construction have one scale and one place, if each leaves room for the finished whole. May "
+               "be given several times. With --eye, give --look-at as well."},
+    {.group = GROUP_PAGE,
      .name = "scale",
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "RATIO",
@@ -879,11 +890,11 @@ static const option rows[] = {
      .needs = "eye",
      .brief = "angle of the picture",
      .help = "with --eye: the angle across the shorter side of the picture, up to 179; the picture fills "
-             "what the margins leave (default: the whole scene; 60 where it is cut)",
+             "what the margins leave (default: the whole scene; at most 60 where it is cut)",
      .manual = "The angle of a perspective picture, from 0.001 to 179 degrees. The picture has the shape of what "
                "the page's margins leave, and this angle across its shorter side. The look-at point is in its middle. "
-               "The drawing ends at its border, but tables also have what lies beyond. Default: the whole scene, or 60 "
-               "degrees where the near plane cuts it."},
+               "The drawing ends at its border, but tables also have what lies beyond. Default: the whole scene, but "
+               "where the near plane cuts it, at most 60 degrees."},
     {.group = GROUP_VIEW,
      .name = "near",
      .flags = OPTION_DRAWS,

@@ -9,7 +9,7 @@
 
 #include "roberts.h"
 
-enum { PICKS_MOST = 64, FIELDS_MOST = 7, DISTANCES_MOST = 64 };
+enum { PICKS_MOST = 64, FIELDS_MOST = 7, DISTANCES_MOST = 64, ROOMS_MOST = 64 };
 
 typedef enum cli_stats { STATS_NONE, STATS_TEXT, STATS_JSON } cli_stats;
 
@@ -53,6 +53,8 @@ typedef struct cli_options {
     size_t field_count;
     roberts_distance distance[DISTANCES_MOST]; /* between vertices of a sheet */
     size_t distance_count;
+    const char *room[ROOMS_MOST]; /* files for which there is room in the picture, too */
+    size_t room_count;
     const char *unit; /* name of --unit; NULL: not given */
     bool landscape;
     description description;

@@ -86,13 +86,14 @@ static int fail(const cli_options *options, roberts_error *error, picture_result
     return message_error(options->log, error);
 }
 
-static roberts_status read_all(const cli_options *options, roberts_mesh *mesh, roberts_error *error)
+static roberts_status read_all(const cli_options *options, const char *const *name, size_t count, roberts_mesh *mesh,
+                               roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < options->input_count && status == ROBERTS_OK; i++) {
-        status = roberts_mesh_read_file(mesh, options->input[i], &options->scene.warnings, error);
+    for (size_t i = 0; i < count && status == ROBERTS_OK; i++) {
+        status = roberts_mesh_read_file(mesh, name[i], &options->scene.warnings, error);
         if (status != ROBERTS_OK)
-            hint_unread(options, options->input[i], error);
+            hint_unread(options, name[i], error);
     }
     if (status == ROBERTS_OK && options->y_up)
         roberts_mesh_stand_up(mesh);
@@ -240,7 +241,7 @@ static roberts_status load(const cli_options *options, roberts_scene **scene, ru
     roberts_time start = report_now();
     solids.threads = options->hide.threads;
     progress_stage("reading");
-    roberts_status status = read_all(options, &mesh, error);
+    roberts_status status = read_all(options, (const char *const *)options->input, options->input_count, &mesh, error);
     run->read = report_since(start);
     if (status == ROBERTS_OK && options->verbose)
         run->lines = count_lines(&mesh);
@@ -596,7 +597,7 @@ static roberts_status save_regions(const cli_options *options, const views *v, r
     return status;
 }
 
-/* Gives the picture of a turntable the window that all of them share. NULL: it has its own. */
+/* Gives a picture the window that others share. NULL: it has its own. */
 static void set_window(roberts_drawing *drawing, const picture_window *window)
 {
     if (!window)
@@ -672,14 +673,31 @@ static roberts_camera turned(const cli_options *options, const roberts_scene *sc
     return camera;
 }
 
-static roberts_status find_window(const cli_options *options, const roberts_scene *scene, picture_window *all,
-                                  roberts_error *error)
+/* Enlarges the window of a picture until it holds the corners of all faces of `room`. */
+static roberts_status add_room(const roberts_mesh *room, const roberts_scene *scene, const roberts_camera *camera,
+                               picture_window *window, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
-    for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
+    for (size_t i = 0; i < room->corner_count && status == ROBERTS_OK && !window->framed; i++) {
+        roberts_vec3 p = {0};
+        status = roberts_project(scene, camera, &room->vertex[room->corner[i]], 1, &p, error);
+        window->min = (roberts_vec2){fmin(window->min.x, p.x), fmin(window->min.y, p.y)}; /* ignores NaN */
+        window->max = (roberts_vec2){fmax(window->max.x, p.x), fmax(window->max.y, p.y)};
+    }
+    return status;
+}
+
+/* Finds the window of all pictures. */
+static roberts_status find_window(const cli_options *options, const roberts_scene *scene, const roberts_mesh *room,
+                                  picture_window *all, roberts_error *error)
+{
+    roberts_status status = ROBERTS_OK;
+    for (uint32_t i = 0; (i == 0 || i < options->turntable) && status == ROBERTS_OK; i++) {
         picture_window one;
-        roberts_camera camera = turned(options, scene, i);
+        roberts_camera camera = options->turntable ? turned(options, scene, i) : options->camera;
         status = roberts_window(scene, &camera, &one.min, &one.max, &one.framed, error);
+        if (status == ROBERTS_OK)
+            status = add_room(room, scene, &camera, &one, error);
         if (status != ROBERTS_OK)
             break;
         if (i == 0)
@@ -729,14 +747,15 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
     return status == ROBERTS_BAD_ARGUMENT ? ROBERTS_OK : status; /* drawing will say why, and name the picture */
 }
 
-static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)
+static int draw_turntable(const cli_options *options, roberts_scene **scene, const roberts_mesh *room, run_stats run,
+                          picture_result *result)
 {
     char name[NAME_SIZE];
     picture_window window;
     roberts_error error = {0};
     double label_mm = options->draw.lettering.height_mm;
     int status = EXIT_DONE;
-    if (find_window(options, *scene, &window, &error) != ROBERTS_OK ||
+    if (find_window(options, *scene, room, &window, &error) != ROBERTS_OK ||
         (label_kinds(&options->draw) != 0 && label_mm == 0.0 &&
          find_letters(options, *scene, &window, &label_mm, &error) != ROBERTS_OK))
         return fail(options, &error, result);
@@ -756,6 +775,17 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, run
     return status;
 }
 
+/* Draws one picture, with room for more than it shows. */
+static int draw_with_room(const cli_options *options, roberts_scene **scene, const roberts_mesh *room, run_stats run,
+                          picture_result *result)
+{
+    picture_window window;
+    roberts_error error = {0};
+    if (find_window(options, *scene, room, &window, &error) != ROBERTS_OK)
+        return fail(options, &error, result);
+    return draw(options, scene, true, &window, run, result);
+}
+
 int picture_load(const cli_options *options, roberts_scene **scene)
 {
     run_stats run = {0};
@@ -771,6 +801,7 @@ int picture_make(const cli_options *given, picture_result *result)
     const cli_options *options = &own;
     name_list labels = {0};
     roberts_scene *scene = NULL;
+    roberts_mesh room = {0};
     roberts_error error = {0};
     run_stats run = {.files = options->input_count, .begin = report_now()};
     int status;
@@ -787,13 +818,17 @@ int picture_make(const cli_options *given, picture_result *result)
     own.draw.lettering.name_count = labels.count;
     if (options->join)
         status = draw_joined(options, run, result);
-    else if (load(options, &scene, &run, &error) != ROBERTS_OK)
+    else if (read_all(options, options->room, options->room_count, &room, &error) != ROBERTS_OK ||
+             load(options, &scene, &run, &error) != ROBERTS_OK)
         status = fail(options, &error, result);
     else if (options->turntable)
-        status = draw_turntable(options, &scene, run, result);
+        status = draw_turntable(options, &scene, &room, run, result);
+    else if (options->room_count)
+        status = draw_with_room(options, &scene, &room, run, result);
     else
         status = draw(options, &scene, true, NULL, run, result);
     roberts_scene_free(scene);
+    roberts_mesh_free(&room);
     names_free(&labels);
     return status;
 }

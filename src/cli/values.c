@@ -804,6 +804,14 @@ int values_set_verify(const option *o, const char *value, cli_options *options)
     return values_set_integer(o, value, options);
 }
 
+int values_add_room(const option *o, const char *value, cli_options *options)
+{
+    if (options->room_count == ROOMS_MOST)
+        return message_misuse("--room-for: at most %d files can be given", ROOMS_MOST);
+    options->room[options->room_count++] = value;
+    return *value ? EXIT_DONE : message_misuse("--%s: the name is empty", o->name);
+}
+
 int values_set_pick(const option *o, const char *value, cli_options *options)
 {
     double p[2];

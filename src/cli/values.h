@@ -76,12 +76,12 @@ option_set values_set_share;     /* roberts_share */
 option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
 /* For one option each. */
-option_set values_set_format, values_set_sheet, values_set_hidden, values_set_columns, values_set_crease,
-    values_set_label, values_set_text_mode, values_set_field, values_set_dimensions, values_set_fill_rule,
-    values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_plotter, values_set_frame,
-    values_set_background, values_set_fill, values_set_style, values_set_dash, values_set_order, values_set_layers,
-    values_set_group, values_set_id_prefix, values_set_hatch, values_set_view, values_set_dir, values_set_eye,
-    values_set_look_at, values_set_stats, values_set_verify, values_set_pick;
+option_set values_add_room, values_set_format, values_set_sheet, values_set_hidden, values_set_columns,
+    values_set_crease, values_set_label, values_set_text_mode, values_set_field, values_set_dimensions,
+    values_set_fill_rule, values_set_page, values_set_scale, values_set_unit, values_set_align, values_set_plotter,
+    values_set_frame, values_set_background, values_set_fill, values_set_style, values_set_dash, values_set_order,
+    values_set_layers, values_set_group, values_set_id_prefix, values_set_hatch, values_set_view, values_set_dir,
+    values_set_eye, values_set_look_at, values_set_stats, values_set_verify, values_set_pick;
 
 /* Are strokes of hatching drawn? */
 bool values_hatches(const roberts_draw_options *draw);

@@ -316,18 +316,8 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
     return ROBERTS_OK;
 }
 
-/* In perspective the picture may be a square about the look-at point. */
-static void set_drawing_frame(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
-{
-    double half;
-    if (!view_frame(&job->seen.view, camera, job->seen.clip.clipped, &half))
-        return;
-    drawing->framed = true;
-    drawing->window_min = (roberts_vec2){-half, -half};
-    drawing->window_max = (roberts_vec2){half, half};
-}
-
-/* The window is the box of all vertices: every solid has outlines, and they are always drawn. */
+/* The window is the box of all vertices: every solid has outlines, and they are always drawn. Or it is a field of view.
+ */
 static void describe_scene(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     const hide_fronts *fronts = &job->fronts;
@@ -347,7 +337,7 @@ static void describe_scene(const hide_job *job, const roberts_camera *camera, ro
     drawing->edge_on_faces = fronts->edge_on;
     drawing->window_min = (roberts_vec2){fronts->low.x * unit, fronts->low.y * unit};
     drawing->window_max = (roberts_vec2){fronts->high.x * unit, fronts->high.y * unit};
-    set_drawing_frame(job, camera, drawing);
+    drawing->framed = view_frame(v, camera, job->seen.clip.clipped, &drawing->window_min, &drawing->window_max);
 }
 
 roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,

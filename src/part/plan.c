@@ -465,7 +465,6 @@ static roberts_status describe_view(planner *pl, const roberts_scene *scene, rob
 {
     plan_facts *facts = &pl->p->facts;
     view v;
-    double half;
     roberts_status status = view_prepare(&v, scene, &pl->task->camera, pl->task->hide.epsilon, error);
     if (status != ROBERTS_OK)
         return status;
@@ -479,11 +478,7 @@ static roberts_status describe_view(planner *pl, const roberts_scene *scene, rob
     facts->scene_diameter = v.diameter * v.unit;
     facts->window[0] = (roberts_vec2){facts->whole.low.x * v.unit, facts->whole.low.y * v.unit};
     facts->window[1] = (roberts_vec2){facts->whole.high.x * v.unit, facts->whole.high.y * v.unit};
-    facts->framed = view_frame(&v, &pl->task->camera, false, &half);
-    if (facts->framed) {
-        facts->window[0] = (roberts_vec2){-half, -half};
-        facts->window[1] = (roberts_vec2){half, half};
-    }
+    facts->framed = view_frame(&v, &pl->task->camera, false, &facts->window[0], &facts->window[1]);
     return ROBERTS_OK;
 }
 

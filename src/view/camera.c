@@ -84,17 +84,20 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
 
 /* ---- the part of the picture plane that is drawn ----------------------------------------------------------------- */
 
-/* Degrees: the field of view for a scene that the near plane cuts. */
+/* Degrees: no wider is the picture of a scene that the near plane cuts. Near the eye it grows without bound. */
 #define FOV_OF_CLIPPED 60.0
 
-bool view_frame(const view *v, const roberts_camera *camera, bool clipped, double *half)
+bool view_frame(const view *v, const roberts_camera *camera, bool clipped, roberts_vec2 *min, roberts_vec2 *max)
 {
-    double fov = camera->fov_degrees;
-    if (fov == 0.0 && clipped)
-        fov = FOV_OF_CLIPPED;
-    if (!v->perspective || fov == 0.0)
+    const bool given = camera->fov_degrees != 0.0;
+    if (!v->perspective || (!given && !clipped))
         return false;
-    *half = v->unit / v->inverse_distance * tan(fov * PI / 360.0);
+    const double fov = given ? camera->fov_degrees : FOV_OF_CLIPPED;
+    const double half = v->unit / v->inverse_distance * tan(fov * PI / 360.0);
+    if (!given && fmax(fmax(-min->x, max->x), fmax(-min->y, max->y)) <= half)
+        return false;
+    *min = (roberts_vec2){-half, -half};
+    *max = (roberts_vec2){half, half};
     return true;
 }
 
@@ -103,7 +106,6 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
 {
     view v;
     view_clip clip;
-    double half;
     roberts_status status = view_clip_scene(&clip, scene, camera, error);
     if (status != ROBERTS_OK)
         return status;
@@ -117,13 +119,9 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
         *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
         *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
     }
-    bool field = view_frame(&v, camera, clip.clipped, &half);
+    const bool field = view_frame(&v, camera, clip.clipped, min, max);
     if (framed)
         *framed = field;
-    if (field) {
-        *min = (roberts_vec2){-half, -half};
-        *max = (roberts_vec2){half, half};
-    }
 done:
     view_clip_free(&clip);
     return status;

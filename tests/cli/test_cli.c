@@ -113,6 +113,8 @@ static const struct {
     {"--batch in", "--batch needs names of files"},
     {"--batch in a.off -", "--batch needs names of files"},
     {"--batch= a.off", "--batch: the name is empty"},
+    {"--room-for= a.off", "--room-for: the name is empty"},
+    {"--room-for a.off --sheet first a.off", "--room-for and --sheet exclude each other"},
     {"--sheet first --title= a.off", "--title: the text is empty"},
     {"--batch in a.off in/a.off", "--batch: a.off and in/a.off would both be drawn to in/a.svg"},
     {"--part 0/3 models/table.off", "--part: \"0/3\" is not K/N, with K from 1 to N"},
@@ -1291,6 +1293,49 @@ static void regions(void **state)
     assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 0); /* the near plane cuts */
 }
 
+/* Where the picture of the last run lies on the page, and its scale: what --stats=json says of them. */
+static void read_place(double place[3])
+{
+    const char *at = strstr(last.err, "\"scale\":");
+    assert_non_null(at);
+    assert_int_equal(sscanf(at, "\"scale\":%lf,\"origin_mm\":[%lf,%lf]", &place[0], &place[1], &place[2]), 3);
+}
+
+/* A cube of side 2 about 0,0,0, and a tower on it: the picture's 0,0 is the middle of what is drawn. */
+static void steps_have_one_place(void **state)
+{
+    static const char *const views[] = {"--view front", "--eye 9,-20,8 --look-at 0,0,2", "--view front --scale 10",
+                                        "--view front --align bottom-left"};
+    (void)state;
+    put("tower.off", "OFF\n8 6 0\n-1 -1 1\n1 -1 1\n1 1 1\n-1 1 1\n-1 -1 9\n1 -1 9\n1 1 9\n-1 1 9\n"
+                     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++) {
+        char line[200];
+        double step[3], whole[3];
+        print_message("%s\n", views[i]);
+        snprintf(line, sizeof line, "-q %s --stats=json -o in/a.svg models/platonic/cube.off tower.off", views[i]);
+        assert_int_equal(run(line), 0);
+        read_place(whole);
+        snprintf(line, sizeof line, "-q %s --stats=json -o in/a.svg --room-for tower.off models/platonic/cube.off",
+                 views[i]);
+        assert_int_equal(run(line), 0);
+        read_place(step);
+        const double down = i == 1 ? 0.0 : 4.0 * whole[0]; /* from the middle of the whole to that of the cube */
+        assert_true(fabs(step[0] - whole[0]) < 1e-9);
+        assert_true(fabs(step[1] - whole[1]) < 1e-9 && fabs(step[2] - whole[2] - down) < 1e-9);
+    }
+    /* turned: the box of 2.83 x 10 stays the same */
+    assert_int_equal(run("-q --view front --turntable 8 --stats=json -o in/t-%d.svg --room-for tower.off "
+                         "models/platonic/cube.off"),
+                     0);
+    assert_int_equal(count_of(last.err, "\"scale\":27.69999999"), 8);
+    assert_int_equal(run("-o in/b.svg --room-for nowhere.off models/platonic/cube.off"), 1);
+    assert_said("roberts: nowhere.off: No such file or directory\n");
+    assert_int_equal(access("in/b.svg", F_OK), -1);
+    assert_int_equal(run("-f pdf -o in/a.pdf --eye 9,9,9 --fov 9 --room-for tower.off models/platonic/cube.off"), 0);
+    assert_said("warning: --room-for has no effect: --fov says what the picture holds\n");
+}
+
 int main(void)
 {
     if (!program_find())
@@ -1331,6 +1376,7 @@ int main(void)
         IN_FOLDER(draws_bodies_as_one),
         IN_FOLDER(checks_by_rays),
         IN_FOLDER(picks),
+        IN_FOLDER(steps_have_one_place),
         IN_FOLDER(regions),
     };
     return cmocka_run_group_tests_name("cli", tests, NULL, NULL);

@@ -1115,8 +1115,9 @@ static const struct {
     {"--eye 0,-1.0005,0 -f null", "0.001 before the eye, cuts solid 0 in the middle"},
     {"--eye 0,-1.0005,0 --near 0.0001", ""},
     {"--eye 0,-1.002,0", ""},
-    {"--eye 0,-4,0 --near 3.5",
-     "3.5 before the eye, cuts solid 0 in the middle"},  /* no line of it is seen behind the cut */
+    {"--eye 0,-4,0 --near 3.5", ""}, /* its cut alone is drawn */
+    {"--eye 0,-4,0 --near 3.5 --fov 20",
+     "3.5 before the eye, cuts solid 0 in the middle"},  /* its border lies outside of the picture */
     {"--eye 2,-4,3 --near 4", ""},                       /* intended, and something is drawn */
     {"--eye 0,-3,0 --look-at 3,-3,0.5 --near 0.1", "!"}, /* not by the near plane */
     {"-q --eye 0,-1,0", ""},

@@ -309,6 +309,8 @@ static void windows(void **state)
     roberts_camera beside = {.projection = ROBERTS_PERSPECTIVE, .eye = {1.5, 0.5, 0}, .look_at = {1.5, 9, 0}};
     beside.has_look_at = true;
     expect_window(scene, &beside, true);
+    const roberts_camera far_off = {.projection = ROBERTS_PERSPECTIVE, .eye = {1, -40, 0}, .near_distance = 40};
+    expect_window(scene, &far_off, false); /* what is left is narrow */
     roberts_camera inside = {.projection = ROBERTS_PERSPECTIVE, .eye = {0.5, 0, 0}}, nowhere = {0};
     assert_int_equal(roberts_window(scene, &inside, &min, &max, NULL, NULL), ROBERTS_BAD_VIEW);
     assert_int_equal(roberts_window(scene, &nowhere, &min, &max, NULL, NULL), ROBERTS_BAD_VIEW);
