@@ -111,9 +111,9 @@ int view_face(const view *v, const roberts_scene *scene, uint32_t face, const ro
 double view_to_space(const view *v, double zA, double zB, double s);
 double view_from_space(const view *v, double zA, double zB, double t);
 
-/* Is the picture the square of a field of view, about the look-at point? It is if one is given, or if the near plane has
- * cut the scene (`clipped`) and what is left is wider. *min and *max, the corners of the scene's box, then become those
- * of the square. Model units. */
+/* Is the picture the square of a field of view, about the look-at point? It is if one is given, or if the near plane
+ * has cut the scene (`clipped`) and what is left is wider. Then *min and *max, the corners of the scene's box, become
+ * those of the square. Model units. */
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, roberts_vec2 *min, roberts_vec2 *max);
 
 #endif
