@@ -1025,9 +1025,11 @@ typedef void roberts_temporary_fn(void *context, const char *path);
 
 /** How a drawing is written. Start from roberts_draw_options_default() and change what you need. */
 typedef struct roberts_draw_options {
-    roberts_format format;         /**< default: ROBERTS_SVG */
-    roberts_hidden hidden;         /**< default: ROBERTS_HIDDEN_NONE */
-    roberts_page page;             /**< default: A4, upright, margins of 10 mm */
+    roberts_format format; /**< default: ROBERTS_SVG */
+    roberts_hidden hidden; /**< default: ROBERTS_HIDDEN_NONE */
+    roberts_page page;     /**< default: A4, upright, margins of 10 mm */
+    bool crop; /**< a drawing is laid on this page, which is then cut to the drawing and its margins; default: false. It
+                    has no effect on sheets and on fields of view */
     roberts_pen outline;           /**< default: 0.5 mm */
     roberts_pen border;            /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;            /**< default: 0.35 mm */

@@ -237,7 +237,7 @@ static const double round_text = 0.2;
 /* The boxes of text. NULL: no memory. */
 static free_space *text_boxes(const strokes *s)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     const space_box all = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
     free_space *r = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &all);
     if (r && space_add_boxes(r, s->taken, s->taken_count, round_text + s->options->hatch.width_mm / 2.0))

@@ -337,7 +337,7 @@ static bool add_polylines_to_room(const polylines *lines, double units_per_mm, f
 
 free_space *labels_room(const strokes *s, const pieces *p, const polylines *lines)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     space_box within = {s->frame_mm[0], s->frame_mm[1]};
     if (s->options->placement.scale > 0.0) /* a drawing at a given scale may lie on the margins */
         within = (space_box){{0.0, 0.0}, {page->width_mm, page->height_mm}};
@@ -378,7 +378,7 @@ static void take_off(const label *l, size_t count, free_space *r)
 /* False: no memory. */
 static bool enter_vertices(placing *p, const strokes *s, targets *t)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     const space_box whole = {{0.0, 0.0}, {page->width_mm, page->height_mm}};
     p->vertices = space_new(page->width_mm, page->height_mm, 2.0 * strokes_text_height(s->options), &whole);
     bool done = p->vertices != NULL;

@@ -579,6 +579,7 @@ static strokes nothing_drawn(const roberts_draw_options *options)
     bool is_fine = fmax(page->width_mm, page->height_mm) <= finest_longest_mm;
     const double units_per_mm = is_fine ? fine_units_per_mm : coarse_units_per_mm;
     return (strokes){.options = options,
+                     .page = *page,
                      .units_per_mm = units_per_mm,
                      .thousandths = (int32_t)(1000.0 / units_per_mm + 0.5),
                      .label_mm = targets_kinds(&options->lettering) ? strokes_text_height(options) : 0.0,
@@ -657,6 +658,17 @@ static void warn_tiny(const strokes *s)
     to->warn(to->context, "", 0, text);
 }
 
+/* Cuts the page to the box of the drawing and the margins of `page`. */
+static void crop(strokes *s, const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
+{
+    const double least_mm = 1.0, scale = page_scale(&s->map), frame = s->options->page.margin_mm;
+    const double margin = page->margin_mm + (s->options->placement.scale != 0.0 ? labels_reach(s->options) : 0.0);
+    s->page.width_mm = fmax(least_mm, scale * (max.x - min.x) + 2.0 * margin);
+    s->page.height_mm = fmax(least_mm, scale * (max.y - min.y) + 2.0 * margin);
+    s->map.page_mm = (roberts_vec2){s->page.width_mm / 2.0, s->page.height_mm / 2.0};
+    s->frame_mm[1] = (roberts_vec2){s->page.width_mm - frame, s->page.height_mm - frame};
+}
+
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
                             roberts_error *error)
 {
@@ -675,6 +687,8 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
         return error_no_memory(error);
     if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
+    if (options->crop && !drawing->framed)
+        crop(s, &page, min, max);
     if (drawing->framed) {
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});

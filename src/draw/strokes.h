@@ -44,7 +44,8 @@ typedef struct page_view {
  * pen and short to write, and neighbours that share an end still share it. */
 typedef struct strokes {
     const roberts_draw_options *options;
-    page_map map; /* of a sheet: of its front view */
+    roberts_page page; /* that of the options, or what `crop` leaves of it */
+    page_map map;      /* of a sheet: of its front view */
     double units_per_mm;
     int32_t thousandths;                 /* of a mm, in a unit */
     page_view view[ROBERTS_SHEET_VIEWS]; /* [views] those of a sheet that are there, or the only one */

@@ -150,7 +150,7 @@ static void paint_page(cairo_t *cairo, const roberts_page *page, double units_pe
 static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 {
     if (s->options->background.on)
-        paint_page(cairo, &s->options->page, units_per_mm, &s->options->background);
+        paint_page(cairo, &s->page, units_per_mm, &s->options->background);
     cairo_scale(cairo, units_per_mm, units_per_mm);
     surface_paint_fills(cairo, s);
     for (int i = 0; i < LINE_CLASSES; i++) {
@@ -161,7 +161,7 @@ static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
 
 roberts_status surface_write(const strokes *s, output *out, roberts_error *error)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     const double points = points_per_inch / mm_per_inch;
     date_filter filter = {.out = out, .at = LINE_START};
     cairo_surface_t *surface = cairo_ps_surface_create_for_stream(date_filter_stream, &filter, page->width_mm * points,

@@ -214,7 +214,7 @@ static void write_layers(const dxf *p)
 /* The limits are the page. $INSUNITS is younger than release 12, but most readers know it: 4 is the mm. */
 static void write_header(const dxf *p)
 {
-    const roberts_page *page = &p->s->options->page;
+    const roberts_page *page = &p->s->page;
     write_text(p->out, 0, "SECTION");
     write_text(p->out, 2, "HEADER");
     write_text(p->out, 9, "$ACADVER");
@@ -327,7 +327,7 @@ static void write_texts(dxf *p, roberts_line class)
 
 roberts_status dxf_write(const strokes *s, output *out, roberts_error *error)
 {
-    dxf p = {.s = s, .out = out, .height = page_round(s->options->page.height_mm * s->units_per_mm)};
+    dxf p = {.s = s, .out = out, .height = page_round(s->page.height_mm * s->units_per_mm)};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
     write_header(&p);
     write_text(out, 0, "SECTION");

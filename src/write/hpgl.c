@@ -112,7 +112,7 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
 
 roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
     write_integer(out, "IN;NP", PENS, ";\n");

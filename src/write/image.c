@@ -155,15 +155,14 @@ static double memory_limit(void)
     return most;
 }
 
-static roberts_status check_size(double width, double height, const roberts_draw_options *options, roberts_error *error)
+static roberts_status check_size(double width, double height, const strokes *s, roberts_error *error)
 {
-    const roberts_page *page = &options->page;
     if (width >= 1.0 && height >= 1.0 && width <= PIXELS_MAX && height <= PIXELS_MAX)
         return ROBERTS_OK;
     return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                      "%g dpi make an image of %.0f x %.0f pixels; it has 1 to %d a side, on this page at most %.0f dpi",
-                     options->dpi, width, height, PIXELS_MAX,
-                     floor(PIXELS_MAX * mm_per_inch / fmax(page->width_mm, page->height_mm)));
+                     s->options->dpi, width, height, PIXELS_MAX,
+                     floor(PIXELS_MAX * mm_per_inch / fmax(s->page.width_mm, s->page.height_mm)));
 }
 
 /* Refuses an image that needs too much. A system that promises more memory than it has would not: it would kill this
@@ -232,10 +231,10 @@ static roberts_status write_image(image *m, roberts_error *error)
 
 roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output *out, roberts_error *error)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     const double pixels_per_mm = s->options->dpi / mm_per_inch;
     const double width = ceil(page->width_mm * pixels_per_mm), height = ceil(page->height_mm * pixels_per_mm);
-    roberts_status status = check_size(width, height, s->options, error);
+    roberts_status status = check_size(width, height, s, error);
     if (status != ROBERTS_OK)
         return status;
     image *m = malloc(sizeof *m);

@@ -302,7 +302,7 @@ static void end_part(void *context, bool last)
 /* y is down in the page's units, and up in points. */
 static void write_page(pdf_plot *p)
 {
-    const roberts_page *page = &p->s->options->page;
+    const roberts_page *page = &p->s->page;
     const roberts_background *color = &p->s->options->background;
     const double points = points_per_mm / p->s->units_per_mm;
     if (color->on) {
@@ -406,7 +406,7 @@ static void write_resources(output *out, const strokes *s)
 
 static void write_head(output *out, const strokes *s, uint64_t object[OBJECTS])
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     output_text(out, "%PDF-1.4\n%\xb5\xed\xae\xfb\n"); /* bytes above 127 say that the file is binary */
     begin_object(out, object, CATALOG);
     output_text(out, "<< /Type /Catalog /Pages 2 0 R >>\nendobj\n");

@@ -687,12 +687,12 @@ static void write_element(output *out, const char *tag, const char *text)
 }
 
 /* Outside of the layers, because a plotter must not draw it. */
-static void write_background(output *out, const roberts_draw_options *options)
+static void write_background(output *out, const strokes *s)
 {
-    const roberts_page *page = &options->page;
-    const roberts_background *color = &options->background;
+    const roberts_page *page = &s->page;
+    const roberts_background *color = &s->options->background;
     output_text(out, "<rect");
-    svg_id(out, options, "background");
+    svg_id(out, s->options, "background");
     output_text(out, " width=\"");
     output_mm(out, page->width_mm);
     output_text(out, "\" height=\"");
@@ -704,7 +704,7 @@ static void write_background(output *out, const roberts_draw_options *options)
 
 roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     output_text(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\""
                      " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"");
     output_mm(out, page->width_mm);
@@ -718,7 +718,7 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     write_element(out, "title", s->options->title);
     write_element(out, "desc", s->options->description);
     if (s->options->background.on)
-        write_background(out, s->options);
+        write_background(out, s);
     svg_plot p = {s, out};
     const plotter to = {begin_layer, write_stroke, end_part, &p};
     roberts_status status = ROBERTS_OK;

@@ -285,16 +285,15 @@ static void write_style(const strokes *s, roberts_line line, output *out)
  * picture is as large as the drawing, and the document can make it as large as the page. */
 static void write_page(const tikz *p)
 {
-    const roberts_draw_options *options = p->s->options;
-    const roberts_background *color = &options->background;
+    const roberts_background *color = &p->s->options->background;
     begin_style(p->out, "page");
     output_text(p->out, color->on ? "fill=" : "overlay");
     if (color->on)
         write_color(p->out, color->red, color->green, color->blue);
     output_text(p->out, "}}}\n\\path[roberts page] (0,0) rectangle (");
-    output_mm(p->out, options->page.width_mm);
+    output_mm(p->out, p->s->page.width_mm);
     output_text(p->out, ",");
-    output_mm(p->out, options->page.height_mm);
+    output_mm(p->out, p->s->page.height_mm);
     output_text(p->out, ");\n");
 }
 
@@ -478,7 +477,7 @@ static const char begin_picture[] =
 
 roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
 {
-    const roberts_page *page = &s->options->page;
+    const roberts_page *page = &s->page;
     tikz p = {.s = s, .out = out, .height = page_round(page->height_mm * s->units_per_mm)};
     const plotter to = {begin_class, write_stroke, end_part, &p};
     if (page->width_mm > longest_mm || page->height_mm > longest_mm)

@@ -420,6 +420,9 @@ static const struct {
      "<desc>roberts --order=none --view=top --crease=5 models/platonic/cube.off</desc>"},
     {"", "<title>cube.off</title>"},
     {"--title A&B", "<title>A&amp;B</title>"},
+    {"--crop --view top --margin 1", "viewBox=\"0 0 210 210\""},
+    {"--crop --view top --margin 1 --frame", "M 1 1 L 209 1 L 209 209 L 1 209 Z"},
+    {"--crop --view top --margin 5 --scale 10", "viewBox=\"0 0 30 30\""},
     {"--description A&B", "<desc>A&amp;B</desc>"},
     {"--description=", "!<desc>"},
     {"--title T", "!id=\"text\""}, /* only sheets have title blocks, which a mark of --frame=zones keeps off */

@@ -38,6 +38,7 @@ static const struct {
     {"label", "--label vertices"},
     {"labels", "--labels names.csv"},
     {"title", "--sheet first --title T"},
+    {"crop", "--crop"},
     {"room-for", "--room-for models/table.off"},
     {"description", "--description T"},
     {"field", "--sheet first --field author=A"},

@@ -289,6 +289,12 @@ class Pages(unittest.TestCase):
         self.assertRaises(ValueError, scene.project, [1, 2, 3])
         self.assertRaises(roberts.Error, scene.project, [[1, 2, 3]], roberts.view(direction=(0, 0, 0)))
 
+    def test_pages(self):
+        path = "models/table.off"
+        self.same(roberts.read(path).hide(), path, "--crop", "--page", "60x70", "--margin", "2", page=(60, 70, 2),
+                  crop=True)
+        self.assertRaisesRegex(ValueError, "in mm", roberts.read(path).hide().svg, page="a4")
+
     def test_rounded(self):
         path = "models/star/great-icosahedron.off"
         self.same(roberts.read(path, rounded=True).hide(), path, "--rounded")

@@ -739,14 +739,15 @@ static void cap_that_begins_in_the_middle_of_its_border(void **state)
 static void field_of_view(void **state)
 {
     static const struct {
-        double fov, near_distance;
+        double fov, near_distance, top;
         bool framed;
         double half;
     } table[] = {
-        {0, 0.001, false, 0},
-        {90, 0.001, true, 10},
-        {0, 5, true, 5.7735026918962576}, /* cut by the near plane: 60 degrees */
-        {90, 5, true, 10},
+        {0, 0.001, 7, false, 10.0 / 3}, /* the upper face, 3 away */
+        {90, 0.001, 7, true, 10},
+        {0, 5, 7, false, 2}, /* the near plane, 5 away */
+        {90, 5, 7, true, 10},
+        {0, 1, 9.5, true, 5.7735026918962576}, /* cut by the near plane, and wider than 60 degrees */
     };
     (void)state;
     for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
@@ -754,15 +755,11 @@ static void field_of_view(void **state)
                                  .near_distance = table[i].near_distance, .fov_degrees = table[i].fov};
         roberts_hide_options options = with_hidden();
         model m = {0};
-        model_box(&m, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, 7});
+        model_box(&m, (roberts_vec3){-1, -1, 0}, (roberts_vec3){1, 1, table[i].top});
         roberts_drawing d = model_draw(&m, &camera, &options);
         assert_int_equal(d.framed, table[i].framed);
-        if (table[i].framed) {
-            assert_true(fabs(d.window_max.x - table[i].half) < 1e-12 && fabs(d.window_max.y - table[i].half) < 1e-12);
-            assert_true(fabs(d.window_min.x + table[i].half) < 1e-12 && fabs(d.window_min.y + table[i].half) < 1e-12);
-        } else { /* the upper face, 3 away: 10 / 3 of its size */
-            assert_true(fabs(d.window_max.x - 10.0 / 3) < 1e-12 && fabs(d.window_min.y + 10.0 / 3) < 1e-12);
-        }
+        assert_true(fabs(d.window_max.x - table[i].half) < 1e-12 && fabs(d.window_max.y - table[i].half) < 1e-12);
+        assert_true(fabs(d.window_min.x + table[i].half) < 1e-12 && fabs(d.window_min.y + table[i].half) < 1e-12);
         roberts_drawing_free(&d);
         model_free(&m);
     }

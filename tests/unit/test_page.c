@@ -4,6 +4,7 @@
 
 #include "draw/page.h"
 #include "draw/strokes.h"
+#include "build_scene.h"
 #include "drawing.h"
 #include "rng.h"
 #include "testing.h"
@@ -261,6 +262,47 @@ static void strokes_have_length(void **state)
     assert_int_equal(count_strokes(&drawing, &options, ROBERTS_OUTLINE), 0);
 }
 
+/* A cube seen from above is a square. On a cropped page of 60 x 90 mm it is drawn as on one of 60 x 60; and at 20 mm
+ * for its side and with margins of 5 as on one of 30 x 30. All formats, with fills, a frame and labels in it. */
+static void cropped_pages(void **state)
+{
+    static const struct {
+        double scale, margin_mm, side_mm;
+        bool frame;
+    } table[] = {{0, 10, 60, false}, {0, 10, 60, true}, {0, 0, 60, false}, {10, 5, 30, false}};
+    roberts_scene *scene = scene_of_file("models/platonic/cube.off");
+    const roberts_camera above = preset_camera("top");
+    roberts_drawing drawing = drawing_of(scene, &above, NULL);
+    roberts_region_list regions;
+    assert_int_equal(roberts_regions(scene, &above, NULL, &regions, NULL), ROBERTS_OK);
+    (void)state;
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++)
+        for (int format = ROBERTS_SVG; format < ROBERTS_NULL; format++) {
+            roberts_draw_options options = roberts_draw_options_default();
+            drawing.regions = &regions;
+            options.format = (roberts_format)format;
+            options.frame.off = !table[i].frame;
+            options.fill = ROBERTS_FILL_COLOR;
+            options.lettering.labels = ROBERTS_LABEL_FACES;
+            options.background.on = true;
+            options.placement.scale = table[i].scale;
+            options.crop = true;
+            options.page = (roberts_page){60, 90, table[i].margin_mm};
+            sink cropped = drawing_written(&drawing, &options);
+            options.crop = false;
+            options.page = (roberts_page){table[i].side_mm, table[i].side_mm, table[i].margin_mm};
+            sink whole = drawing_written(&drawing, &options);
+            print_message("format %d, row %zu\n", format, i);
+            assert_int_equal(cropped.size, whole.size);
+            assert_memory_equal(cropped.bytes, whole.bytes, whole.size);
+            free(cropped.bytes);
+            free(whole.bytes);
+        }
+    roberts_regions_free(&regions);
+    roberts_drawing_free(&drawing);
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -271,6 +313,7 @@ int main(void)
         cmocka_unit_test(each_class_has_its_pen),
         cmocka_unit_test(what_is_not_drawn_takes_no_room),
         cmocka_unit_test(strokes_have_length),
+        cmocka_unit_test(cropped_pages),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }

@@ -499,7 +499,7 @@ class _Drawable:
         columns           tables: further columns: ends, depth, level (needs hide(levels=True)), name, by; or a sequence
         group             class, body or element: the structure of the SVG
         id_prefix, title, description    strings
-        dpi, real_dashes, number_layers  as in roberts_draw_options
+        crop, dpi, real_dashes, number_layers  as in roberts_draw_options
         Raises Error, MemoryError, TypeError, ValueError.
         """
         page, parts = _Page(self, 0, options), []
@@ -621,7 +621,7 @@ class _Page:
         o.column_count = len(columns)
         for i, name in enumerate(columns):
             o.column[i] = _choice(_COLUMNS, name, "columns")
-        for name in ("dpi", "real_dashes", "number_layers"):
+        for name in ("crop", "dpi", "real_dashes", "number_layers"):
             if name in given:
                 _set(o, name, given.pop(name), name)
         if given:
@@ -639,9 +639,10 @@ class _Page:
     def _paper(self, given: dict) -> None:
         o = self.options
         if "page" in given:
-            page = [*given.pop("page")]
+            page = given.pop("page")
+            page = [] if isinstance(page, str) else [*page]
             if not 2 <= len(page) <= 3:
-                raise ValueError("page: it is (width, height) or (width, height, margin)")
+                raise ValueError("page: it is (width, height) or (width, height, margin), in mm")
             for name, value in zip(("width_mm", "height_mm", "margin_mm"), page):
                 _set(o.page, name, value, "page")
         if "scale" in given:

@@ -162,7 +162,8 @@ PENS = ("outline", "border", "crease", "intersection", "wire", "back", "frame", 
 
 
 class draw_options(Structure):
-    _fields_ = [("format", c_int), ("hidden", c_int), ("page", page)] + [(name, pen) for name in PENS] + [
+    _fields_ = [("format", c_int), ("hidden", c_int), ("page", page), ("crop", c_bool)] + [
+        (name, pen) for name in PENS] + [
         ("lettering", lettering), ("background", background), ("hatching", hatching), ("fill", c_int),
         ("fill_color", c_ubyte * 3), ("shaded", c_bool), ("light", vec3), ("placement", placement), ("order", c_int),
         ("scene", c_void_p), ("column_count", c_size_t), ("column", c_int * 5), ("real_dashes", c_bool),
