@@ -293,7 +293,7 @@ class Pages(unittest.TestCase):
         path = "models/table.off"
         self.same(roberts.read(path).hide(), path, "--crop", "--page", "60x70", "--margin", "2", page=(60, 70, 2),
                   crop=True)
-        self.assertRaisesRegex(ValueError, "in mm", roberts.read(path).hide().svg, page="a4")
+        self.assertRaisesRegex(TypeError, "of mm", roberts.read(path).hide().svg, page="a4")
 
     def test_rounded(self):
         path = "models/star/great-icosahedron.off"

@@ -639,10 +639,12 @@ class _Page:
     def _paper(self, given: dict) -> None:
         o = self.options
         if "page" in given:
-            page = given.pop("page")
-            page = [] if isinstance(page, str) else [*page]
+            page, wanted = given.pop("page"), "page: it is (width, height) or (width, height, margin), numbers of mm"
+            if isinstance(page, str):
+                raise TypeError(f"{wanted}, not {page!r}")
+            page = [*page]
             if not 2 <= len(page) <= 3:
-                raise ValueError("page: it is (width, height) or (width, height, margin), in mm")
+                raise ValueError(wanted)
             for name, value in zip(("width_mm", "height_mm", "margin_mm"), page):
                 _set(o.page, name, value, "page")
         if "scale" in given:
