@@ -14,6 +14,7 @@
  * A form is the set of faces that the class makes of one face. The crystal is the region behind the faces of all forms.
  * The axis c points up, and b lies in the plane of y and z. Classes are in the standard settings of the International
  * Tables for Crystallography, volume A: unique axis b, hexagonal axes for trigonal classes. */
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -212,8 +213,9 @@ typedef struct crystal {
     size_t face_count;
     roberts_vec3 corner[CORNERS_MAX];
     size_t corner_count;
-    size_t outside; /* faces behind another in the same direction */
-    double size;    /* the largest distance of a face */
+    size_t outside;    /* faces behind another in the same direction */
+    crystal_face lost; /* the first of them */
+    double size;       /* the largest distance of a face */
 } crystal;
 
 /* Adds a face. Of two in the same direction, the nearer one is kept. */
@@ -221,8 +223,11 @@ static void add_face(crystal *c, crystal_face new)
 {
     for (size_t i = 0; i < c->face_count; i++)
         if (vec3_length(vec3_sub(c->face[i].n, new.n)) < slack) {
-            c->outside += fabs(new.d - c->face[i].d) > slack * new.d;
-            if (new.d < c->face[i].d)
+            const crystal_face old = c->face[i];
+            const bool is_nearer = new.d < old.d;
+            if (fabs(new.d - old.d) > slack * new.d && c->outside++ == 0)
+                c->lost = is_nearer ? old : new;
+            if (is_nearer)
                 c->face[i] = new;
             return;
         }
@@ -342,6 +347,8 @@ static size_t count_faces(const crystal *c)
         faces += count > 0;
         sides += count;
     }
+    if (c->face_count == 0)
+        fail("a line with a form expected, such as form 1 0 0 1");
     if (c->corner_count < 4 || sides % 2 != 0 || c->corner_count + faces != sides / 2 + 2)
         fail("these forms do not close; add another one");
     return faces;
@@ -376,14 +383,17 @@ static void write_crystal(const crystal *c, size_t faces, FILE *names)
 {
     static turn list[CORNERS_MAX];
     size_t written = 0;
+    const crystal_face *lost = c->outside > 0 ? &c->lost : NULL;
     printf("OFF\n%zu %zu 0\n", c->corner_count, faces);
     for (size_t i = 0; i < c->corner_count; i++)
         printf("%.12g %.12g %.12g\n", c->corner[i].x + 0.0, c->corner[i].y + 0.0, c->corner[i].z + 0.0);
     for (size_t i = 0; i < c->face_count; i++) {
         const crystal_face *face = &c->face[i];
         const size_t count = face_corners(c, face, list);
-        if (count == 0)
+        if (count == 0) {
+            lost = lost ? lost : face;
             continue;
+        }
         printf("%zu", count);
         for (size_t k = 0; k < count; k++)
             printf(" %zu", list[k].corner);
@@ -400,9 +410,12 @@ static void write_crystal(const crystal *c, size_t faces, FILE *names)
         written++;
     }
     const size_t outside = c->face_count - faces + c->outside;
-    if (outside > 0)
-        fprintf(stderr, "crystal: %s: %zu face%s outside of the crystal\n", input.name, outside,
-                outside == 1 ? " lies" : "s lie");
+    if (!lost)
+        return;
+    fprintf(stderr, "crystal: %s: %zu face%s outside of the crystal, as (", input.name, outside,
+            outside == 1 ? " lies" : "s lie");
+    write_indices(lost, false, stderr);
+    fputs(")\n", stderr);
 }
 
 /* ---- the input ------------------------------------------------------------------------------------------------- */
@@ -522,6 +535,13 @@ static void print_help(void)
         printf("%s%s", classes[i].symbol, i + 1 == CLASSES || i % 12 == 11 ? "\n" : " ");
 }
 
+/* Tells why a file could not be opened or written. Returns the exit status. */
+static int complain(const char *path)
+{
+    fprintf(stderr, "crystal: %s: %s\n", path, strerror(errno));
+    return 1;
+}
+
 int main(int argc, char **argv)
 {
     static crystal c;
@@ -529,17 +549,15 @@ int main(int argc, char **argv)
         print_help();
         return fflush(stdout) != 0;
     }
-    if (argc != 2 && argc != 3) {
+    if ((argc != 2 && argc != 3) || (argv[1][0] == '-' && argv[1][1] != '\0')) {
         fputs("usage: crystal FILE [NAMES.csv] >crystal.off\ncrystal --help lists the classes.\n", stderr);
         return 2;
     }
     const bool standard = strcmp(argv[1], "-") == 0;
     FILE *file = standard ? stdin : fopen(argv[1], "r"), *names = NULL;
     input.name = standard ? "standard input" : argv[1];
-    if (!file) {
-        perror(argv[1]);
-        return 1;
-    }
+    if (!file)
+        return complain(argv[1]);
     read_crystal(file, &c);
     if (!standard)
         fclose(file);
@@ -547,14 +565,12 @@ int main(int argc, char **argv)
     const size_t faces = count_faces(&c);
     if (argc == 3 && strcmp(argv[1], argv[2]) == 0)
         fail("the names would take the place of the crystal");
-    if (argc == 3 && !(names = fopen(argv[2], "w"))) {
-        perror(argv[2]);
-        return 1;
-    }
+    if (argc == 3 && !(names = fopen(argv[2], "w")))
+        return complain(argv[2]);
     write_crystal(&c, faces, names);
     bool named = !names || !ferror(names);
     named = (!names || fclose(names) == 0) && named;
     if (!named)
-        perror(argv[2]);
-    return !named || ferror(stdout) || fflush(stdout) != 0;
+        return complain(argv[2]);
+    return ferror(stdout) || fflush(stdout) != 0;
 }

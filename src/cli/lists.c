@@ -167,7 +167,7 @@ static roberts_status read_names(name_list *n, const char *path, roberts_error *
 }
 
 static const char wrong_quotes[] =
-    "a field that begins with a quotation mark ends with one; two within it stand for one";
+    "a quotation mark opens this field, and none closes it at its end; two within it stand for one";
 
 /* Removes blanks at both ends. */
 static char *trim(char *text)

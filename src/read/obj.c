@@ -523,7 +523,8 @@ static roberts_status check_corners(const obj_reader *o)
     reader *r = o->r;
     if (o->greatest < (int64_t)r->mesh->vertex_count)
         return ROBERTS_OK;
-    return error_set(r->error, ROBERTS_BAD_INDEX, o->greatest_line, "vertex %llu is named here, but there are %zu",
+    return error_set(r->error, ROBERTS_BAD_INDEX, o->greatest_line,
+                     "a face or line names vertex %llu, but there are %zu",
                      (unsigned long long)o->greatest - r->mark.vertices + 1, vertices_read(r));
 }
 

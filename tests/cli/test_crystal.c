@@ -102,7 +102,7 @@ static void faces_have_indices(void **state)
     put("crystal.txt", "cell 5 5 7 90 90 120\nclass 6/mmm\nform 1 0 -1 0 1\nform 0 0 1 2\nform 1 0 -1 0 1.5\n"
                        "form 1 1 12 90\n");
     assert_int_equal(run("crystal.txt names.csv"), 0);
-    assert_said("crystal: crystal.txt: 18 faces lie outside of the crystal\n");
+    assert_said("crystal: crystal.txt: 18 faces lie outside of the crystal, as (1 0 -1 0)\n");
     read_text("names.csv", text);
     assert_int_equal(count_of(text, "\n"), 8);
     assert_non_null(strstr(text, "face,0,(101\u03050)\n"));
@@ -132,7 +132,7 @@ static const struct {
     {"cell 1 1 1 20 20 90\n", "crystal.txt:1: no cell has these angles"},
     {"cell 1 one 1\n", "crystal.txt:1: a number expected, found \"one\""},
     {"shape 1\n", "cell, class or form expected, found \"shape\""},
-    {"# nothing\n", "these forms do not close"},
+    {"# nothing\n", "a line with a form expected, such as form 1 0 0 1"},
     {"cell 1 1 1\nclass m-3m\nform 1 0 0 1 300 0 0\n", "crystal.txt:3: form: a colour has whole numbers from 0 to 255"},
     {"cell 1 1 1\nclass m-3m\nform 1 0 0 1 0.5 0 0\n", "a colour has whole numbers"},
 };

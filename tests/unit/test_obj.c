@@ -53,7 +53,7 @@ static const read_bad bad[] = {
     {"too far back", THREE "f 1 2 3\nf -1 -2 -4\n", 0, ROBERTS_BAD_INDEX, 5,
      "face 1 (counted from 0) names vertex -4, but there are 3 so far"},
     {"a vertex that never comes", THREE "f 1 2 3\nf 1 2 4\nf 5 1 2\nf 5 2 3\n", 0, ROBERTS_BAD_INDEX, 6,
-     "vertex 5 is named here, but there are 3"},
+     "a face or line names vertex 5, but there are 3"},
     {"a number beyond all", THREE "f 1 2 99999999999\n", 0, ROBERTS_BAD_INDEX, 4,
      "face 0 (counted from 0) names vertex 99999999999, but there are 3 so far"},
     {"a number of many digits", THREE "f 1 2 11111111111111111111\n", 0, ROBERTS_BAD_SYNTAX, 4,
