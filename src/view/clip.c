@@ -435,6 +435,13 @@ typedef struct cut_lines {
     size_t count, room;
 } cut_lines;
 
+/* Does the cut of a piece bound a cap? If parity decides, the middle of a pentagram, which counts twice, does not. */
+static bool bounds_cap(const cutter *c, uint32_t face)
+{
+    const int32_t *own = c->from->surface->winding;
+    return (c->winding && c->winding[face] != 0) || !own || own[face] % 2 != 0;
+}
+
 /* Clips one face. `lines` receives the cut, if there is one. False: no memory. */
 static bool cut_piece(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lines)
 {
@@ -459,7 +466,7 @@ static bool cut_piece(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *li
     *to_face = ROBERTS_NONE;
     if (c->clip->scene.corner_count == begin)
         return true;
-    if (line.from != ROBERTS_NONE && line.to != ROBERTS_NONE) {
+    if (line.from != ROBERTS_NONE && line.to != ROBERTS_NONE && bounds_cap(c, face)) {
         if (!array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item))
             return false;
         lines->item[lines->count++] = line;
@@ -578,11 +585,13 @@ static size_t keep_ends(uint32_t *vertex, size_t count, bool all)
     return odd;
 }
 
-/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide. Replaces each of them by the
- * smallest one, so that lines which meet there have a common end. False: no memory. */
+/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide, as far as the coordinates are
+ * exact. Replaces each of them by the smallest one, so that lines which meet there have a common end. False: no memory.
+ */
 static bool join_lines(const cutter *c, cut_lines *lines)
 {
     const roberts_vec3 *point = c->clip->scene.point;
+    const double touching = greater(c->touching, scene_step(c->from));
     const size_t ends = 2 * lines->count;
     uint32_t *end = alloc_array(ends, sizeof *end), *first = alloc_array(ends, sizeof *first);
     point_grid grid = {0};
@@ -598,9 +607,9 @@ static bool join_lines(const cutter *c, cut_lines *lines)
     for (size_t i = 0; enough && i < odd; i++) {
         first[i] = end[i];
         near.count = 0;
-        enough = point_grid_near(&grid, point[end[i]], point[end[i]], c->touching, &near);
+        enough = point_grid_near(&grid, point[end[i]], point[end[i]], touching, &near);
         for (size_t k = 0; enough && k < near.count; k++) {
-            if (near.item[k] >= end[i] || vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) > c->touching)
+            if (near.item[k] >= end[i] || vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) > touching)
                 continue;
             const uint32_t *found = bsearch(&near.item[k], end, i, sizeof *end, compare_u32);
             first[i] = found && first[found - end] < first[i] ? first[found - end] : first[i];

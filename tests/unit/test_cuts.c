@@ -275,6 +275,76 @@ static void stars_are_cut_as_if_no_faces_crossed(void **state)
     assert_true(all > 1000);
 }
 
+/* Writes a block about the origin with the sides 2 a, 2 b and 2 c, to six decimals. Of its walls two are whole, and two
+ * are joined at the height t c if `joined`: then the middles of four edges lie on whole walls only as far as rounding
+ * allows. */
+static void write_block(const roberts_vec3 side[3], double t, bool joined, char *text)
+{
+    static const char whole[] = "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 2 3 7 6\n4 1 2 6 5\n4 3 0 4 7\n",
+                      parts[] = "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 2 3 7 6\n4 1 2 10 9\n4 9 10 6 5\n4 3 0 8 11\n"
+                                "4 11 8 4 7\n";
+    text += sprintf(text, "OFF\n%d %d 0\n", joined ? 12 : 8, joined ? 8 : 6);
+    for (int k = 0; k < (joined ? 12 : 8); k++) {
+        const double a = k % 4 == 1 || k % 4 == 2 ? 1 : -1, b = k % 4 >= 2 ? 1 : -1, c = k < 4 ? -1 : k < 8 ? 1 : t;
+        const roberts_vec3 p =
+            vec3_add(vec3_add(vec3_scale(a, side[0]), vec3_scale(b, side[1])), vec3_scale(c, side[2]));
+        text += sprintf(text, "%.6f %.6f %.6f\n", p.x, p.y, p.z);
+    }
+    sprintf(text, "%s", joined ? parts : whole);
+}
+
+static void rounded_joints_are_cut(void **state)
+{
+    rng r = {84};
+    const roberts_scene_options rounded = {.rounded = true};
+    (void)state;
+    for (int round = 0; round < 300; round++) {
+        const roberts_vec3 side[3] = {{1, rng_real(&r) / 3, rng_real(&r) / 3},
+                                      {rng_real(&r) / 3, 1, rng_real(&r) / 3},
+                                      {rng_real(&r) / 3, rng_real(&r) / 3, 2}};
+        const double t = rng_real(&r) / 2;
+        double area[2];
+        for (int joined = 0; joined < 2; joined++) {
+            char text[1000];
+            write_block(side, t, joined, text);
+            roberts_mesh mesh = mesh_of_text(text);
+            roberts_scene *scene = scene_of_mesh(&mesh, &rounded);
+            area[joined] = area_of_caps(scene, &eye);
+            roberts_scene_free(scene);
+            roberts_mesh_free(&mesh);
+        }
+        if (fabs(area[0] - area[1]) > 2e-5)
+            fail_msg("round %d: the cap is %g large in place of %g", round, area[1], area[0]);
+    }
+}
+
+/* Where faces cannot be oriented alike, parity decides what is filled: the middle of a pentagram counts twice, and so
+ * not at all, whatever the rule by which it is filled. */
+static void one_sided_stars_are_cut(void **state)
+{
+    rng r = {85};
+    double all = 0.0;
+    (void)state;
+    roberts_mesh mesh = mesh_of_file("models/star/great-dodecahemidodecahedron.off");
+    for (int round = 0; round < 30; round++) {
+        const roberts_vec3 dir = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)};
+        const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_scale(30 / vec3_length(dir), dir),
+                                       .has_look_at = true, .near_distance = rng_between(&r, 28.5, 31.5)};
+        double area[2];
+        for (int even_odd = 0; even_odd < 2; even_odd++) {
+            const roberts_scene_options options = {.even_odd = even_odd, .rounded = true};
+            roberts_scene *scene = scene_of_mesh(&mesh, &options);
+            area[even_odd] = area_of_caps(scene, &camera);
+            roberts_scene_free(scene);
+        }
+        if (fabs(area[0] - area[1]) > 1e-7)
+            fail_msg("round %d: the cap is %g large in place of %g", round, area[0], area[1]);
+        all += area[0];
+    }
+    assert_true(all > 10);
+    roberts_mesh_free(&mesh);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -287,6 +357,8 @@ int main(void)
         cmocka_unit_test(whole_star_has_no_cuts),
         cmocka_unit_test(the_middle_of_a_star_is_filled),
         cmocka_unit_test(stars_are_cut_as_if_no_faces_crossed),
+        cmocka_unit_test(rounded_joints_are_cut),
+        cmocka_unit_test(one_sided_stars_are_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
