@@ -3,11 +3,13 @@
  * Each mesh is built twice: as it is, and with a reversed copy of its first face. A face that repeats an earlier one
  * has no effect, but its body is not plain. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "model/convex.h"
 #include "model/scene.h"
 #include "read/mesh.h"
+#include "build_scene.h"
 #include "same_scene.h"
 #include "testing.h"
 
@@ -344,6 +346,28 @@ static void edges_of_a_pattern_are_stored_once(void **state)
     }
 }
 
+/* Triangles that are given twice, with one winding or both: each counts once, also where several are alike. */
+static void faces_given_twice_count_once(void **state)
+{
+    (void)state;
+    for (int reversed = 0; reversed < 2; reversed++)
+        for (uint32_t pairs = 1; pairs <= 3; pairs++) {
+            char text[600];
+            size_t used = (size_t)sprintf(text, "OFF\n%u %u 0\n", 3 * pairs, 2 * pairs);
+            for (uint32_t k = 0; k < pairs; k++)
+                used += (size_t)sprintf(text + used, "%u 0 0\n%u.5 0 0\n%u 1 2\n", k, k, k);
+            for (uint32_t k = 0; k < 2 * pairs; k++) {
+                const uint32_t a = k % pairs * 3, turned = k >= pairs && reversed;
+                used += (size_t)sprintf(text + used, "3 %u %u %u\n", a, a + 1 + turned, a + 2 - turned);
+            }
+            roberts_scene *scene = scene_of_text(text);
+            assert_int_equal(roberts_scene_solid_count(scene), pairs);
+            for (uint32_t s = 0; s < pairs; s++)
+                assert_int_equal(roberts_scene_body_kind(scene, s), ROBERTS_OPEN);
+            roberts_scene_free(scene);
+        }
+}
+
 /* Only a shape far from convex is recognised at a glance. */
 static void a_glance_tells_only_what_is_certain(void **state)
 {
@@ -401,6 +425,7 @@ int main(void)
         cmocka_unit_test(loose_faces_are_apart),
         cmocka_unit_test(loose_triangles_are_clear),
         cmocka_unit_test(edges_of_a_pattern_are_stored_once),
+        cmocka_unit_test(faces_given_twice_count_once),
         cmocka_unit_test(a_glance_tells_only_what_is_certain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
