@@ -53,7 +53,7 @@ static bool prepare_body(union_bodies *all, uint32_t s, box3 *box, box3 *whole)
     return count <= FEW_FACES || box_tree_add(&all->tree, box, count, first, &all->root[s]);
 }
 
-static bool prepare_bodies(union_bodies *all, box3 *box, box3 *whole, uint32_t *closed)
+static bool prepare_bodies(union_bodies *all, const roberts_scene *left, box3 *box, box3 *whole, uint32_t *closed)
 {
     const roberts_scene *scene = all->scene;
     uint32_t count = 0;
@@ -64,7 +64,8 @@ static bool prepare_bodies(union_bodies *all, box3 *box, box3 *whole, uint32_t *
         if (!prepare_body(all, s, box, &whole[count]))
             return false;
         all->box[s] = whole[count];
-        closed[count++] = s;
+        if (left->solid[s].vertex < left->solid[s + 1].vertex)
+            closed[count++] = s;
     }
     if (count == 0)
         return true;
@@ -76,7 +77,7 @@ static bool prepare_bodies(union_bodies *all, box3 *box, box3 *whole, uint32_t *
     return true;
 }
 
-bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch)
+bool union_prepare(union_bodies *all, const roberts_scene *scene, const roberts_scene *left, double touch)
 {
     uint32_t most = 0;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
@@ -93,7 +94,7 @@ bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch)
     box3 *box = alloc_array(most, sizeof *box), *whole = alloc_array(scene->solid_count, sizeof *whole);
     uint32_t *closed = alloc_array(scene->solid_count, sizeof *closed);
     bool done = all->departure && all->box && all->root && box && whole && closed &&
-                prepare_bodies(all, box, whole, closed) && winding_find(scene, &all->winding);
+                prepare_bodies(all, left, box, whole, closed) && winding_find(scene, &all->winding);
     free(box);
     free(whole);
     free(closed);

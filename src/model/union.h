@@ -97,8 +97,9 @@ typedef struct union_work {
     size_t contact_count, contact_room, ray_count, ray_room, fill_count, fill_room, event_count, event_room;
 } union_work;
 
-/* Prepares the closed bodies of a scene. touch: the touching distance, model units. False: no memory. */
-bool union_prepare(union_bodies *all, const roberts_scene *scene, double touch);
+/* Prepares the closed bodies of a scene. left: the scene, or what the near plane leaves of it; a body without vertices
+ * there fills nothing. touch: the touching distance, model units. False: no memory. */
+bool union_prepare(union_bodies *all, const roberts_scene *scene, const roberts_scene *left, double touch);
 
 /* Cuts a line of a closed body into work->piece. The pieces cover 0 to 1 without gaps, and adjacent pieces differ.
  * False: no memory. */

@@ -90,7 +90,7 @@ static bool is_walked(const void *context, uint32_t body, uint32_t edge)
 bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
 {
     const walked w = {s, culled};
-    return union_prepare(&s->bodies, s->source, s->view.epsilon * s->view.unit) &&
+    return union_prepare(&s->bodies, s->source, s->scene, s->view.epsilon * s->view.unit) &&
            united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 

@@ -89,6 +89,33 @@ static void boxes_are_cut(void **state)
     }
 }
 
+/* The near plane takes a block away, down to the one on which it stands. With `unite` the other one keeps its whole
+ * outline, whichever is first. */
+static void what_is_taken_away_leaves_no_seam(void **state)
+{
+    const roberts_hide_options options = {.unite = true};
+    (void)state;
+    for (int first = 0; first < 2; first++) {
+        model m = {0};
+        for (int k = 0; k < 2; k++)
+            if (k == first)
+                model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 1, 1});
+            else
+                model_box(&m, (roberts_vec3){0, 0, -1}, (roberts_vec3){2, 2, 0});
+        roberts_scene *scene = model_build(&m);
+        roberts_drawing d = drawing_of(scene, &eye, &options);
+        double length = 0.0;
+        for (size_t i = 0; i < d.count; i++)
+            if (d.segment[i].state == ROBERTS_VISIBLE)
+                length += hypot(d.segment[i].p1.x - d.segment[i].p0.x, d.segment[i].p1.y - d.segment[i].p0.y);
+        assert_float_equal(length, 8, 1e-9);
+        assert_int_equal(d.cut_count, 0);
+        roberts_drawing_free(&d);
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
 /* A box with a facet without area, which the near plane cuts in two points at one place. Rounding may put them in
  * either order. */
 static void a_facet_without_area_is_cut(void **state)
@@ -349,6 +376,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_are_cut),
+        cmocka_unit_test(what_is_taken_away_leaves_no_seam),
         cmocka_unit_test(a_facet_without_area_is_cut),
         cmocka_unit_test(a_room_far_away),
         cmocka_unit_test(other_bodies_are_cut),

@@ -265,7 +265,7 @@ static void check_blocks(const blocks *b, const layout *laid, double touch, doub
     if (roberts_scene_build(&b->m.mesh, NULL, &scene, &error) != ROBERTS_OK)
         fail_msg("%s: %s", name, error.message);
     double least = 1e-11 * vec3_length(vec3_sub(scene->box_max, scene->box_min));
-    assert_true(union_prepare(&all, scene, greater(touch, least)));
+    assert_true(union_prepare(&all, scene, scene, greater(touch, least)));
     line_check check = {name, b, scene, &all, &work, laid, slack};
     for (uint32_t s = 0; s < scene->solid_count; s++)
         for (uint32_t e = scene->solid[s].edge; e < scene->solid[s + 1].edge; e++)
