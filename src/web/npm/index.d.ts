@@ -31,6 +31,7 @@ export interface Options {
   rounded?: boolean;
   page?: string;
   landscape?: boolean;
+  crop?: boolean;
   /** mm */
   margin?: number;
   scale?: string | number;
@@ -41,6 +42,7 @@ export interface Options {
 
 /** What a drawing comes with. */
 export interface Beside {
+  /** The lines that the program prints besides: warnings, notes, and what `stats`, `verify` and `pick` tell. */
   warnings: string[];
   /** Files that an option has written, such as `regions: "regions.json"`. With `turntable: 4, output: "turn-%d.svg"`
    * all drawings are here, and none is beside them. */
