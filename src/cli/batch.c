@@ -183,21 +183,24 @@ static int check_names(batch_files *b)
 static int batch_files_check_places(const batch_files *b)
 {
     const char *const other[] = {b->options->list, b->options->manifest, b->options->names};
-    file_identity *taken = malloc((b->count + sizeof other / sizeof other[0]) * sizeof *taken), output;
+    const size_t others = sizeof other / sizeof other[0], rooms = b->options->room_count;
+    file_identity *taken = malloc((b->count + others + rooms) * sizeof *taken), output;
     size_t count = 0;
     int result = EXIT_DONE;
     if (!taken)
         return no_memory();
     for (size_t i = 0; i < b->count; i++)
         count += file_identify(b->file[i].input, &taken[count]);
-    for (size_t i = 0; i < sizeof other / sizeof other[0]; i++)
+    for (size_t i = 0; i < others; i++)
         count += other[i] && file_identify(other[i], &taken[count]);
+    for (size_t i = 0; i < rooms; i++)
+        count += file_identify(b->options->room[i], &taken[count]);
     qsort(taken, count, sizeof *taken, file_identity_order);
     for (size_t i = 0; i < b->count && result == EXIT_DONE; i++)
         if (file_identify(b->file[i].output, &output) &&
             bsearch(&output, taken, count, sizeof *taken, file_identity_order))
-            result = message_misuse("--batch: %s is an input, the list, the manifest or the file of --labels; the "
-                                    "drawing of %s would take its place",
+            result = message_misuse("--batch: %s is an input, the list, the manifest or a file of --labels or "
+                                    "--room-for; the drawing of %s would take its place",
                                     b->file[i].output, b->file[i].input);
     free(taken);
     return result;
@@ -275,9 +278,13 @@ static bool is_newer_than(const struct stat *drawing, const char *file)
 
 static bool is_current(const batch_files *b, size_t i)
 {
+    const cli_options *options = b->options;
     struct stat drawing;
-    return stat(b->file[i].output, &drawing) == 0 && is_newer_than(&drawing, b->file[i].input) &&
-           (!b->options->names || is_newer_than(&drawing, b->options->names));
+    bool is = stat(b->file[i].output, &drawing) == 0 && is_newer_than(&drawing, b->file[i].input) &&
+              (!options->names || is_newer_than(&drawing, options->names));
+    for (size_t k = 0; k < options->room_count && is; k++)
+        is = is_newer_than(&drawing, options->room[k]);
+    return is;
 }
 
 /* ---- materials: the colours of an OBJ come from .mtl files in its folder ---- */

@@ -141,6 +141,8 @@ static int check_written(const cli_options *options, const char *by, const char 
         return EXIT_DONE;
     for (size_t i = 0; i < options->input_count && !is; i++)
         is = is_file_of(options->input[i], &written) ? "an input" : NULL;
+    for (size_t i = 0; i < options->room_count && !is; i++)
+        is = is_file_of(options->room[i], &written) ? "a file of --room-for" : NULL;
     if (!is && is_file_of(options->names, &written))
         is = "the file of --labels";
     if (!is && ends_like_model(name))

@@ -303,13 +303,12 @@ static const option rows[] = {
      .brief = "draw only what has changed",
      .help = "draw only files that are newer than their drawing; with --manifest, also those that it does not say were "
              "drawn, by this command",
-     .manual =
-         "Draws only files whose drawing is missing, or not newer than the file; with --labels, not newer than "
-         "that file either. The drawing of a .obj file has to be newer than all .mtl files in its folder, too. So "
-         "a run that was stopped goes on.\n"
-         "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
-         "command: after a change of options that change drawings, all is drawn again. Without --manifest "
-         "options are not compared: after such a change, draw once without --update."},
+     .manual = "Draws only files whose drawing is missing, or not newer than the file, and than those of --labels and "
+               "--room-for. The drawing of a .obj file has to be newer than all .mtl files in its folder, too. So "
+               "a run that was stopped goes on.\n"
+               "With --manifest a file is drawn, too, unless its last row says that it was drawn, and by this "
+               "command: after a change of options that change drawings, all is drawn again. Without --manifest "
+               "options are not compared: after such a change, draw once without --update."},
     {.group = GROUP_BATCH,
      .name = "manifest",
      .flags = OPTION_FILE,

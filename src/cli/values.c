@@ -808,8 +808,10 @@ int values_add_room(const option *o, const char *value, cli_options *options)
 {
     if (options->room_count == ROOMS_MOST)
         return message_misuse("--room-for: at most %d files can be given", ROOMS_MOST);
+    if (!*value || strcmp(value, "-") == 0)
+        return message_misuse("--%s: a file is needed, not \"%s\"", o->name, value);
     options->room[options->room_count++] = value;
-    return *value ? EXIT_DONE : message_misuse("--%s: the name is empty", o->name);
+    return EXIT_DONE;
 }
 
 int values_set_pick(const option *o, const char *value, cli_options *options)

@@ -113,7 +113,7 @@ static void lists_can_be_wrong(void **state)
     }
     put("in/table.svg", "models/table.off\n");
     assert_int_equal(run("--batch in --list in/table.svg"), 2);
-    assert_said("in/table.svg is an input, the list, the manifest or the file of --labels; the drawing of "
+    assert_said("in/table.svg is an input, the list, the manifest or a file of --labels or --room-for; the drawing of "
                 "models/table.off would take its place");
 }
 
@@ -368,6 +368,12 @@ static void updates_draw_what_is_newer(void **state)
     assert_false(is_redrawn(labels));
     set_time("names", 2000, 2);
     assert_true(is_redrawn(labels));
+    put_cube("room");
+    set_time("room", 1000, 0);
+    assert_true(is_redrawn("--batch in --room-for room a.off"));
+    assert_false(is_redrawn("--batch in --update --room-for room a.off"));
+    set_time("room", 2000, 2);
+    assert_true(is_redrawn("--batch in --update --room-for room a.off"));
     assert_int_equal(unlink("a.off"), 0);
     assert_int_equal(run(plain), 1);
     assert_said("roberts: a.off: No such file or directory\n");

@@ -113,7 +113,8 @@ static const struct {
     {"--batch in", "--batch needs names of files"},
     {"--batch in a.off -", "--batch needs names of files"},
     {"--batch= a.off", "--batch: the name is empty"},
-    {"--room-for= a.off", "--room-for: the name is empty"},
+    {"--room-for= a.off", "--room-for: a file is needed, not \"\""},
+    {"--room-for - a.off", "--room-for: a file is needed, not \"-\""},
     {"--room-for a.off --sheet first a.off", "--room-for and --sheet exclude each other"},
     {"--sheet first --title= a.off", "--title: the text is empty"},
     {"--batch in a.off in/a.off", "--batch: a.off and in/a.off would both be drawn to in/a.svg"},
@@ -1335,7 +1336,10 @@ static void steps_have_one_place(void **state)
     assert_int_equal(run("-o in/b.svg --room-for nowhere.off models/platonic/cube.off"), 1);
     assert_said("roberts: nowhere.off: No such file or directory\n");
     assert_int_equal(access("in/b.svg", F_OK), -1);
-    assert_int_equal(run("-f pdf -o in/a.pdf --eye 9,9,9 --fov 9 --room-for tower.off models/platonic/cube.off"), 0);
+    assert_int_equal(rename("tower.off", "tower"), 0);
+    assert_int_equal(run("-o tower --room-for tower models/platonic/cube.off"), 2);
+    assert_said("roberts: --output: tower is a file of --room-for; the drawing would take its place\n");
+    assert_int_equal(run("-f pdf -o in/a.pdf --eye 9,9,9 --fov 9 --room-for tower models/platonic/cube.off"), 0);
     assert_said("warning: --room-for has no effect: --fov says what the picture holds\n");
 }
 
