@@ -350,8 +350,9 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
 /**
  * Finds where points of the model lie in the picture, seen or not: the inverse of roberts_pick().
  * point, out  [count] each; they may be the same. x and y of a result are as p0 of roberts_segment, z as its z0; all
- *             three are NaN if the near plane cuts the point off
- * For places on a page see roberts_ink.origin_mm. Returns ROBERTS_OK or _BAD_VIEW.
+ *             three are NaN if the near plane cuts the point off. `out` does not change on failure
+ * The eye may be anywhere, also inside a body. For places on a page see roberts_ink.origin_mm.
+ * Returns ROBERTS_OK or _BAD_VIEW.
  */
 roberts_status roberts_project(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *point,
                                size_t count, roberts_vec3 *out, roberts_error *error);
@@ -1015,7 +1016,8 @@ typedef enum roberts_column {
 typedef struct roberts_plotter {
     bool centre;            /**< the origin is in the middle of the page */
     uint32_t turn;          /**< the page is turned counter-clockwise by 0, 90, 180 or 270 degrees */
-    roberts_vec2 inside_mm; /**< how far the origin lies from that corner or middle, along the plotter's axes */
+    roberts_vec2 inside_mm; /**< how far the origin lies from the page's corner or middle, along the plotter's
+                                 axes, -1000 to 1000 */
 } roberts_plotter;
 
 /** Reports where an unfinished file is: called with its name just before it is created, and with NULL once it is
@@ -1028,8 +1030,9 @@ typedef struct roberts_draw_options {
     roberts_format format; /**< default: ROBERTS_SVG */
     roberts_hidden hidden; /**< default: ROBERTS_HIDDEN_NONE */
     roberts_page page;     /**< default: A4, upright, margins of 10 mm */
-    bool crop; /**< a drawing is laid on this page, which is then cut to the drawing and its margins; default: false. It
-                    has no effect on sheets and on fields of view */
+    bool crop; /**< the drawing is laid on this page, which is then cut to the drawing and its margins; at a given scale
+                    labels get further room. Default: false. Alignment then has no effect. Sheets, and drawings with a
+                    field of view, are not cut */
     roberts_pen outline;           /**< default: 0.5 mm */
     roberts_pen border;            /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;            /**< default: 0.35 mm */

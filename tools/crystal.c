@@ -572,5 +572,5 @@ int main(int argc, char **argv)
     named = (!names || fclose(names) == 0) && named;
     if (!named)
         return complain(argv[2]);
-    return ferror(stdout) || fflush(stdout) != 0;
+    return ferror(stdout) || fflush(stdout) != 0 ? complain("standard output") : 0;
 }

@@ -362,6 +362,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
             warn("pen= of --style", "only pens of hpgl and numbered layers of classes in svg have numbers");
             break;
         }
+    if (options_is_given(given, "align") && draw->crop)
+        warn("--align", "--crop leaves no room to move in");
     if (options_is_given(given, "room-for") && options_is_given(given, "fov"))
         warn("--room-for", "--fov says what the picture holds");
     if (options_is_given(given, "landscape") && draw->page.width_mm == draw->page.height_mm)

@@ -422,7 +422,9 @@ bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_
     if (idle == 0)
         return false;
     names_thing(&names->name[first], thing, sizeof thing);
-    const int used = snprintf(text, size, "there is no %s, which %.60s names", thing, options->names);
+    const char *slash = strrchr(options->names, '/');
+    const int used =
+        snprintf(text, size, "there is no %s, which %.100s names", thing, slash ? slash + 1 : options->names);
     if (idle > 1)
         snprintf(text + used, size - (size_t)used, ", and %zu more of its names have no effect", idle - 1);
     return true;
@@ -496,8 +498,10 @@ size_t hint_round(const roberts_scene *scene)
 
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing)
 {
-    if (!options->hide.crease_auto || options->hide.all_edges ||
-        drawing->drawn_edges == roberts_scene_edge_count(scene))
+    /* of triangles alone; each has three sides, and those within have two triangles */
+    const size_t edges = roberts_scene_edge_count(scene), drawn = drawing->drawn_edges;
+    const bool triangles = 2 * edges - drawn == 3 * roberts_scene_face_count(scene);
+    if (!options->hide.crease_auto || options->hide.all_edges || drawn == edges || (triangles && drawn > edges / 2))
         return false;
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)

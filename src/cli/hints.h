@@ -63,7 +63,8 @@ size_t hint_curved(const roberts_scene *scene);
 /* How many bodies are convex, with so many faces that they probably stand for round ones? */
 size_t hint_round(const roberts_scene *scene);
 
-/* Are edges left out because they are flat, so that only borders are drawn? A tiling and a net are like this. */
+/* Are edges left out because they are flat, so that only borders are drawn? A tiling and a net are like this. A face
+ * that is given as a few triangles is not meant. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 
 /* Is no body closed, so that --union changes nothing? */

@@ -408,7 +408,8 @@ static const option rows[] = {
      .brief = "cut the page to the drawing",
      .help = "cut the page to the drawing and its margins",
      .manual = "Lays the drawing on the page and then cuts the page to the drawing and its margins, for a figure in a "
-               "text or on a web page. --page limits its size."},
+               "text or on a web page. --page limits its size. Labels beside the drawing may need a wider --margin. "
+               "The bounding box of eps has no margins: it is that of the lines."},
     {.group = GROUP_PAGE,
      .name = "margin",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -433,12 +434,12 @@ static const option rows[] = {
      .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS | OPTION_FILE,
      .value = "FILE",
      .set = values_add_room,
-     .excludes = "sheet plan part join",
+     .excludes = "sheet turntable plan part join",
      .brief = "leave room for this model, too",
-     .help = "leave room for this model, too, without drawing it, so that pictures of steps fit together",
+     .help = "leave room for this model, which is not drawn; steps of a construction then fit together",
      .manual = "Lays out the page as if it showed the model in FILE, too. FILE is not drawn, and hides nothing. So the "
-               "steps of a construction have one scale and one place, if each leaves room for the finished whole. May "
-               "be given several times. With --eye, give --look-at as well."},
+               "steps of a construction have one scale and one place, if each of them, the last one too, leaves room "
+               "for the finished whole. May be given up to 64 times. With --eye, give --look-at as well."},
     {.group = GROUP_PAGE,
      .name = "scale",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -100,6 +100,17 @@ static roberts_status read_all(const cli_options *options, const char *const *na
     return status;
 }
 
+/* Reads the models for which there is to be room. */
+static roberts_status read_room(const cli_options *options, roberts_mesh *room, roberts_error *error)
+{
+    if (!values_has_page(options->draw.format))
+        return ROBERTS_OK; /* a table has no room */
+    const roberts_status status = read_all(options, options->room, options->room_count, room, error);
+    if (status == ROBERTS_OK && options->room_count > 0 && room->corner_count == 0 && !options->quiet)
+        warn_of_file(options, options->room[0], "--room-for has no effect: there is no face in it");
+    return status;
+}
+
 /* Names the solids that hulls have replaced, by their numbers; prints nothing if there are none. */
 static void tell_hulls(const cli_options *options, const roberts_scene *scene)
 {
@@ -446,6 +457,8 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->quiet || options->turntable > 0)
         return;
     tell_rounded(options, &v->drawing[0], run);
+    if (page && options->draw.crop && v->drawing[0].framed)
+        warn_of_inputs(options, "--crop has no effect: the near plane cuts the scene close to the eye");
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
     if (is_idle_rounded(options, &v->drawing[0]))
@@ -673,31 +686,14 @@ static roberts_camera turned(const cli_options *options, const roberts_scene *sc
     return camera;
 }
 
-/* Enlarges the window of a picture until it holds the corners of all faces of `room`. */
-static roberts_status add_room(const roberts_mesh *room, const roberts_scene *scene, const roberts_camera *camera,
-                               picture_window *window, roberts_error *error)
+static roberts_status find_window(const cli_options *options, const roberts_scene *scene, picture_window *all,
+                                  roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
-    for (size_t i = 0; i < room->corner_count && status == ROBERTS_OK && !window->framed; i++) {
-        roberts_vec3 p = {0};
-        status = roberts_project(scene, camera, &room->vertex[room->corner[i]], 1, &p, error);
-        window->min = (roberts_vec2){fmin(window->min.x, p.x), fmin(window->min.y, p.y)}; /* ignores NaN */
-        window->max = (roberts_vec2){fmax(window->max.x, p.x), fmax(window->max.y, p.y)};
-    }
-    return status;
-}
-
-/* Finds the window of all pictures. */
-static roberts_status find_window(const cli_options *options, const roberts_scene *scene, const roberts_mesh *room,
-                                  picture_window *all, roberts_error *error)
-{
-    roberts_status status = ROBERTS_OK;
-    for (uint32_t i = 0; (i == 0 || i < options->turntable) && status == ROBERTS_OK; i++) {
+    for (uint32_t i = 0; i < options->turntable && status == ROBERTS_OK; i++) {
         picture_window one;
-        roberts_camera camera = options->turntable ? turned(options, scene, i) : options->camera;
+        roberts_camera camera = turned(options, scene, i);
         status = roberts_window(scene, &camera, &one.min, &one.max, &one.framed, error);
-        if (status == ROBERTS_OK)
-            status = add_room(room, scene, &camera, &one, error);
         if (status != ROBERTS_OK)
             break;
         if (i == 0)
@@ -747,15 +743,14 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
     return status == ROBERTS_BAD_ARGUMENT ? ROBERTS_OK : status; /* drawing will say why, and name the picture */
 }
 
-static int draw_turntable(const cli_options *options, roberts_scene **scene, const roberts_mesh *room, run_stats run,
-                          picture_result *result)
+static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)
 {
     char name[NAME_SIZE];
     picture_window window;
     roberts_error error = {0};
     double label_mm = options->draw.lettering.height_mm;
     int status = EXIT_DONE;
-    if (find_window(options, *scene, room, &window, &error) != ROBERTS_OK ||
+    if (find_window(options, *scene, &window, &error) != ROBERTS_OK ||
         (label_kinds(&options->draw) != 0 && label_mm == 0.0 &&
          find_letters(options, *scene, &window, &label_mm, &error) != ROBERTS_OK))
         return fail(options, &error, result);
@@ -775,13 +770,36 @@ static int draw_turntable(const cli_options *options, roberts_scene **scene, con
     return status;
 }
 
+/* Enlarges the window of a picture until it holds the corners of all faces of `room`. */
+static roberts_status add_room(const roberts_mesh *room, const roberts_scene *scene, const roberts_camera *camera,
+                               picture_window *window, roberts_error *error)
+{
+    enum { TOGETHER = 256 };
+    roberts_vec3 p[TOGETHER];
+    roberts_status status = ROBERTS_OK;
+    for (size_t i = 0, count; i < room->corner_count && status == ROBERTS_OK; i += count) {
+        for (count = 0; count < TOGETHER && i + count < room->corner_count; count++)
+            p[count] = room->vertex[room->corner[i + count]];
+        status = roberts_project(scene, camera, p, count, p, error);
+        for (size_t k = 0; k < count && status == ROBERTS_OK; k++) { /* fmin() and fmax() ignore NaN */
+            window->min = (roberts_vec2){fmin(window->min.x, p[k].x), fmin(window->min.y, p[k].y)};
+            window->max = (roberts_vec2){fmax(window->max.x, p[k].x), fmax(window->max.y, p[k].y)};
+        }
+    }
+    return status;
+}
+
 /* Draws one picture, with room for more than it shows. */
 static int draw_with_room(const cli_options *options, roberts_scene **scene, const roberts_mesh *room, run_stats run,
                           picture_result *result)
 {
     picture_window window;
     roberts_error error = {0};
-    if (find_window(options, *scene, room, &window, &error) != ROBERTS_OK)
+    if (roberts_window(*scene, &options->camera, &window.min, &window.max, &window.framed, &error) != ROBERTS_OK)
+        return fail(options, &error, result);
+    if (window.framed && !options->quiet && options->camera.fov_degrees == 0.0)
+        warn_of_inputs(options, "--room-for has no effect: the near plane cuts the scene close to the eye");
+    if (!window.framed && add_room(room, *scene, &options->camera, &window, &error) != ROBERTS_OK)
         return fail(options, &error, result);
     return draw(options, scene, true, &window, run, result);
 }
@@ -818,11 +836,10 @@ int picture_make(const cli_options *given, picture_result *result)
     own.draw.lettering.name_count = labels.count;
     if (options->join)
         status = draw_joined(options, run, result);
-    else if (read_all(options, options->room, options->room_count, &room, &error) != ROBERTS_OK ||
-             load(options, &scene, &run, &error) != ROBERTS_OK)
+    else if (read_room(options, &room, &error) != ROBERTS_OK || load(options, &scene, &run, &error) != ROBERTS_OK)
         status = fail(options, &error, result);
     else if (options->turntable)
-        status = draw_turntable(options, &scene, &room, run, result);
+        status = draw_turntable(options, &scene, run, result);
     else if (options->room_count)
         status = draw_with_room(options, &scene, &room, run, result);
     else

@@ -312,7 +312,7 @@ int values_set_align(const option *o, const char *value, cli_options *options)
     return status;
 }
 
-/* ORIGIN or ORIGIN,TURN. */
+/* ORIGIN[,TURN[,XxY]] */
 int values_set_plotter(const option *o, const char *value, cli_options *options)
 {
     char origin[16], turned[16] = "0";
@@ -327,8 +327,10 @@ int values_set_plotter(const option *o, const char *value, cli_options *options)
         rest = parse_word(rest, ',', turned, sizeof turned, &fits_turn);
     if (!fits_turn || !parse_integer(turned, &turn) || turn > 270 || turn % 90 != 0)
         return message_misuse("--%s: a page is turned by 0, 90, 180 or 270 degrees, not \"%s\"", o->name, turned);
-    if (rest && (!parse_lengths(rest, 'x', &inside.x, &inside.y) || fmax(fabs(inside.x), fabs(inside.y)) > 1000.0))
+    if (rest && !parse_lengths(rest, 'x', &inside.x, &inside.y))
         return message_misuse("--%s: \"%s\" is not how far the origin lies inside, as 10x4, in mm", o->name, rest);
+    if (!(fmax(fabs(inside.x), fabs(inside.y)) <= 1000.0))
+        return refuse_range("--plotter", rest, -1000, 1000, " mm");
     options->draw.plotter = (roberts_plotter){centre, turn, inside};
     return EXIT_DONE;
 }

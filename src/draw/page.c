@@ -119,7 +119,11 @@ const char *page_instead(const roberts_page *page, double width_mm, double heigh
     static const struct {
         const char *name;
         double narrow, wide;
-    } sizes[] = {{"a4", 210, 297}, {"a3", 297, 420}, {"a2", 420, 594}, {"a1", 594, 841}, {"a0", 841, 1189}};
+    } sizes[] = {{"--page a4", 210, 297},
+                 {"--page a3", 297, 420},
+                 {"--page a2", 420, 594},
+                 {"--page a1", 594, 841},
+                 {"--page a0", 841, 1189}};
     const bool is_wide = page->width_mm > page->height_mm;
     *lying = "";
     if (page->height_mm >= width_mm && page->width_mm >= height_mm)

@@ -146,20 +146,14 @@ static bool draws_hatching(const roberts_draw_options *options)
     return options->hatching.on && !options->hatch.off;
 }
 
-static bool draws_fills(const roberts_draw_options *options)
-{
-    return options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
-}
-
 /* How many segments there are, with those along which the near plane cuts bodies. */
 static size_t count_segments(const roberts_drawing *drawing)
 {
     return drawing->count + drawing->cut_count;
 }
 
-/* The box of all lines that have a place and of all regions that are filled or hatched, or the drawing's window. Such
- * regions reach farther than lines where pens are off, or where `unite` leaves out edges of faces that are far from
- * planar. */
+/* The box of all lines that have a place and of all regions that may be filled or hatched, or the drawing's window.
+ * Regions reach farther than lines where `unite` leaves out edges of faces that are far from planar. */
 static void find_box(const roberts_drawing *drawing, const roberts_draw_options *options, roberts_vec2 *min,
                      roberts_vec2 *max)
 {
@@ -178,7 +172,7 @@ static void find_box(const roberts_drawing *drawing, const roberts_draw_options 
             enlarge_box(min, max, segment->p1);
         }
     }
-    if (drawing->regions && (draws_fills(options) || draws_hatching(options)))
+    if (drawing->regions && (options->fill != ROBERTS_FILL_NONE || options->hatching.on))
         for (size_t i = 0; i < drawing->regions->corner_count; i++)
             enlarge_box(min, max, drawing->regions->corner[i]);
     if (min->x > max->x)
@@ -516,11 +510,13 @@ static roberts_status groups_make(strokes *s, pieces *p, roberts_error *error)
 static bool lacks_regions(const strokes *s)
 {
     const roberts_draw_options *options = s->options;
+    const bool filled =
+        options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
     const unsigned labels = targets_kinds(&options->lettering) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
     bool lacks = false;
     for (size_t i = 0; i < s->views; i++)
         lacks |= !s->view[i].drawing->regions;
-    return lacks && (draws_fills(options) || labels || draws_hatching(options));
+    return lacks && (filled || labels || draws_hatching(options));
 }
 
 /* Makes the strokes of all views together. `s` is complete but for its lines. */
@@ -658,15 +654,18 @@ static void warn_tiny(const strokes *s)
     to->warn(to->context, "", 0, text);
 }
 
-/* Cuts the page to the box of the drawing and the margins of `page`. */
-static void crop(strokes *s, const roberts_page *page, roberts_vec2 min, roberts_vec2 max)
+/* Cuts the page to the box of the drawing and the margins of `page`, which is laid out already. No line leaves it, and
+ * at a given scale there is room for labels. */
+static void crop(strokes *s, const roberts_page *page, double widest, roberts_vec2 min, roberts_vec2 max)
 {
-    const double least_mm = 1.0, scale = page_scale(&s->map), frame = s->options->page.margin_mm;
-    const double margin = page->margin_mm + (s->options->placement.scale != 0.0 ? labels_reach(s->options) : 0.0);
-    s->page.width_mm = fmax(least_mm, scale * (max.x - min.x) + 2.0 * margin);
-    s->page.height_mm = fmax(least_mm, scale * (max.y - min.y) + 2.0 * margin);
+    const roberts_page *whole = &s->options->page;
+    const double scale = page_scale(&s->map),
+                 room = s->options->placement.scale != 0.0 ? labels_reach(s->options) : 0.0;
+    const double around = 2.0 * fmax(page->margin_mm + room, widest / 2.0);
+    s->page.width_mm = fmin(fmax(1.0, scale * (max.x - min.x) + around), whole->width_mm);
+    s->page.height_mm = fmin(fmax(1.0, scale * (max.y - min.y) + around), whole->height_mm);
     s->map.page_mm = (roberts_vec2){s->page.width_mm / 2.0, s->page.height_mm / 2.0};
-    s->frame_mm[1] = (roberts_vec2){s->page.width_mm - frame, s->page.height_mm - frame};
+    s->frame_mm[1] = (roberts_vec2){s->page.width_mm - whole->margin_mm, s->page.height_mm - whole->margin_mm};
 }
 
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
@@ -675,8 +674,9 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     roberts_vec2 min, max;
     roberts_drawing shaped = *drawing;
     roberts_page page = page_within_frame(drawing, options);
+    const double widest = widest_pen(&drawing, 1, options);
     if (!drawing->framed) /* a field of view is cut off at the border anyway */
-        page = page_within_edge(page, widest_pen(&drawing, 1, options), options);
+        page = page_within_edge(page, widest, options);
     *s = nothing_drawn(options);
     s->drawing = drawing;
     if (drawing->framed)
@@ -688,7 +688,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     if (!page_lay(&page, &options->placement, min, max, &s->map, error))
         return ROBERTS_BAD_ARGUMENT;
     if (options->crop && !drawing->framed)
-        crop(s, &page, min, max);
+        crop(s, &page, widest, min, max);
     if (drawing->framed) {
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});

@@ -316,8 +316,8 @@ static roberts_status check_options(const roberts_hide_options *options, roberts
     return ROBERTS_OK;
 }
 
-/* The window is the box of all vertices: every solid has outlines, and they are always drawn. Or it is a field of view.
- */
+/* The window is the field of view, or else the box of all vertices: every solid has outlines, and they are always
+ * drawn. */
 static void describe_scene(const hide_job *job, const roberts_camera *camera, roberts_drawing *drawing)
 {
     const hide_fronts *fronts = &job->fronts;

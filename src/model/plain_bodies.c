@@ -893,7 +893,7 @@ static bool fill_surface(plain_work *w)
     return true;
 }
 
-/* May one face of the solid repeat the other? */
+/* May one face of the solid repeat the other? Among more faces, edges would have more than two of them. */
 static bool may_repeat(const roberts_scene *scene, uint32_t s)
 {
     const scene_solid *own = &scene->solid[s];

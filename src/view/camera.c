@@ -84,7 +84,8 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
 
 /* ---- the part of the picture plane that is drawn ----------------------------------------------------------------- */
 
-/* Degrees: no wider is the picture of a scene that the near plane cuts. Near the eye it grows without bound. */
+/* Degrees: the widest picture of a scene that the near plane cuts, if no field of view is given. What lies near the eye
+ * would make it as wide as 180. */
 #define FOV_OF_CLIPPED 60.0
 
 bool view_frame(const view *v, const roberts_camera *camera, bool clipped, roberts_vec2 *min, roberts_vec2 *max)
@@ -134,8 +135,10 @@ roberts_status roberts_project(const roberts_scene *scene, const roberts_camera 
 {
     view v;
     roberts_status status = view_begin(&v, scene, camera, 0.0, error);
+    const bool some_are_cut = status == ROBERTS_OK && view_is_cut(scene, camera, point, count);
     for (size_t i = 0; i < count && status == ROBERTS_OK; i++)
-        out[i] = view_is_cut(scene, camera, &point[i], 1) ? (roberts_vec3){NAN, NAN, NAN}
-                                                          : vec3_scale(v.unit, view_point(&v, point[i]));
+        out[i] = some_are_cut && view_is_cut(scene, camera, &point[i], 1)
+                     ? (roberts_vec3){NAN, NAN, NAN}
+                     : vec3_scale(v.unit, view_point(&v, point[i]));
     return status;
 }

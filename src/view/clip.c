@@ -585,9 +585,9 @@ static size_t keep_ends(uint32_t *vertex, size_t count, bool all)
     return odd;
 }
 
-/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide, as far as the coordinates are
- * exact. Replaces each of them by the smallest one, so that lines which meet there have a common end. False: no memory.
- */
+/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide, except that the coordinates
+ * may have been rounded. Replaces each of them by the smallest one, so that lines which meet there have a common end.
+ * False: no memory. */
 static bool join_lines(const cutter *c, cut_lines *lines)
 {
     const roberts_vec3 *point = c->clip->scene.point;

@@ -396,21 +396,31 @@ static void test_models(void **state)
     assert_true(rings > 2000 && seams > 200);
 }
 
-/* Of the lines of the row, which is 7 wide, one is left: the page has room for it alone, or for the fills, too. */
+/* Of the lines of the row, which is 7 wide, one is left: the page has room for it alone, or for fills or hatching, too.
+ * A pen that is off changes nothing. */
 static void test_room(void **state)
 {
     static const roberts_vec2 corner = {3.5, 0.5};
+    static const struct {
+        roberts_fill fill;
+        bool hatched, off, room;
+    } table[] = {{ROBERTS_FILL_NONE, false, false, false},
+                 {ROBERTS_FILL_MODEL, false, false, true},
+                 {ROBERTS_FILL_NONE, true, false, true},
+                 {ROBERTS_FILL_NONE, true, true, true}};
     (void)state;
-    roberts_draw_options options = roberts_draw_options_default();
     roberts_scene *scene = make_row("1.0");
     picture p;
     draw_picture(scene, &from_above, &p);
     p.drawing.count = 1;
-    for (int i = 0; i < 2; i++) {
+    for (size_t i = 0; i < sizeof table / sizeof table[0]; i++) {
+        roberts_draw_options options = roberts_draw_options_default();
         strokes s;
-        options.fill = i ? ROBERTS_FILL_MODEL : ROBERTS_FILL_NONE;
+        options.fill = table[i].fill;
+        options.hatching.on = table[i].hatched;
+        options.hatch.off = table[i].off;
         assert_int_equal(strokes_make(&s, &p.drawing, &options, NULL), ROBERTS_OK);
-        assert_true((page_place(&s.map, corner).x <= options.page.width_mm) == (i == 1));
+        assert_true((page_place(&s.map, corner).x <= options.page.width_mm) == table[i].room);
         strokes_free(&s);
     }
     free_picture(&p);

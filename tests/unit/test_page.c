@@ -108,7 +108,7 @@ static const struct {
      0,
      "1000000000000:1 the drawing is 4e+25 x 2e+25 mm and would"},
     {"5:1: what would fit", {5, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --landscape"},
-    {"10:1: what would fit", {10, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or a2"},
+    {"10:1: what would fit", {10, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --page a2"},
     {"100:1: what would fit", {100, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or a larger page"},
     {"standard: 2:1 of 4.75:1", {.standard = true}, {105 - 40, 148.5 + 20}, 2, NULL},
     {"standard: 1:500 of metres, of 1:211", {0, 1000, 0, 0, true}, {105 - 40, 148.5 + 20}, 2, NULL},

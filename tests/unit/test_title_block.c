@@ -266,7 +266,7 @@ static void small_pages(void **state)
         const char *said;
     } cases[] = {
         {{148, 210, 10}, "148 x 210: --landscape would do"},
-        {{105, 148, 10}, "105 x 148: a4 would do"},
+        {{105, 148, 10}, "105 x 148: --page a4 would do"},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

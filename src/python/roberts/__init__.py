@@ -640,7 +640,7 @@ class _Page:
         o = self.options
         if "page" in given:
             page, wanted = given.pop("page"), "page: it is (width, height) or (width, height, margin), numbers of mm"
-            if isinstance(page, str):
+            if isinstance(page, (str, bytes)) or not hasattr(page, "__iter__"):
                 raise TypeError(f"{wanted}, not {page!r}")
             page = [*page]
             if not 2 <= len(page) <= 3:
