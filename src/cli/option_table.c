@@ -565,6 +565,7 @@ static const option rows[] = {
      .flags = OPTION_DRAWS | OPTION_PAPER,
      .value = "ORIGIN[,TURN[,XxY]]",
      .set = values_set_plotter,
+     RANGE(-1000, 1000),
      .brief = "origin and turn of hpgl",
      .help = "origin of hpgl, corner or center (default: corner), how the page is turned (90, 180 or 270), and how far "
              "inside the origin lies, as 10x4 in mm",

@@ -329,8 +329,8 @@ int values_set_plotter(const option *o, const char *value, cli_options *options)
         return message_misuse("--%s: a page is turned by 0, 90, 180 or 270 degrees, not \"%s\"", o->name, turned);
     if (rest && !parse_lengths(rest, 'x', &inside.x, &inside.y))
         return message_misuse("--%s: \"%s\" is not how far the origin lies inside, as 10x4, in mm", o->name, rest);
-    if (!(fmax(fabs(inside.x), fabs(inside.y)) <= 1000.0))
-        return refuse_range("--plotter", rest, -1000, 1000, " mm");
+    if (fmin(inside.x, inside.y) < o->least || fmax(inside.x, inside.y) > o->most)
+        return refuse_range("--plotter", rest, o->least, o->most, " mm");
     options->draw.plotter = (roberts_plotter){centre, turn, inside};
     return EXIT_DONE;
 }

@@ -114,7 +114,7 @@ static void length_name(double mm, char *text, size_t size)
     snprintf(text, size, mm < 1e9 ? "%.0f" : "%.0e", ceil(mm));
 }
 
-const char *page_instead(const roberts_page *page, double width_mm, double height_mm, const char **lying)
+void page_instead(const roberts_page *page, double width_mm, double height_mm, char text[PAGE_INSTEAD])
 {
     static const struct {
         const char *name;
@@ -125,16 +125,19 @@ const char *page_instead(const roberts_page *page, double width_mm, double heigh
                  {"--page a1", 594, 841},
                  {"--page a0", 841, 1189}};
     const bool is_wide = page->width_mm > page->height_mm;
-    *lying = "";
-    if (page->height_mm >= width_mm && page->width_mm >= height_mm)
-        return is_wide ? "the same page upright" : "--landscape";
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
-        if ((is_wide ? sizes[i].wide : sizes[i].narrow) >= width_mm &&
-            (is_wide ? sizes[i].narrow : sizes[i].wide) >= height_mm) {
-            *lying = is_wide ? " --landscape" : "";
-            return sizes[i].name;
-        }
-    return "a larger page";
+    const char *lying = "", *other = "a larger page";
+    const size_t count = sizeof sizes / sizeof sizes[0];
+    size_t i = 0;
+    while (i < count && ((is_wide ? sizes[i].wide : sizes[i].narrow) < width_mm ||
+                         (is_wide ? sizes[i].narrow : sizes[i].wide) < height_mm))
+        i++;
+    if (page->height_mm >= width_mm && page->width_mm >= height_mm) {
+        other = is_wide ? "the same page upright" : "--landscape";
+    } else if (i < count) {
+        other = sizes[i].name;
+        lying = is_wide ? " --landscape" : "";
+    }
+    snprintf(text, PAGE_INSTEAD, "%s%s", other, lying);
 }
 
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
@@ -147,9 +150,9 @@ void page_refuse(const roberts_page *page, const roberts_placement *placement, d
     length_name(drawn_mm.y, y_mm, sizeof y_mm);
     error_set(
         error, ROBERTS_BAD_ARGUMENT, 0,
-        "at %s the drawing is %s x %s mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit%s",
+        "at %s the drawing is %s x %s mm and would leave the page, whose margins leave %.0f x %.0f; %s would fit%s%s",
         asked, x_mm, y_mm, floor(page->width_mm - 2.0 * page->margin_mm),
-        floor(page->height_mm - 2.0 * page->margin_mm), fits, instead);
+        floor(page->height_mm - 2.0 * page->margin_mm), fits, *instead ? ", or " : "", instead);
 }
 
 bool page_placement_is_valid(const roberts_placement *p, roberts_error *error)
@@ -181,9 +184,8 @@ bool page_lay(const roberts_page *page, const roberts_placement *placement, robe
     double x = half.x / map->half * map->half_mm, y = half.y / map->half * map->half_mm;
     if (placement->scale > 0.0 && !(x <= room_x + PAGE_SLACK_MM && y <= room_y + PAGE_SLACK_MM)) {
         const double margins = 2.0 * page->margin_mm;
-        const char *lying, *other = page_instead(page, 2.0 * x + margins, 2.0 * y + margins, &lying);
-        char instead[40];
-        snprintf(instead, sizeof instead, ", or %s%s", other, lying);
+        char instead[PAGE_INSTEAD];
+        page_instead(page, 2.0 * x + margins, 2.0 * y + margins, instead);
         page_refuse(page, placement, page_scale(&fitted), (roberts_vec2){2.0 * x, 2.0 * y}, instead, error);
         return false;
     }

@@ -26,12 +26,14 @@ bool page_is_valid(const roberts_page *page, roberts_error *error);
 /* Whether scale, unit and alignment are valid; fills `error` if not. */
 bool page_placement_is_valid(const roberts_placement *placement, roberts_error *error);
 
-/* What would do in place of `page`: the page turned, or the smallest of A4 to A0, lying as `page` does, that has this
- * width and height. *lying: the option for it to lie so. */
-const char *page_instead(const roberts_page *page, double width_mm, double height_mm, const char **lying);
+enum { PAGE_INSTEAD = 32 };
+
+/* Writes what would do in place of `page`, as options: the page turned, or the smallest of A4 to A0, lying as `page`
+ * does, that has this width and height. */
+void page_instead(const roberts_page *page, double width_mm, double height_mm, char text[PAGE_INSTEAD]);
 
 /* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, does not fit on the page. The message names
- * the scale that would fit, `fitting` mm per model unit, and ends with `instead`. */
+ * the scale that would fit, `fitting` mm per model unit, and `instead` unless that is empty. */
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,
                  const char *instead, roberts_error *error);
 

@@ -154,11 +154,12 @@ static bool fit_block(layout *l, const roberts_draw_options *options, roberts_pa
     const double height = page->height_mm - room->height_mm + l->rows.gap_mm + 2.0 * views_least;
     if (page->width_mm >= width && page->height_mm >= height)
         return true;
-    const char *lying, *other = page_instead(page, width, height, &lying);
+    char instead[PAGE_INSTEAD];
+    page_instead(page, width, height, instead);
     error_set(error, ROBERTS_BAD_ARGUMENT, 0,
-              "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s%s "
+              "page: title block and views need %.0f x %.0f mm with these margins, and the page has %.0f x %.0f: %s "
               "would do",
-              ceil(width), ceil(height), page->width_mm, page->height_mm, other, lying);
+              ceil(width), ceil(height), page->width_mm, page->height_mm, instead);
     return false;
 }
 

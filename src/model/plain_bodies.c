@@ -893,14 +893,6 @@ static bool fill_surface(plain_work *w)
     return true;
 }
 
-/* May one face of the solid repeat the other? Among more faces, edges would have more than two of them. */
-static bool may_repeat(const roberts_scene *scene, uint32_t s)
-{
-    const scene_solid *own = &scene->solid[s];
-    return own[1].face - own->face == 2 &&
-           scene->face_start[own->face + 1] - scene->face_start[own->face] == own[1].vertex - own->vertex;
-}
-
 plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const repeated_solids *list,
                                 const face_rules *rules)
 {
@@ -919,9 +911,7 @@ plain_answer plain_bodies_build(roberts_scene *scene, const uint8_t *mark, const
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
             if (scene->turned[f])
                 scene_turn_face(scene, f); /* restore the corners of the file */
-        if (may_repeat(scene, s))
-            answer = PLAIN_NO;
-        else if (scene->solid[s].stored >= scene->shared)
+        if (scene->solid[s].stored >= scene->shared)
             answer = take_edges(&w, s, list->item[list->of[s]].solid);
     }
     plain_edges_free_scratch(&w.edges);

@@ -105,12 +105,14 @@ static answer is_connected(const scene_edge *edge, uint32_t edges, uint32_t face
     return sets == 1 ? YES : NO;
 }
 
-/* Stores the edges of a pattern for both windings, if it is closed and consistently wound. */
+/* Stores the edges of a pattern for both windings, if it is closed and consistently wound. Two faces that close are one
+ * face that is given twice. */
 static bool store_both(repeated_solid *p, roberts_scene *scene, edge_scratch *scratch)
 {
     const scene_solid *first = scene->solid + p->solid;
     uint32_t edges = scene_corners(scene, p->solid) / 2, faces = first[1].face - first->face;
-    edge_pairing pairing = edges_euler(scene, p->solid) == 2 ? edges_pair(scene, p->solid, scratch) : EDGES_OPEN;
+    edge_pairing pairing =
+        faces > 2 && edges_euler(scene, p->solid) == 2 ? edges_pair(scene, p->solid, scratch) : EDGES_OPEN;
     answer whole = pairing == EDGES_PAIRED ? is_connected(scratch->edge, edges, faces) : NO;
     if (pairing == EDGES_NO_MEMORY || whole == NO_MEMORY)
         return false;

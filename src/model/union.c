@@ -59,13 +59,12 @@ static bool prepare_bodies(union_bodies *all, const roberts_scene *left, box3 *b
     uint32_t count = 0;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
         all->root[s] = ROBERTS_NONE;
-        if (!union_takes(scene, s))
+        if (!union_takes(scene, s) || left->solid[s].vertex == left->solid[s + 1].vertex)
             continue;
         if (!prepare_body(all, s, box, &whole[count]))
             return false;
         all->box[s] = whole[count];
-        if (left->solid[s].vertex < left->solid[s + 1].vertex)
-            closed[count++] = s;
+        closed[count++] = s;
     }
     if (count == 0)
         return true;
