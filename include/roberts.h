@@ -315,6 +315,10 @@ typedef struct roberts_camera {
      * distance, and at least 1e-5 of the scene's diameter. Anything nearer than 1e-6 of the diameter is always cut
      * off. */
     double near_distance;
+    /** A section: anything nearer to the viewer than this point, along the axis of sight, is cut off. The near plane is
+     * the one through this point, unless that of `near_distance` is farther away. */
+    roberts_vec3 section;
+    bool has_section; /**< false: `section` is not used, and a parallel view has no near plane */
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
      * its shorter side); 0 = the whole scene, but where the near plane cuts it, at most 60. */
     double fov_degrees;
@@ -362,7 +366,7 @@ roberts_status roberts_project(const roberts_scene *scene, const roberts_camera 
 typedef enum roberts_state {
     ROBERTS_VISIBLE,
     ROBERTS_HIDDEN,
-    ROBERTS_CLIPPED, /**< perspective: cut off by the near plane */
+    ROBERTS_CLIPPED, /**< cut off by the near plane, that of an eye or of a section */
 } roberts_state;
 
 typedef enum roberts_line {
@@ -572,6 +576,7 @@ typedef struct roberts_region {
     roberts_vec3 normal; /**< unit normal of the face, on the side that is seen, in the viewer's axes: x to the right, y
                               upward, z toward the viewer */
     roberts_color color; /**< the face's colour in the input; if it has none, the mean of its corners' colours */
+    bool section;        /**< the cut of a closed body by the near plane */
 } roberts_region;
 
 /** Directions in the plane of a face, for hatching that follows the faces. Faces in one plane have the same values. */
@@ -591,6 +596,7 @@ typedef struct roberts_region_list {
     size_t *ring_start;     /**< [ring_count + 1] ring r has corners corner[ring_start[r]] .. [ring_start[r + 1] - 1] */
     roberts_vec2 *corner;   /**< [corner_count] of the picture, model units */
     roberts_slope *slope;   /**< [count] with roberts_hide_options.slopes; otherwise NULL */
+    bool united;            /**< all closed bodies are drawn as one: roberts_hide_options.unite */
 } roberts_region_list;
 
 /**
@@ -888,6 +894,9 @@ typedef struct roberts_hatching {
                        the others; default: 1, none do */
     /** Shorter strokes are left out, so the tone of small faces gets lighter: 0 to 1000; default: 0. */
     double shortest_mm;
+    /** Only sections have strokes, in the darkest tone. Those of every second body, by number, are turned by 90 degrees
+     * more, unless the bodies are drawn as one. Default: false */
+    bool sections;
 } roberts_hatching;
 
 /** Paper. The drawing is fitted into the area within the margins, and centred. */
@@ -1192,7 +1201,8 @@ typedef struct roberts_joined {
  * Plans a scene so that programs which share nothing else can draw parts of it: writes to `path` all bodies and where
  * they lie in the picture. The inputs are read one after the other, and only one is in memory at a time.
  * All bodies have to be closed and share no vertices; faces may have any shape. Anything that needs the whole scene is
- * refused: open bodies (they are welded with others), repeated corners, hulls, and a near plane that cuts the scene.
+ * refused: open bodies (they are welded with others), repeated corners, hulls, sections, and a near plane that cuts the
+ * scene.
  * Returns ROBERTS_OK, _NO_MEMORY, _IO, _BAD_SYNTAX, _BAD_INDEX, _BAD_NUMBER, _NOT_CLOSED, _BAD_VIEW or _BAD_ARGUMENT;
  * with task->scene.solids also what roberts_scene_build() returns.
  */

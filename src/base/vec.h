@@ -31,6 +31,11 @@ static inline roberts_vec3 vec3_cross(roberts_vec3 a, roberts_vec3 b)
     return (roberts_vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+static inline bool vec3_is_finite(roberts_vec3 a)
+{
+    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
+}
+
 static inline double vec3_length(roberts_vec3 a)
 {
     return sqrt(vec3_dot(a, a));

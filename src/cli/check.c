@@ -355,7 +355,7 @@ static void warn_pages(const cli_options *options, const options_given *given)
 {
     const roberts_draw_options *draw = &options->draw;
     warn_lost(options);
-    if (options_is_given(given, "light") && !draw->shaded && !draw->hatching.on)
+    if (options_is_given(given, "light") && !draw->shaded && (!draw->hatching.on || draw->hatching.sections))
         warn("--light", "nothing is shaded without --fill shade or --hatch");
     for (size_t pen = 0; pen < PENS; pen++)
         if (values_pen(draw, pen)->number && !has_pen_number(options, pen)) {

@@ -459,7 +459,8 @@ bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, 
     return true;
 }
 
-/* The library's rule: a face has strokes if it is dark, as far as the levels tell, by more than rounding. */
+/* The library's rule: a face has strokes if it is dark, as far as the levels tell, by more than rounding, or if it is a
+ * section and only sections have strokes. */
 bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing, size_t views)
 {
     const roberts_hatching *h = &options->draw.hatching;
@@ -471,9 +472,10 @@ bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing,
         return false;
     for (const roberts_drawing *d = drawing; d < drawing + views; d++)
         for (size_t i = 0; d->regions && i < d->regions->count; i++, regions++) {
-            const roberts_vec3 n = d->regions->region[i].normal;
+            const roberts_region *seen = &d->regions->region[i];
+            const roberts_vec3 n = seen->normal;
             const double dark = 1.0 - (n.x * l.x + n.y * l.y + n.z * l.z) / length;
-            if (dark > rounding && dark >= least)
+            if (h->sections ? seen->section : dark > rounding && dark >= least)
                 return false;
         }
     return regions > 0;

@@ -615,7 +615,7 @@ static const option rows[] = {
          "strokes on the faces that are seen, closer together where less light falls; on, or: spacing=MM where it is "
          "darkest (default: 0.8); levels=N tones (10; 0: any); direction=picture, steep or across, in each face's "
          "plane; angle=DEGREES; cross=0.5: the darker half in two directions; lines=nested: strokes go on from tone "
-         "to tone; shortest=MM leaves out shorter strokes",
+         "to tone; shortest=MM leaves out shorter strokes; faces=sections hatches only sections",
      .manual =
          "Draws strokes on the faces that are seen, closer together where less light falls (--light). They are lines "
          "of their own, with the pen --style hatch:..., below all others, and stop round text. --hatch on takes the "
@@ -636,6 +636,8 @@ static const option rows[] = {
          "have one more or one less than its tone asks for.\n"
          "shortest=MM: shorter strokes are left out. Meshes of small triangles have many of them where two tones meet. "
          "Small dark faces get lighter. Default: 0, none is.\n"
+         "faces=all (the default). sections: only sections (--section, --near) have strokes, all of the darkest tone. "
+         "Those of every second body run across the others, unless --union draws all bodies as one.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
@@ -922,6 +924,17 @@ static const option rows[] = {
          "effect is 1e-6 of the diameter. Where it cuts a closed body, the section hides what lies behind it, and is "
          "filled. An outline is drawn round sections, and along the cuts of open bodies; with --union, round all "
          "sections together. These lines are in no table."},
+    {.group = GROUP_VIEW,
+     .name = "section",
+     .flags = OPTION_DRAWS,
+     .value = "X,Y,Z",
+     .set = values_set_vector,
+     TO(section),
+     .excludes = "sheet plan part join",
+     .brief = "cut off what is nearer than this point",
+     .help = "any view: cut off everything nearer to the viewer than this point",
+     .manual = "Cuts off everything nearer to the viewer than this point, measured along the axis of sight: with "
+               "--view front, everything in front of the point. Bodies are cut as by --near."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,

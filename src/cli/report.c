@@ -374,8 +374,9 @@ static const char *name_unnumbered(const cli_options *options)
 {
     if (!options->scene.hull)
         return "cut by the near plane";
-    return options->camera.projection == ROBERTS_PERSPECTIVE ? "a face of its hull, or cut by the near plane"
-                                                             : "a face of its hull";
+    return options->camera.projection == ROBERTS_PERSPECTIVE || options->camera.has_section
+               ? "a face of its hull, or cut by the near plane"
+               : "a face of its hull";
 }
 
 static roberts_status pick_one(const cli_options *options, const roberts_scene *scene, roberts_vec2 p,

@@ -103,7 +103,7 @@ int values_set_share(const option *o, const char *value, cli_options *options)
     return message_misuse("--%s: \"%s\" is not K/N, with K from 1 to N", o->name, value);
 }
 
-static int set_vector(const option *o, const char *value, cli_options *options)
+int values_set_vector(const option *o, const char *value, cli_options *options)
 {
     double v[3];
     if (!parse_numbers(value, v, 3))
@@ -115,7 +115,7 @@ static int set_vector(const option *o, const char *value, cli_options *options)
 int values_set_direction(const option *o, const char *value, cli_options *options)
 {
     const roberts_vec3 *v = field(o, options);
-    int status = set_vector(o, value, options);
+    int status = values_set_vector(o, value, options);
     if (status == EXIT_DONE && v->x == 0.0 && v->y == 0.0 && v->z == 0.0)
         return message_misuse("--%s: 0,0,0 is no direction", o->name);
     return status;
@@ -777,13 +777,13 @@ int values_set_dir(const option *o, const char *value, cli_options *options)
 int values_set_eye(const option *o, const char *value, cli_options *options)
 {
     options->camera.projection = ROBERTS_PERSPECTIVE;
-    return set_vector(o, value, options);
+    return values_set_vector(o, value, options);
 }
 
 int values_set_look_at(const option *o, const char *value, cli_options *options)
 {
     options->camera.has_look_at = true;
-    return set_vector(o, value, options);
+    return values_set_vector(o, value, options);
 }
 
 /* ---- messages ---- */
@@ -829,10 +829,21 @@ int values_set_pick(const option *o, const char *value, cli_options *options)
 
 /* ---- --hatch: KEY=VALUE,... ---- */
 
-enum { KEY_SPACING, KEY_LEVELS, KEY_ANGLE, KEY_DIRECTION, KEY_CROSS, KEY_LINES, KEY_SHORTEST, KEY_OFF, KEY_ON };
+enum {
+    KEY_SPACING,
+    KEY_LEVELS,
+    KEY_ANGLE,
+    KEY_DIRECTION,
+    KEY_CROSS,
+    KEY_LINES,
+    KEY_SHORTEST,
+    KEY_FACES,
+    KEY_OFF,
+    KEY_ON
+};
 
-const char *const values_hatch_keys[] = {"spacing", "levels",   "angle", "direction", "cross",
-                                         "lines",   "shortest", "off",   "on",        NULL};
+const char *const values_hatch_keys[] = {"spacing",  "levels", "angle", "direction", "cross", "lines",
+                                         "shortest", "faces",  "off",   "on",        NULL};
 
 static const double hatch_shortest_mm = 0.01, hatch_longest_mm = 1000.0;
 enum { LEVELS_MOST = 1000, ANGLE_MOST = 360 };
@@ -843,6 +854,7 @@ static int set_hatch_key(roberts_hatching *h, const char *item, bool *turned)
     static const char *const directions[] = {"picture", "steep", "across", NULL};
     static const roberts_hatch_along along[] = {ROBERTS_HATCH_PICTURE, ROBERTS_HATCH_STEEP, ROBERTS_HATCH_ACROSS};
     static const char *const lines[] = {"even", "nested", NULL};
+    static const char *const faces[] = {"all", "sections", NULL};
     char key[64];
     bool fits;
     const char *value = parse_word(item, '=', key, sizeof key, &fits);
@@ -884,6 +896,11 @@ static int set_hatch_key(roberts_hatching *h, const char *item, bool *turned)
         if (parse_length(value, &h->shortest_mm) && h->shortest_mm >= 0.0 && h->shortest_mm <= hatch_longest_mm)
             return EXIT_DONE;
         return message_misuse("--hatch: shortest=%s is not a length from 0 to %g mm", value, hatch_longest_mm);
+    case KEY_FACES:
+        if (!faces[parse_find(value, faces)])
+            return hint_unknown("--hatch: faces", value, faces, NULL);
+        h->sections = parse_find(value, faces) == 1;
+        return EXIT_DONE;
     case KEY_DIRECTION:
         if (!directions[parse_find(value, directions)])
             return hint_unknown("--hatch: direction", value, directions, NULL);

@@ -73,6 +73,7 @@ option_set values_set_number;    /* double, from o->least to o->most */
 option_set values_set_integer;   /* uint32_t, from o->least to o->most */
 option_set values_set_length;    /* double in mm, from o->least to o->most; may have a unit */
 option_set values_set_share;     /* roberts_share */
+option_set values_set_vector;    /* roberts_vec3 */
 option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
 
 /* For one option each. */

@@ -53,6 +53,8 @@ typedef struct hatch_work {
 double hatch_darkness(const roberts_draw_options *options, const roberts_region *region)
 {
     const double levels = options->hatching.levels;
+    if (options->hatching.sections)
+        return region->section ? 1.0 : 0.0;
     const double dark = (1.0 - shade(region->normal, options->light)) / (1.0 - SHADE_AMBIENT);
     return levels > 0.0 ? floor(dark * levels + 0.5) / levels : dark;
 }
@@ -203,13 +205,14 @@ static bool hatch_region(void *context, const page_region *on)
     const roberts_hatching *h = &w->s->options->hatching;
     const double dark = hatch_darkness(w->s->options, on->region), plain = fmin(dark, h->cross);
     w->no_slopes = h->along != ROBERTS_HATCH_PICTURE && !on->slope;
+    const bool turned = h->sections && on->region->solid % 2 && !on->view->drawing->regions->united;
     bool done = !w->no_slopes;
     w->number = on->view == w->view ? w->number + 1 : on->view->first_region;
     w->view = on->view;
     for (int k = 0; k < 2 && done; k++) {
         const double tone = k == 0 ? plain : dark - plain;
         if (tone > 0.0) {
-            const hatch_lines lines = lines_for(w->s, on, k == 0 ? 0.0 : 90.0, tone);
+            const hatch_lines lines = lines_for(w->s, on, (k == 1) != turned ? 90.0 : 0.0, tone);
             done = draw_lines(w, on, &lines);
         }
     }

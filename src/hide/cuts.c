@@ -26,8 +26,8 @@ static bool is_cut(const hide_fronts *fronts, uint32_t vertex)
     const view *v = &fronts->seen->view;
     if (scene_vertex_number(fronts->scene, vertex) != ROBERTS_NONE)
         return false;
-    const double depth = vec3_dot(v->dir, vec3_sub(v->viewpoint, fronts->scene->point[vertex]));
-    return depth <= fronts->seen->clip.near + CUT_TOUCHING * v->epsilon * v->unit;
+    const view_clip *clip = &fronts->seen->clip;
+    return view_clip_depth(clip, fronts->scene->point[vertex]) <= clip->near + CUT_TOUCHING * v->epsilon * v->unit;
 }
 
 static bool is_in_cap(const hide_fronts *fronts, uint32_t face)

@@ -463,6 +463,7 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
     out->region = alloc_array(faces, sizeof *out->region);
     out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
     out->corner = alloc_array(w->side_count, sizeof *out->corner);
+    out->united = w->job->merge_bodies;
     out->slope = w->job->options->slopes ? alloc_array(faces, sizeof *out->slope) : NULL;
     bool enough =
         order && number && out->region && out->ring_start && out->corner && (out->slope || !w->job->options->slopes);
@@ -480,7 +481,8 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
                                                          .z_min = INFINITY,
                                                          .z_max = -INFINITY,
                                                          .normal = region_normal(&w->job->seen, ring->face),
-                                                         .color = region_color(w->job, ring->face)};
+                                                         .color = region_color(w->job, ring->face),
+                                                         .section = seen_is_cap(scene, ring->face)};
             if (out->slope)
                 out->slope[out->count - 1] = slope_find(&w->job->seen, ring->face, w->job->upright);
         }

@@ -184,6 +184,7 @@ part_stamp part_stamp_of(const roberts_task *task)
     memcpy(&s, numbers, sizeof numbers);
     s.perspective = c->projection == ROBERTS_PERSPECTIVE;
     s.has_look_at = c->has_look_at;
+    s.has_section = c->has_section;
     s.crease_auto = h->crease_auto;
     s.all_edges = h->all_edges;
     s.keep_hidden = h->keep_hidden;
@@ -614,6 +615,8 @@ roberts_status plan_make(plan *p, const roberts_inputs *input, const roberts_tas
     p->file = -1;
     if (task->scene.hull)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "what is drawn in parts has no hulls");
+    if (task->camera.has_section)
+        return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "what is drawn in parts has no section");
     p->file = open_nameless(path);
     if (p->file < 0 && errno == ENOMEM)
         return error_no_memory(error);

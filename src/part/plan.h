@@ -31,7 +31,8 @@ typedef struct part_stamp {
     double dir[3], eye[3], look_at[3], up[3], oblique[2], near_distance, fov, roll; /* of the camera */
     double crease, epsilon, tolerance;
     uint8_t perspective, has_look_at, crease_auto, all_edges, keep_hidden, levels, unite, even_odd, solids, rounded;
-    uint8_t padding[6];
+    uint8_t has_section; /* never in a plan: a task that has one is refused */
+    uint8_t padding[5];
 } part_stamp;
 
 typedef struct plan_body {

@@ -41,13 +41,12 @@ typedef struct cut_side {
 typedef struct cutter {
     view_clip *clip;
     const roberts_scene *from;
-    roberts_vec3 eye, dir; /* dir: unit vector from the look-at point to the eye */
-    double near;
     double touching; /* model units: a point nearer to the near plane than this lies in it, an eye nearer to a face lies
                         on it */
+    bool eye;        /* the view is one from an eye, clip->from */
     scene_solid first; /* first vertex, face and edge of the current solid in the clipped scene */
     bool whole;        /* no vertex of the current solid is in front of the near plane: it is not cut */
-    double *depth;     /* [vertex_count of from] distance from the eye's plane */
+    double *depth;     /* [vertex_count of from] see view_clip_depth() */
     int32_t *winding;  /* [face_count of from] see winding_find() */
     uint32_t *vertex;  /* [vertex_count of from] number in the clipped scene, or ROBERTS_NONE */
     uint32_t *cut;     /* [edge_count of from] vertex at which the edge is cut, or ROBERTS_NONE */
@@ -66,7 +65,7 @@ typedef struct cutter {
  * no cap lies on a face. */
 static inline bool cutter_keeps(const cutter *c, uint32_t v)
 {
-    return c->depth[v] > c->near || c->whole;
+    return c->depth[v] > c->clip->near || c->whole;
 }
 
 /* These functions return false if there is no memory. */
@@ -150,7 +149,7 @@ static bool cutter_add_cut(cutter *c, roberts_vec3 A, roberts_vec3 B, double t)
 /* Returns where the near plane cuts the side from a to b. */
 static double cut_at(const cutter *c, uint32_t a, uint32_t b)
 {
-    return (c->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
+    return (c->clip->near - c->depth[a]) / (c->depth[b] - c->depth[a]);
 }
 
 /* Adds the vertices of a solid that are kept. False: no memory. */
@@ -267,10 +266,11 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
-/* The plane of caps, which are seen from the eye. */
+/* The plane of caps, which the viewer sees. */
 static plane near_plane(const cutter *c)
 {
-    return (plane){-c->dir.x, -c->dir.y, -c->dir.z, vec3_dot(c->dir, vec3_sub(c->eye, c->from->centre)) - c->near};
+    const roberts_vec3 dir = c->clip->dir;
+    return (plane){-dir.x, -dir.y, -dir.z, view_clip_depth(c->clip, c->from->centre) - c->clip->near};
 }
 
 static bool cutter_touch(const cutter *c, uint32_t v, uint32_t w)
@@ -333,7 +333,7 @@ static bool cut_edges(cutter *c, uint32_t solid, const uint32_t *map, uint32_t c
  * not matter. */
 static bool holds_eye(const cutter *c, uint32_t solid)
 {
-    roberts_vec3 P = vec3_sub(c->eye, c->from->centre);
+    roberts_vec3 P = vec3_sub(c->clip->from, c->from->centre);
     for (uint32_t f = c->from->solid[solid].face; f < c->from->solid[solid + 1].face; f++)
         if (!(plane_at(scene_plane(c->from, f), P) > c->touching))
             return false;
@@ -706,7 +706,7 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool e
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
     plane F = near_plane(c);
-    if (!(vec3_dot(pieces.fit.n, c->dir) > 0.0)) /* as the pieces are wound */
+    if (!(vec3_dot(pieces.fit.n, c->clip->dir) > 0.0)) /* as the pieces are wound */
         F = (plane){-F.a, -F.b, -F.c, -F.d};
     for (size_t n = 0; enough && n < pieces.node_count; n++)
         if (pieces.node[n].vertex == ROBERTS_NONE) {
@@ -779,10 +779,10 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     to->solid[solid] = c->first;
     c->whole = true;
     for (uint32_t v = from->solid[solid].vertex; v < from->solid[solid + 1].vertex; v++)
-        c->whole = c->whole && c->depth[v] >= c->near;
+        c->whole = c->whole && c->depth[v] >= c->clip->near;
     if (!scene_is_convex(from, solid))
         return cut_body(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
-    if (holds_eye(c, solid))
+    if (c->eye && holds_eye(c, solid))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
                          (unsigned)solid);
     if (!cut_vertices(c, solid))
@@ -800,20 +800,19 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
     return cut_edges(c, solid, map, cap) ? ROBERTS_OK : error_no_memory(error);
 }
 
-/* Returns the distance of a point from the eye's plane. A point within the touching distance of the near plane counts
- * as on it. */
-static double distance_from_eye_plane(const cutter *c, roberts_vec3 P)
+/* Returns the depth of a point. A point within the touching distance of the near plane counts as on it. */
+static double depth_of(const cutter *c, roberts_vec3 P)
 {
-    double depth = vec3_dot(c->dir, vec3_sub(c->eye, P));
-    return fabs(depth - c->near) <= c->touching ? c->near : depth;
+    double depth = view_clip_depth(c->clip, P);
+    return fabs(depth - c->clip->near) <= c->touching ? c->clip->near : depth;
 }
 
-/* Measures distances from the eye's plane, and returns the least. */
+/* Measures the depths of all vertices, and returns the least. */
 static double measure_depths(cutter *c)
 {
     double least = INFINITY;
     for (uint32_t v = 0; v < c->from->vertex_count; v++) {
-        c->depth[v] = distance_from_eye_plane(c, c->from->point[v]);
+        c->depth[v] = depth_of(c, c->from->point[v]);
         least = lesser(least, c->depth[v]);
     }
     return least;
@@ -853,51 +852,67 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
-        status =
-            error_set(error, ROBERTS_BAD_VIEW, 0,
-                      "nothing of the scene lies in front of the eye, beyond the near plane at a distance of %.6g; "
-                      "move the eye, the look-at point or the near plane",
-                      c->near);
+        status = c->eye ? error_set(error, ROBERTS_BAD_VIEW, 0,
+                                    "nothing of the scene lies in front of the eye, beyond the near plane at a "
+                                    "distance of %.6g; move the eye, the look-at point or the near plane",
+                                    c->clip->near)
+                        : error_set(error, ROBERTS_BAD_VIEW, 0,
+                                    "nothing of the scene lies beyond the section; move its point away from the "
+                                    "viewer");
     free(map);
     return status;
 }
 
 static void set_touching(cutter *c)
 {
-    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->eye};
+    const roberts_vec3 corners[] = {c->from->box_min, c->from->box_max, c->clip->from};
     for (size_t i = 0; i < sizeof corners / sizeof corners[0]; i++)
         c->touching = greater(c->touching, vec3_largest(corners[i]));
     c->touching *= TOUCHING_ULPS * DBL_EPSILON;
 }
 
-/* Sets the line of sight and the near plane. False: the camera is invalid; view_prepare() will refuse it. */
+/* Sets the near plane of a view from an eye. distance: of the look-at point. */
+static void set_near_of_eye(cutter *c, const roberts_camera *camera, double distance)
+{
+    double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min)), near = camera->near_distance;
+    if (near <= 0.0)
+        near = fmax(NEAR_OF_DISTANCE * distance, NEAR_OF_DIAMETER * diameter);
+    if (camera->has_section)
+        near = fmax(near, view_clip_depth(c->clip, camera->section));
+    c->clip->near = fmax(near, NEAR_LEAST * diameter + c->touching);
+}
+
+/* Sets the near plane. False: there is none, or the camera is invalid; view_prepare() will refuse it. */
 static bool set_near(cutter *c, const roberts_camera *camera)
 {
-    roberts_vec3 centre = c->from->centre, back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
+    roberts_vec3 back = camera->dir;
+    c->eye = camera->projection == ROBERTS_PERSPECTIVE;
+    if (!c->eye && !camera->has_section)
+        return false;
+    if (c->eye)
+        back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : c->from->centre);
     double largest = vec3_largest(back);
-    double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min));
-    if (!isfinite(back.x) || !isfinite(back.y) || !isfinite(back.z) || !(largest > 0.0) ||
-        !isfinite(camera->near_distance))
+    if (!vec3_is_finite(back) || !(largest > 0.0) || !isfinite(camera->near_distance) ||
+        (camera->has_section && !vec3_is_finite(camera->section)))
         return false;
     back = (roberts_vec3){back.x / largest, back.y / largest, back.z / largest};
-    c->eye = camera->eye;
-    c->dir = vec3_scale(1.0 / vec3_length(back), back);
-    c->near = camera->near_distance;
-    if (c->near <= 0.0)
-        c->near = fmax(NEAR_OF_DISTANCE * vec3_length(back) * largest, NEAR_OF_DIAMETER * diameter);
+    c->clip->from = c->eye ? camera->eye : camera->section;
+    c->clip->dir = vec3_scale(1.0 / vec3_length(back), back);
     set_touching(c);
-    c->near = fmax(c->near, NEAR_LEAST * diameter + c->touching);
+    if (c->eye)
+        set_near_of_eye(c, camera, vec3_length(back) * largest);
     return true;
 }
 
 bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const roberts_vec3 *P, size_t count)
 {
-    cutter c = {.from = scene};
+    view_clip clip = {0};
+    cutter c = {.clip = &clip, .from = scene};
     bool cut = false;
-    if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
+    if (!set_near(&c, camera))
         return false;
     for (size_t i = 0; i < count && !cut; i++)
-        cut = distance_from_eye_plane(&c, P[i]) < c.near;
+        cut = depth_of(&c, P[i]) < clip.near;
     return cut;
 }
 
@@ -907,17 +922,16 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
     roberts_status status = ROBERTS_NO_MEMORY;
     cutter c = {.clip = clip, .from = scene};
     *clip = (view_clip){0};
-    if (camera->projection != ROBERTS_PERSPECTIVE || !set_near(&c, camera))
+    if (!set_near(&c, camera))
         return ROBERTS_OK;
     c.depth = alloc_array(scene->vertex_count, sizeof *c.depth);
     if (!c.depth)
         return error_no_memory(error);
-    if (measure_depths(&c) >= c.near) {
+    if (measure_depths(&c) >= clip->near) {
         free(c.depth);
         return ROBERTS_OK;
     }
     clip->clipped = true;
-    clip->near = c.near;
     clip->pieces = scene->surface && scene->surface->plane_of;
     clip->origin = alloc_array(scene->edge_count, sizeof *clip->origin);
     c.vertex = alloc_array(scene->vertex_count, sizeof *c.vertex);

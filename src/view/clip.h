@@ -1,5 +1,5 @@
 /* clip.h - the near plane. It cuts off everything behind the eye or too near to it, which the projective map cannot
- * handle.
+ * handle, and everything in front of a section.
  *
  * A solid that the near plane passes through is cut along the plane and closed by a cap. It stays a closed convex
  * solid, so later stages need no special case. The cap hides, since nobody looks into a solid. Its outline is found
@@ -20,14 +20,23 @@ typedef struct view_clip {
     roberts_scene scene; /* the clipped scene; freed with the clip */
     clip_edge *origin;   /* [edge_count of the scene] */
     bool *cap;           /* [edge_count of the clipped scene] is it an edge of a cap? */
-    double near;         /* model units: the distance of the near plane from the eye */
-    bool pieces;         /* faces of the scene have been cut into pieces before */
-    bool clipped;        /* false: nothing is cut, and all of the above is empty */
+    /* The near plane: view_clip_depth() is `near` there. from: the eye, or in a parallel view the point of the section;
+     * dir: unit vector toward the viewer. Model units. */
+    roberts_vec3 from, dir;
+    double near;
+    bool pieces;  /* faces of the scene have been cut into pieces before */
+    bool clipped; /* false: nothing is cut, and there are no arrays */
 } view_clip;
 
-/* Clips `scene` for a perspective camera. `clipped` becomes false for other cameras, and for a scene completely beyond
- * the near plane. Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies in front of
- * it. Does nothing if view_prepare() refuses the camera. */
+/* How much farther than clip->from a point lies, along the axis of sight. */
+static inline double view_clip_depth(const view_clip *clip, roberts_vec3 P)
+{
+    return vec3_dot(clip->dir, vec3_sub(clip->from, P));
+}
+
+/* Clips `scene` for a camera. `clipped` becomes false for a parallel view without a section, and for a scene completely
+ * beyond the near plane. Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond
+ * the plane. Does nothing if view_prepare() refuses the camera. */
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
                                roberts_error *error);
 void view_clip_free(view_clip *clip);

@@ -35,11 +35,6 @@
  * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
 
-static bool finite3(roberts_vec3 a)
-{
-    return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
-}
-
 /* Returns a / |a|, even if the squares would overflow or underflow; zero stays zero. */
 static roberts_vec3 unit_vector(roberts_vec3 a)
 {
@@ -465,19 +460,21 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
     bool perspective = camera->projection == ROBERTS_PERSPECTIVE;
     if (!(epsilon >= 0.0) || !isfinite(epsilon))
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0, "epsilon must be a finite length, 0 or more");
-    if (perspective && (!finite3(camera->eye) || (camera->has_look_at && !finite3(camera->look_at))))
+    if (perspective && (!vec3_is_finite(camera->eye) || (camera->has_look_at && !vec3_is_finite(camera->look_at))))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye and the look-at point must be finite");
     if (perspective && (!(camera->fov_degrees >= 0.0) || !(camera->fov_degrees < 180.0)))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the field of view must be between 0 and 180 degrees");
     if (perspective && (!(camera->near_distance >= 0.0) || !isfinite(camera->near_distance)))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the near distance must be finite and not negative");
-    if (!perspective && (!finite3(camera->dir) || vec3_largest(camera->dir) == 0.0))
+    if (!perspective && (!vec3_is_finite(camera->dir) || vec3_largest(camera->dir) == 0.0))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the direction of view must be finite and not zero");
     if (!isfinite(camera->oblique.x) || !isfinite(camera->oblique.y) ||
         fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
         return error_set(error, ROBERTS_BAD_VIEW, 0, "an oblique view moves a unit of depth by no more than %g",
                          OBLIQUE_MOST);
-    if (!finite3(camera->up) || !isfinite(camera->roll_degrees))
+    if (camera->has_section && !vec3_is_finite(camera->section))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the point of the section must be finite");
+    if (!vec3_is_finite(camera->up) || !isfinite(camera->roll_degrees))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector and the roll must be finite");
     return ROBERTS_OK;
 }
@@ -499,7 +496,7 @@ roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_cam
         if (camera->has_look_at)
             v->origin = camera->look_at;
         dir = vec3_sub(camera->eye, v->origin);
-        if (!finite3(dir) || vec3_largest(dir) == 0.0)
+        if (!vec3_is_finite(dir) || vec3_largest(dir) == 0.0)
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
     }
     set_view_axes(v, dir, camera->up, camera->roll_degrees);

@@ -619,6 +619,28 @@ static void lost_lines_have_a_class(void **state)
     }
 }
 
+/* A cube from -1 to 1, cut half a unit before its middle: the edges to the back lose the quarter in front. From an eye,
+ * the point takes the place of the near distance. */
+static void sections_are_cut(void **state)
+{
+    static const char *const views[] = {"--view cabinet", "--eye 0.1,-9,0.2 --look-at 0.1,0,0.2",
+                                        "--eye 0.1,-9,0.2 --look-at 0.1,0,0.2 --near 2"};
+    char line[300];
+    (void)state;
+    for (size_t i = 0; i < sizeof views / sizeof views[0]; i++) {
+        snprintf(line, sizeof line, "%s --section 7,-0.5,9 -f csv --hidden solid models/platonic/cube.off", views[i]);
+        assert_int_equal(run(line), 0);
+        print_message("%s\n%s", line, last.out);
+        assert_int_equal(count(",clipped,"), 8);
+        assert_int_equal(count(",0.25,1,") + count(",0,0.75,"), 4);
+    }
+    assert_int_equal(run("--section 0,-0.5,0 --view front --hatch faces=sections -o a.svg models/platonic/cube.off"),
+                     0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--section 0,-1,0 --view front --hatch faces=sections -o a.svg models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.err, "--hatch has no effect: the near plane cuts no closed body\n"));
+}
+
 /* Levels are counted only on request; a row that is not hidden has 0. */
 static void levels_are_counted(void **state)
 {
@@ -1362,6 +1384,7 @@ int main(void)
         IN_FOLDER(borders_and_wires),
         IN_FOLDER(pens_that_are_off_move_nothing),
         IN_FOLDER(lost_lines_have_a_class),
+        IN_FOLDER(sections_are_cut),
         IN_FOLDER(levels_are_counted),
         IN_FOLDER(bodies_are_named),
         IN_FOLDER(crossing_bodies_are_verified),

@@ -292,6 +292,7 @@ static const struct {
     {"--hatch angle=400", "--hatch: angle=400 is not a number of degrees from -360 to 360\n"},
     {"--hatch cross=2", "--hatch: cross=2 is neither none nor a number from 0 to 1\n"},
     {"--hatch shortest=-1", "--hatch: shortest=-1 is not a length from 0 to 1000 mm\n"},
+    {"--hatch faces=cut", "--hatch: faces: \"cut\" is unknown; it can be all, sections\n"},
     {"--hatch direction=up", "--hatch: direction: \"up\" is unknown; it can be picture, steep, across\n"},
     {"--style outline:0,5", "--style: \"outline:0,5\": there is a comma between two values; decimals have a point"},
     {"--style outline:width=0,5", "between two values; decimals have a point, as in 0.5\n"},
@@ -346,6 +347,9 @@ static const struct {
      "roberts: --epsilon: the touching distance, 100, is more than 0.0173205, a hundredth of the scene\n"},
     {"--near -1 --eye 9,9,9", "--near: -1 is out of range: at least 0\n"},
     {"--near 1", "--near needs --eye"},
+    {"--section 1,2", "--section: \"1,2\" is not X,Y,Z (three numbers, point for decimals)\n"},
+    {"--section 1,2,3 --sheet first", "--section and --sheet exclude each other\n"},
+    {"--section 1,2,3 --plan", "--section and --plan exclude each other\n"},
     {"--dpi 3000 models/table.off -o a.png",
      "3000 dpi make an image of 24804 x 35079 pixels; it has 1 to 32767 a side, on this page at most 2802 dpi\n"},
     {"--turntable 4 -o a%d-%d.svg", "turn-%03d.svg; \"a%d-%d.svg\" has more than one %\n"},
@@ -647,6 +651,8 @@ static const struct {
     {"--fill red -f csv", "--fill has no effect: csv has no page\n"},
     {"--fill red", ""},
     {"--light 1,2,3", "--light has no effect: nothing is shaded without --fill shade or --hatch\n"},
+    {"--light 1,2,3 --hatch faces=sections --eye 0,-4,0 --near 3.5",
+     "--light has no effect: nothing is shaded without --fill shade or --hatch\n"},
     {"--fill shade --light 1,2,3", ""},
     {"--fill shade:red -f tikz", ""},
     {"--style crease:width=1 -f dxf", "the width of a pen has no effect: dxf has no widths of lines\n"},
@@ -1101,6 +1107,9 @@ static void empty_drawings_are_warned_of(void **state)
     assert_said(
         "roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye, beyond the near plane "
         "at a distance of 600; move the eye, the look-at point or the near plane\n");
+    assert_int_equal(run("--view top --section 0,0,-99 models/table.off"), 1);
+    assert_said("roberts: models/table.off: nothing of the scene lies beyond the section; move its point away from the "
+                "viewer\n");
     assert_int_equal(run("--eye 9,9,9 --look-at 9,9,9 models/table.off"), 1);
     assert_said("roberts: models/table.off: the eye is at the point that it looks at; move one of them\n");
 }

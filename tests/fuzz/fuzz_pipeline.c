@@ -45,6 +45,8 @@ static roberts_camera choose_camera(const uint8_t *set, const roberts_scene *sce
         camera.near_distance = set[NEAR] / 64.0 * size;
         camera.fov_degrees = set[FOV] % 180;
     }
+    camera.has_section = set[KIND] & 8;
+    camera.section = (roberts_vec3){c.x + fraction(set[NEAR]) * size, c.y + fraction(set[FOV]) * size, c.z};
     return camera;
 }
 

@@ -603,7 +603,17 @@ static void tiny(studio *st)
 static const struct {
     const char *name;
     void (*make)(studio *);
-    enum { INFINITELY_FAR, FROM_EYE, FROM_AMID, FROM_CLOSE, FROM_FACE_PLANE, OBLIQUELY, AS_SOUP, AS_POINTS } way;
+    enum {
+        INFINITELY_FAR,
+        FROM_EYE,
+        FROM_AMID,
+        FROM_CLOSE,
+        FROM_FACE_PLANE,
+        SECTION,
+        OBLIQUELY,
+        AS_SOUP,
+        AS_POINTS
+    } way;
 } families[] = {
     {"lattice", lattice, INFINITELY_FAR},
     {"hulls", hulls, INFINITELY_FAR},
@@ -741,6 +751,21 @@ static const struct {
     {"crowd@plane", make_crowd, FROM_FACE_PLANE},
     {"blocks@plane", make_blocks, FROM_FACE_PLANE},
     {"polytopes@plane", polytopes, FROM_FACE_PLANE},
+    {"lattice@section", lattice, SECTION},
+    {"crossing@section", crossing, SECTION},
+    {"swarm@section", swarm, SECTION},
+    {"needles@section", needles, SECTION},
+    {"blocks@section", make_blocks, SECTION},
+    {"bricks@section", make_bricks, SECTION},
+    {"polytopes@section", polytopes, SECTION},
+    {"coins@section", coins, SECTION},
+    {"fans@section", fans, SECTION},
+    {"touching@section", touching, SECTION},
+    {"plates@section", thicker_plates, SECTION},
+    {"sizes@section", sizes, SECTION},
+    {"huge@section", huge, SECTION},
+    {"small@section", small, SECTION},
+    {"honeycomb@section", make_honeycomb, SECTION},
     {"crossing-in-plane", make_crowd_in_plane, INFINITELY_FAR},
     {"crossing-in-plane@eye", make_crowd_in_plane, FROM_EYE},
 };
@@ -775,6 +800,8 @@ bool scene_make(const char *family, uint64_t seed, test_scene *scene)
             look_from_close(&st);
         if (families[i].way == FROM_FACE_PLANE && !st.no_memory)
             look_from_face_plane(&st);
+        if (families[i].way == SECTION && !st.no_memory)
+            look_at_section(&st);
         if (families[i].way == OBLIQUELY)
             look_oblique(&st);
         if (families[i].way == AS_SOUP && !st.no_memory)

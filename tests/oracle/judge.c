@@ -33,7 +33,9 @@ roberts_camera judge_camera(const test_scene *scene)
         camera.dir = (roberts_vec3){0, -1, 0};
         camera.oblique = (roberts_vec2){v.x, v.z};
     }
-    if (view->cut) {
+    camera.has_section = view->cut && !view->w;
+    camera.section = view->near;
+    if (view->cut && view->w) {
         camera.has_look_at = true;
         camera.look_at = scene->look_at;
         camera.near_distance = line_length(view->near, v);
@@ -286,6 +288,9 @@ static void write_failure(const judging *j, size_t nth, const roberts_mesh *mesh
     if (c.has_look_at)
         snprintf(command + used, sizeof command - (size_t)used, " --look-at=%.17g,%.17g,%.17g --near %.17g",
                  c.look_at.x, c.look_at.y, c.look_at.z, c.near_distance);
+    if (c.has_section)
+        snprintf(command + used, sizeof command - (size_t)used, " --section=%.17g,%.17g,%.17g", c.section.x,
+                 c.section.y, c.section.z);
     if (j->scene->tolerance != 0)
         snprintf(command + strlen(command), sizeof command - strlen(command), " --tolerance %.17g",
                  j->scene->tolerance);

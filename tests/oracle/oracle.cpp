@@ -47,8 +47,9 @@ using hull_mesh = CGAL::Surface_mesh<kernel::Point_3>;
 struct wall {
     enum { FRONT, SILHOUETTE, NEAR, SECTION } kind;
     roberts_vec3 a, b, c;
-    roberts_vec3 on; /* a point of the half-space's border */
+    roberts_vec3 on; /* a point of the half-space's border; of a SECTION, of the near plane */
     vec<interval> n; /* the inward normal, kept for speed */
+    interval beside; /* how far inside `on` is, times the normal's length */
 };
 
 struct box {
@@ -94,8 +95,8 @@ struct oracle {
     oracle(const roberts_mesh &m, const oracle_view &v, const oracle_options &o)
         : mesh(m), view(v), slack(o.slack), exact_only(o.exact_only)
     {
-        if (view.cut && (!view.w || slack != 0))
-            throw std::runtime_error("a near plane needs an eye and exact coordinates");
+        if (view.cut && slack != 0)
+            throw std::runtime_error("a near plane needs exact coordinates");
         find_solids();
         frame();
         for (size_t s = 0; s < solids.size(); s++) {
@@ -118,10 +119,16 @@ struct oracle {
         return view.w ? sub<N>(viewer(), p) : vec<N>{N(view.x), N(view.y), N(view.z)};
     }
 
+    /* The normal of the near plane, away from the viewer. */
+    template <class N> vec<N> ahead() const
+    {
+        return view.w ? sub<N>(view.near, viewer()) : vec<N>{N(-view.x), N(-view.y), N(-view.z)};
+    }
+
     /* h(p): > 0 beyond the near plane. */
     template <class N> N beyond(const roberts_vec3 &p) const
     {
-        return dot(sub<N>(view.near, viewer()), sub<N>(p, view.near));
+        return dot(ahead<N>(), sub<N>(p, view.near));
     }
 
     /* -- solids: connected components of the faces, numbered by smallest vertex -- */
@@ -276,7 +283,7 @@ struct oracle {
         for (auto f : hull.faces()) {                  /* hull faces run counter-clockwise seen from outside */
             auto h = hull.halfedge(f);
             roberts_vec3 a = at(hull.source(h)), b = at(hull.target(h)), c = at(hull.target(hull.next(h)));
-            wall w{wall::FRONT, a, b, c, a, {}};
+            wall w{wall::FRONT, a, b, c, a, {}, {}};
             side[f] = exactly(exact_only, &exact, [&](auto zero) {
                 using N = decltype(zero);
                 return sign_of(dot(inward<N>(w), to_viewer<N>(a)));
@@ -284,28 +291,30 @@ struct oracle {
             if (side[f] < 0)
                 s.walls.push_back(w);
             else if (view.cut)
-                s.walls.push_back({wall::SECTION, a, b, c, viewer(), {}});
+                s.walls.push_back({wall::SECTION, a, b, c, view.near, {}, {}});
         }
         for (auto h : hull.halfedges()) {
             if (hull.is_border(h) || hull.is_border(hull.opposite(h)))
                 throw std::runtime_error("a solid is flat");
             if (side[hull.face(h)] < 0 && side[hull.face(hull.opposite(h))] >= 0)
                 s.walls.push_back(
-                    {wall::SILHOUETTE, at(hull.source(h)), at(hull.target(h)), {}, at(hull.source(h)), {}});
+                    {wall::SILHOUETTE, at(hull.source(h)), at(hull.target(h)), {}, at(hull.source(h)), {}, {}});
         }
         if (view.w && *std::min_element(side.begin(), side.end()) > 0)
             throw std::runtime_error("the eye is within a solid");
         if (view.cut)
             cut_solid(s);
         CGAL::Protect_FPU_rounding<true> upward;
-        for (wall &w : s.walls)
+        for (wall &w : s.walls) {
             w.n = inward<interval>(w);
+            w.beside = offset<interval>(w);
+        }
     }
 
     void cut_solid(solid &s)
     {
         s.there = false;
-        s.walls.push_back({wall::NEAR, {}, {}, {}, view.near, {}});
+        s.walls.push_back({wall::NEAR, {}, {}, {}, view.near, {}, {}});
         for (uint32_t v : s.vertex) {
             int side =
                 exactly(exact_only, &exact, [&](auto zero) { return sign_of(beyond<decltype(zero)>(mesh.vertex[v])); });
@@ -318,13 +327,22 @@ struct oracle {
     {
         if (w.kind == wall::SILHOUETTE)
             return cross(to_viewer<N>(w.a), sub<N>(w.b, w.a));
-        vec<N> n = cross(sub<N>(w.c, w.a), sub<N>(w.b, w.a)), m = sub<N>(view.near, viewer());
+        vec<N> n = cross(sub<N>(w.c, w.a), sub<N>(w.b, w.a)), m = ahead<N>();
         if (w.kind == wall::FRONT)
             return n;
         if (w.kind == wall::NEAR)
             return m;
-        N g = dot(n, to_viewer<N>(w.a)), h = dot(m, m); /* of the eye; h with the other sign */
+        N g = dot(n, to_viewer<N>(w.a)), h = dot(m, m); /* of the viewer; h with the other sign */
         return {g * m.x + h * n.x, g * m.y + h * n.y, g * m.z + h * n.z};
+    }
+
+    /* g(X) = inward . (X - on) + offset */
+    template <class N> N offset(const wall &w) const
+    {
+        if (w.kind != wall::SECTION)
+            return N(0);
+        vec<N> n = cross(sub<N>(w.c, w.a), sub<N>(w.b, w.a)), m = ahead<N>();
+        return dot(m, m) * dot(n, sub<N>(w.on, w.a));
     }
 
     const vec<interval> &normal(const wall &w, interval) const
@@ -335,6 +353,16 @@ struct oracle {
     vec<rational> normal(const wall &w, rational) const
     {
         return inward<rational>(w);
+    }
+
+    interval beside(const wall &w, interval) const
+    {
+        return w.beside;
+    }
+
+    rational beside(const wall &w, rational) const
+    {
+        return offset<rational>(w);
     }
 
     /* -- clipping -- */
@@ -360,7 +388,8 @@ struct oracle {
         N t0(0), t1(1);
         for (const wall &w : walls) {
             const vec<N> &n = normal(w, N());
-            N gp = dot(n, sub<N>(p, w.on)), gq = dot(n, sub<N>(q, w.on));
+            const N inside = beside(w, N());
+            N gp = dot(n, sub<N>(p, w.on)) + inside, gq = dot(n, sub<N>(q, w.on)) + inside;
             if (grow != 0) {
                 N more(grow * length(n));
                 gp = gp + more, gq = gq + more;

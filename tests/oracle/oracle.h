@@ -16,14 +16,14 @@ extern "C" {
 #endif
 
 /* The viewer. w == 0: infinitely far in direction (x, y, z), which points from the scene toward the viewer. w == 1: an
- * eye at (x, y, z). An eye with the whole scene in front of it needs nothing more. Otherwise the near plane passes
- * through `near`, perpendicular to the line from the eye to that point, and everything on the eye's side of it is
- * removed: edges end on it, and solids that it passes through are closed by it. A solid that only touches it from that
- * side is removed too, and so is an edge in it, unless all of its solid lies beyond. */
+ * eye at (x, y, z). If `cut`, a near plane passes through `near`, perpendicular to that direction, or to the line from
+ * the eye to that point. Everything on the viewer's side of it is removed: edges end on it, and solids that it passes
+ * through are closed by it. A solid that only touches it from that side is removed too, and so is an edge in it, unless
+ * all of its solid lies beyond. An eye with the whole scene in front of it needs no near plane. */
 typedef struct oracle_view {
     double x, y, z;
     int w;
-    bool cut; /* there is a near plane; then w is 1, and no slack can be given */
+    bool cut; /* there is a near plane; then no slack can be given */
     roberts_vec3 near;
 } oracle_view;
 

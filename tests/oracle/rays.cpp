@@ -110,7 +110,8 @@ std::vector<hit> cut(const scene &s, const oracle_view &view, const ray &ray, co
 {
     std::vector<hit> left;
     point a{number(view.near.x), number(view.near.y), number(view.near.z)};
-    point n = minus(a, {number(view.x), number(view.y), number(view.z)});
+    point viewer{number(view.x), number(view.y), number(view.z)};
+    point n = minus(view.w ? a : point{0, 0, 0}, viewer);
     number r = dot(n, minus(a, ray.X)) / dot(n, ray.dir);
     point C{ray.X[0] + r * ray.dir[0], ray.X[1] + r * ray.dir[1], ray.X[2] + r * ray.dir[2]};
     std::map<uint32_t, bool> within; /* is C in the rest of the solid? */

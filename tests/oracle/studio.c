@@ -368,6 +368,25 @@ static bool place_in_plane(studio *st)
     return is_outside(st, eye, 0) && any_beyond(mesh, view->near, ahead);
 }
 
+/* A parallel view of a section through a point of the scene's box or near a solid, on a grid as coarse as in
+ * place_amid(). False: all of the scene lies in front of the section. */
+static bool place_section(studio *st)
+{
+    oracle_view *view = &st->scene->view;
+    roberts_vec3 lo, hi;
+    const double size = diameter(&st->scene->mesh, &lo, &hi) / st->unit;
+    const bool coarse = rng_int(&st->d, 0, 1) && size > 4 && size < 512;
+    const double grain = coarse ? st->unit / 2 : st->unit * ldexp(1, (int)floor(log2(size)) - 24);
+    const roberts_vec3 at = on_grid(rng_int(&st->d, 0, 2) ? amid_scene(st, lo, hi) : beside_solid(st), grain);
+    if (rng_int(&st->d, 0, 1))
+        look_axis(st);
+    else
+        look_small(st, 2);
+    view->cut = true;
+    view->near = at;
+    return any_beyond(&st->scene->mesh, at, (roberts_vec3){-view->x, -view->y, -view->z});
+}
+
 static void look_from(studio *st, bool place(studio *))
 {
     oracle_view before = st->scene->view;
@@ -391,6 +410,11 @@ void look_from_close(studio *st)
 void look_from_face_plane(studio *st)
 {
     look_from(st, place_in_plane);
+}
+
+void look_at_section(studio *st)
+{
+    look_from(st, place_section);
 }
 
 void look_oblique(studio *st)

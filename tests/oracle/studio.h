@@ -44,11 +44,12 @@ void look_down(studio *st, double aside, double z);
 void look_any(studio *st);
 /* Keeps the direction, but changes the viewer: an eye well in front of the scene; an eye amid the scene, with a near
  * plane that cuts some of it; an eye just in front of a corner; an eye in a face's plane or at a corner, with a near
- * plane; or an oblique view. Call it after all solids have been added. */
+ * plane; a parallel view of a section; or an oblique view. Call it after all solids have been added. */
 void look_from_eye(studio *st);
 void look_from_amid(studio *st);
 void look_from_close(studio *st);
 void look_from_face_plane(studio *st);
+void look_at_section(studio *st);
 void look_oblique(studio *st);
 
 /* Gives the program the faces as triangles without shared vertices, in any order, through its reader. No two solids may

@@ -154,7 +154,7 @@ class Scenes(unittest.TestCase):
                     {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)},
                     {"preset": "top", "azimuth": 5}):
             self.assertRaises(ValueError, roberts.view, **odd)
-        for name in ("direction", "eye", "look_at", "up"):
+        for name in ("direction", "eye", "look_at", "up", "section"):
             with self.assertRaisesRegex(ValueError, f"^view: {name}: a vector has three numbers, not 2$"):
                 roberts.view(**{"eye": (1, 2, 3)} if name == "look_at" else {}, **{name: (1, 2)})
         for name, value in (("light", (1, 2)), ("fill", (1, 2)), ("background", (0, 0, 256)), ("page", (1, 2, 3, 4)),
@@ -233,6 +233,11 @@ class Pages(unittest.TestCase):
         expected = program(*arguments, "-f", "svg").decode()
         about = html.unescape(re.search("<desc>(.*?)</desc>", expected).group(1))
         self.assertEqual(drawing.svg(description=about, **options), expected)
+
+    def test_svg_of_a_section(self):
+        drawing = roberts.read(CUBE).hide(roberts.view("front", section=(0, -0.5, 0)))
+        self.same(drawing, CUBE, "--view", "front", "--section", "0,-.5,0", "--hatch", "faces=sections",
+                  hatch={"sections": True})
 
     def test_svg_is_that_of_the_program(self):
         for path in ("models/table.off", "models/temple.off", "models/interpenetrating-cubes.off"):
@@ -373,6 +378,14 @@ class Seen(unittest.TestCase):
         x, y = ring.T
         self.assertAlmostEqual(0.5 * float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))), 4.0, 12)
         np.testing.assert_allclose(regions.regions["normal"][0], (0, 0, 1), atol=1e-12)
+
+    def test_sections(self):
+        scene, front = roberts.read(CUBE), roberts.view("front", section=(0, -0.5, 0))
+        regions = scene.regions(front).regions
+        self.assertEqual((regions["section"].tolist(), regions["face"].tolist()), ([True], [roberts.NONE]))
+        self.assertAlmostEqual(float(regions["area"][0]), 4.0, 12)
+        self.assertTrue(np.isnan(scene.project([[0, -0.6, 0]], front)).all())
+        self.assertFalse(scene.regions("front").regions["section"].any())
 
     def test_crossings(self):
         crossings = roberts.read("models/interpenetrating-cubes.off").hide().crossings

@@ -1,4 +1,5 @@
-/* test_cuts.c - the lines along which the near plane cuts bodies. The plane is z = 0, and lengths are true in it. */
+/* test_cuts.c - the lines along which the near plane cuts bodies. The plane is z = 0, and lengths are true in it, from
+ * an eye as in a parallel view. */
 #include <stdio.h>
 
 #include "build_scene.h"
@@ -6,6 +7,14 @@
 #include "star_prism.h"
 
 static const roberts_camera eye = {ROBERTS_PERSPECTIVE, .eye = {0, 0, 10}, .has_look_at = true, .near_distance = 10};
+
+/* A parallel view with the same near plane, seen at right angles. */
+static roberts_camera section_of(const roberts_camera *from)
+{
+    const roberts_vec3 back = vec3_sub(from->eye, from->look_at);
+    const roberts_vec3 at = vec3_sub(from->eye, vec3_scale(from->near_distance / vec3_length(back), back));
+    return (roberts_camera){.dir = back, .section = at, .has_section = from->near_distance > 0.0};
+}
 
 /* Are the lines closed? Then as many of them begin as end at each point. */
 static bool are_closed(const roberts_drawing *d)
@@ -39,16 +48,21 @@ static void measure_cuts(const roberts_drawing *d, double *length, double *area)
 static void expect_cuts(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool unite,
                         size_t count, double length, double area)
 {
+    const roberts_camera cameras[] = {*camera, section_of(camera)};
     roberts_hide_options options = roberts_hide_options_default();
     options.unite = unite;
-    roberts_drawing d = drawing_of(scene, camera, &options);
-    double sum, inside;
-    measure_cuts(&d, &sum, &inside);
-    if (d.cut_count != count || fabs(sum - length) > 1e-9)
-        fail_msg("%s: %zu cuts, %.12g long, in place of %zu, %.12g", name, d.cut_count, sum, count, length);
-    if (area > 0.0 && (fabs(inside - area) > 1e-9 || !are_closed(&d)))
-        fail_msg("%s: the cuts go round %.12g in place of %.12g, or are open", name, inside, area);
-    roberts_drawing_free(&d);
+    for (int k = 0; k < 2; k++) {
+        roberts_drawing d = drawing_of(scene, &cameras[k], &options);
+        const char *way = k == 0 ? "from an eye" : "in parallel";
+        double sum, inside;
+        measure_cuts(&d, &sum, &inside);
+        if (d.cut_count != count || fabs(sum - length) > 1e-9)
+            fail_msg("%s, %s: %zu cuts, %.12g long, in place of %zu, %.12g", name, way, d.cut_count, sum, count,
+                     length);
+        if (area > 0.0 && (fabs(inside - area) > 1e-9 || !are_closed(&d)))
+            fail_msg("%s, %s: the cuts go round %.12g in place of %.12g, or are open", name, way, inside, area);
+        roberts_drawing_free(&d);
+    }
 }
 
 /* Boxes from z = -1 to 1: the corners of their bases. */
@@ -95,19 +109,20 @@ static void what_is_taken_away_leaves_no_seam(void **state)
 {
     const roberts_hide_options options = {.unite = true};
     (void)state;
-    for (int first = 0; first < 2; first++) {
+    for (int i = 0; i < 4; i++) {
+        const roberts_camera camera = i < 2 ? eye : section_of(&eye);
         model m = {0};
         for (int k = 0; k < 2; k++)
-            if (k == first)
+            if (k == i % 2)
                 model_box(&m, (roberts_vec3){0, 0, 0}, (roberts_vec3){2, 1, 1});
             else
                 model_box(&m, (roberts_vec3){0, 0, -1}, (roberts_vec3){2, 2, 0});
         roberts_scene *scene = model_build(&m);
-        roberts_drawing d = drawing_of(scene, &eye, &options);
+        roberts_drawing d = drawing_of(scene, &camera, &options);
         double length = 0.0;
-        for (size_t i = 0; i < d.count; i++)
-            if (d.segment[i].state == ROBERTS_VISIBLE)
-                length += hypot(d.segment[i].p1.x - d.segment[i].p0.x, d.segment[i].p1.y - d.segment[i].p0.y);
+        for (const roberts_segment *s = d.segment; s < d.segment + d.count; s++)
+            if (s->state == ROBERTS_VISIBLE)
+                length += hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
         assert_float_equal(length, 8, 1e-9);
         assert_int_equal(d.cut_count, 0);
         roberts_drawing_free(&d);
@@ -134,7 +149,7 @@ static void a_facet_without_area_is_cut(void **state)
         size_t sections = 0;
         assert_int_equal(roberts_regions(scene, &camera, &options, &regions, NULL), ROBERTS_OK);
         for (size_t k = 0; k < regions.count; k++)
-            sections += regions.region[k].face == ROBERTS_NONE;
+            sections += regions.region[k].section;
         if (sections != 1)
             fail_msg("%g before the eye: %zu sections", camera.near_distance, sections);
         roberts_regions_free(&regions);
@@ -261,7 +276,7 @@ static double area_of_caps(const roberts_scene *scene, const roberts_camera *cam
     double sum = 0.0;
     assert_int_equal(roberts_regions(scene, camera, NULL, &list, NULL), ROBERTS_OK);
     for (size_t i = 0; i < list.count; i++)
-        sum += list.region[i].face == ROBERTS_NONE ? list.region[i].area : 0.0;
+        sum += list.region[i].section ? list.region[i].area : 0.0;
     roberts_regions_free(&list);
     return sum;
 }
@@ -276,8 +291,10 @@ static void stars_are_cut_as_if_no_faces_crossed(void **state)
     for (int round = 0; round < 100; round++) {
         const roberts_vec3 dir = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)};
         const roberts_vec3 at = {rng_between(&r, -3, 3), rng_between(&r, -3, 3), rng_between(&r, -3, 3)};
-        const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_add(at, vec3_scale(30 / vec3_length(dir), dir)),
-                                       .look_at = at, .has_look_at = true, .near_distance = 30};
+        roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_add(at, vec3_scale(30 / vec3_length(dir), dir)),
+                                 .look_at = at, .has_look_at = true, .near_distance = 30};
+        if (round % 2)
+            camera = section_of(&camera);
         const unsigned turned = (unsigned)rng_int(&r, 0, 4095);
         double length[2], area[2];
         for (int k = 0; k < 2; k++) {
@@ -330,13 +347,14 @@ static void rounded_joints_are_cut(void **state)
                                       {rng_real(&r) / 3, 1, rng_real(&r) / 3},
                                       {rng_real(&r) / 3, rng_real(&r) / 3, 2}};
         const double t = rng_real(&r) / 2;
+        const roberts_camera camera = round % 2 ? section_of(&eye) : eye;
         double area[2];
         for (int joined = 0; joined < 2; joined++) {
             char text[1000];
             write_block(side, t, joined, text);
             roberts_mesh mesh = mesh_of_text(text);
             roberts_scene *scene = scene_of_mesh(&mesh, &rounded);
-            area[joined] = area_of_caps(scene, &eye);
+            area[joined] = area_of_caps(scene, &camera);
             roberts_scene_free(scene);
             roberts_mesh_free(&mesh);
         }
@@ -355,8 +373,10 @@ static void one_sided_stars_are_cut(void **state)
     roberts_mesh mesh = mesh_of_file("models/star/great-dodecahemidodecahedron.off");
     for (int round = 0; round < 30; round++) {
         const roberts_vec3 dir = {rng_between(&r, -1, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)};
-        const roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_scale(30 / vec3_length(dir), dir),
-                                       .has_look_at = true, .near_distance = rng_between(&r, 28.5, 31.5)};
+        roberts_camera camera = {ROBERTS_PERSPECTIVE, .eye = vec3_scale(30 / vec3_length(dir), dir),
+                                 .has_look_at = true, .near_distance = rng_between(&r, 28.5, 31.5)};
+        if (round % 2)
+            camera = section_of(&camera);
         double area[2];
         for (int even_odd = 0; even_odd < 2; even_odd++) {
             const roberts_scene_options options = {.even_odd = even_odd, .rounded = true};

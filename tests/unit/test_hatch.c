@@ -40,7 +40,7 @@ static void give(given_region *g, const ring *rings, size_t count, roberts_vec3 
             g->corner[corners++] = (roberts_vec2){rings[r].corner[k][0], rings[r].corner[k][1]};
         g->start[r + 1] = corners;
     }
-    g->list = (roberts_region_list){1, count, corners, &g->region, g->start, g->corner, &g->slope};
+    g->list = (roberts_region_list){1, count, corners, &g->region, g->start, g->corner, &g->slope, false};
     g->drawing = (roberts_drawing){.framed = true, .window_max = {100.0, 100.0}, .epsilon = 1e-9, .regions = &g->list};
 }
 
@@ -289,6 +289,36 @@ static void ends_of_the_scale(void **state)
     s = strokes_of(&g.drawing, &options);
     assert_true(fabs(hatched_mm(&s) / area_of(&g) - 1.0) < 0.01);
     strokes_free(&s);
+}
+
+/* Only sections have strokes, in the darkest tone, and those of odd bodies run across the others, unless all bodies are
+ * drawn as one. */
+static void sections_alone_have_strokes(void **state)
+{
+    given_region g;
+    roberts_draw_options options = options_for(1.0, 30.0);
+    (void)state;
+    options.hatching.sections = true;
+    options.hatching.levels = 4;
+    for (int section = 0; section < 2; section++)
+        for (uint32_t solid = 0; solid < 3; solid++)
+            for (int united = 0; united < 2; united++) {
+                give(&g, with_hole, 2, (roberts_vec3){0.0, 0.6, 0.8});
+                g.region.section = section;
+                g.region.solid = solid;
+                g.list.united = united;
+                strokes s = strokes_of(&g.drawing, &options);
+                const double wanted = section ? area_of(&g) : 0.0;
+                assert_true(fabs(hatched_mm(&s) - wanted) <= 0.01 * wanted);
+                const int c = place_of_class(LINE_HATCH);
+                for (size_t i = s.start[c]; i < s.start[c + 1]; i++) {
+                    const page_point *p = s.lines.point + s.lines.item[i].first; /* y down */
+                    const double degrees = atan2((double)p[0].y - p[1].y, (double)p[1].x - p[0].x) * 180.0 / acos(-1.0);
+                    const double off = remainder(degrees - (solid == 1 && !united ? 120.0 : 30.0), 180.0);
+                    assert_true(fabs(off) < 1.0 || length_mm(&s, i) < 1.0);
+                }
+                strokes_free(&s);
+            }
 }
 
 /* Nested strokes of a lighter tone are also in each darker one. */
@@ -580,12 +610,19 @@ static void odd_arguments(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(strokes_end_on_rings),      cmocka_unit_test(length_follows_shade),
-        cmocka_unit_test(levels_are_the_nearest),    cmocka_unit_test(ends_of_the_scale),
-        cmocka_unit_test(nested_strokes_stay),       cmocka_unit_test(strokes_go_on),
-        cmocka_unit_test(steep_strokes_are_upright), cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(frames_cut_strokes),        cmocka_unit_test(odd_arguments),
-        cmocka_unit_test(all_formats_have_strokes),  cmocka_unit_test(short_strokes_are_left_out),
+        cmocka_unit_test(strokes_end_on_rings),
+        cmocka_unit_test(length_follows_shade),
+        cmocka_unit_test(levels_are_the_nearest),
+        cmocka_unit_test(ends_of_the_scale),
+        cmocka_unit_test(sections_alone_have_strokes),
+        cmocka_unit_test(nested_strokes_stay),
+        cmocka_unit_test(strokes_go_on),
+        cmocka_unit_test(steep_strokes_are_upright),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(frames_cut_strokes),
+        cmocka_unit_test(odd_arguments),
+        cmocka_unit_test(all_formats_have_strokes),
+        cmocka_unit_test(short_strokes_are_left_out),
     };
     return cmocka_run_group_tests_name("hatch", tests, NULL, NULL);
 }

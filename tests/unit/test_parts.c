@@ -437,6 +437,9 @@ static void wholes_are_refused(void **state)
     task = task_of("iso");
     task.scene.hull = true;
     assert_int_equal(roberts_plan_save(&input, &task, plan_path, NULL), ROBERTS_BAD_ARGUMENT);
+    task = task_of("iso");
+    task.camera.has_section = true;
+    assert_int_equal(roberts_plan_save(&input, &task, plan_path, NULL), ROBERTS_BAD_ARGUMENT);
 }
 
 /* A plan of another task, a plan beside a model, and a plan that is cut off. */
@@ -444,14 +447,17 @@ static void plans_are_checked(void **state)
 {
     char *names[] = {model[0], plan_path}, *plans[] = {plan_path};
     const roberts_task task = task_of("iso"), turned = task_of("front");
+    roberts_task cut = task;
     size_t size;
     (void)state;
+    cut.camera.has_section = true;
     write_crowd(model[0], 4, 9, IN_A_ROW);
     assert_int_equal(roberts_plan_save(&(roberts_inputs){1, names}, &task, plan_path, NULL), ROBERTS_OK);
     const roberts_share first = {1, 2};
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &task, first, part[0], NULL), ROBERTS_OK);
     assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &turned, first, part[0], NULL),
                      ROBERTS_BAD_ARGUMENT);
+    assert_int_equal(roberts_part_save(&(roberts_inputs){1, plans}, &cut, first, part[0], NULL), ROBERTS_BAD_ARGUMENT);
     assert_int_equal(roberts_part_save(&(roberts_inputs){2, names}, &task, first, part[0], NULL), ROBERTS_BAD_ARGUMENT);
     char *bytes = whole_file(plan_path, &size);
     FILE *file = fopen(plan_path, "wb");

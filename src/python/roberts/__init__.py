@@ -58,7 +58,7 @@ _CROSSING = np.dtype([("face", "u4", 2), ("end", "f8", (2, 3))])
 _COLOR = np.dtype([("count", "u1"), ("value", "f4", 4)], align=True)
 _REGION = np.dtype([("solid", "u4"), ("face", "u4"), ("first_ring", np.uintp), ("ring_count", np.uintp),
                     ("area", "f8"), ("z_min", "f8"), ("z_max", "f8"), ("normal", _vec3),
-                    ("color", _COLOR)], align=True)
+                    ("color", _COLOR), ("section", "?")], align=True)
 _SLOPE = np.dtype([("steep", _vec2), ("level", _vec2), ("foot", _vec2)])
 
 PathOrBytes = Union[str, "os.PathLike[str]", bytes, bytearray, memoryview]
@@ -169,7 +169,7 @@ class View:
 def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Optional[float] = None, roll: float = 0.0,
          direction: Optional[Sequence[float]] = None, eye: Optional[Sequence[float]] = None,
          look_at: Optional[Sequence[float]] = None, up: Optional[Sequence[float]] = None, fov: float = 0.0,
-         near: float = 0.0) -> View:
+         near: float = 0.0, section: Optional[Sequence[float]] = None) -> View:
     """A view, by one of four ways to say it.
 
     preset              iso, dimetric, trimetric, front, back, right, left, top, bottom, cavalier, cabinet
@@ -181,6 +181,7 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     roll                degrees: turns the picture counter-clockwise
     fov                 perspective: the field of view in degrees; 0: the whole scene
     near                perspective: what is nearer to the eye is cut off, model units; 0: chosen
+    section             three numbers: what is nearer to the viewer than this point is cut off; None: nothing is
     Raises ValueError.
     """
     camera = c.camera()
@@ -203,6 +204,8 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
         camera.look_at, camera.has_look_at = _vector(look_at, "view: look_at"), True
     if up is not None:
         camera.up = _vector(up, "view: up")
+    if section is not None:
+        camera.section, camera.has_section = _vector(section, "view: section"), True
     camera.roll_degrees, camera.fov_degrees, camera.near_distance = roll, fov, near
     return View(camera)
 
@@ -409,8 +412,8 @@ def _hide_options(values: Mapping[str, Any]) -> c.hide_options:
 class Regions:
     """What is seen of each face; made by Scene.regions(). All arrays are views of the library's memory.
 
-    regions     (n,) structured: solid, face, first_ring, ring_count, area, z_min, z_max, normal, color; as
-                roberts_region
+    regions     (n,) structured: solid, face, first_ring, ring_count, area, z_min, z_max, normal, color,
+                section; as roberts_region
     slopes      (n,) structured: steep, level, foot; as roberts_slope
     ring_start  (r + 1,): ring i has the corners corners[ring_start[i]:ring_start[i + 1]]
     corners     (k, 2) float64, picture, model units, y up

@@ -67,8 +67,8 @@ class scene_options(Structure):
 
 class camera(Structure):
     _fields_ = [("projection", c_int), ("dir", vec3), ("eye", vec3), ("look_at", vec3), ("has_look_at", c_bool),
-                ("up", vec3), ("oblique", vec2), ("near_distance", c_double), ("fov_degrees", c_double),
-                ("roll_degrees", c_double)]
+                ("up", vec3), ("oblique", vec2), ("near_distance", c_double), ("section", vec3),
+                ("has_section", c_bool), ("fov_degrees", c_double), ("roll_degrees", c_double)]
 
 
 class segment(Structure):
@@ -110,7 +110,8 @@ class hide_options(Structure):
 
 class region(Structure):
     _fields_ = [("solid", c_uint32), ("face", c_uint32), ("first_ring", c_size_t), ("ring_count", c_size_t),
-                ("area", c_double), ("z_min", c_double), ("z_max", c_double), ("normal", vec3), ("color", color)]
+                ("area", c_double), ("z_min", c_double), ("z_max", c_double), ("normal", vec3), ("color", color),
+                ("section", c_bool)]
 
 
 class slope(Structure):
@@ -119,7 +120,7 @@ class slope(Structure):
 
 class region_list(Structure):
     _fields_ = [("count", c_size_t), ("ring_count", c_size_t), ("corner_count", c_size_t), ("region", c_void_p),
-                ("ring_start", c_void_p), ("corner", c_void_p), ("slope", c_void_p)]
+                ("ring_start", c_void_p), ("corner", c_void_p), ("slope", c_void_p), ("united", c_bool)]
 
 
 class pen(Structure):
@@ -133,8 +134,8 @@ class background(Structure):
 
 class hatching(Structure):
     _fields_ = [("on", c_bool), ("spacing_mm", c_double), ("levels", c_uint32), ("along", c_int),
-                ("degrees", c_double), ("nested", c_bool), ("cross", c_double),
-                ("shortest_mm", c_double)]
+                ("degrees", c_double), ("nested", c_bool), ("cross", c_double), ("shortest_mm", c_double),
+                ("sections", c_bool)]
 
 
 class page(Structure):
