@@ -950,11 +950,12 @@ typedef struct roberts_distance {
 
 /** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct means no text. Letters are strokes of A. V.
  * Hershey's "simplex" fonts, Latin and Greek, close to ISO 3098; accents are composed. A character that the fonts lack
- * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, and in the largest
- * visible part of faces and bodies; where there is room, none lies on a line or on another label. If a face or body is
- * too narrow for its label, the label stands nearby, and a leader line goes from it to a dot. Labels stay within the
- * margins, or the frame of a field of view, unless placement.scale is given; a drawing that is fitted leaves room for
- * them. Hidden things are labelled only if hidden lines are drawn. */
+ * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, in faces, and in the
+ * largest visible face of a body, or in the middle of one whose edges are not drawn, such as a round one. Where there
+ * is room, none lies on a line or on another label. If a face or body is too narrow for its label, the label stands
+ * nearby, and a leader line goes from it to a dot. Labels stay within the margins, or the frame of a field of view,
+ * unless placement.scale is given; a drawing that is fitted leaves room for them. Hidden things are labelled only if
+ * hidden lines are drawn. */
 typedef struct roberts_lettering {
     double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5, labels 2.5 or 1.8 where there is little room */
     bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the viewer, so that it can be searched and

@@ -292,6 +292,7 @@ static const char *missing(const cli_options *options, const options_given *give
 static void warn_pen(const cli_options *options, const options_given *given, size_t pen)
 {
     char what[64];
+    const bool named = options->named_pens >> pen & 1; /* not by --style all */
     const char *why = missing(options, given, pen);
     const bool off = values_pen(&options->draw, pen)->off, set = values_pen_is_set(&options->draw, pen);
     const char *asked = pen == PEN_HIDDEN  ? "--hidden"
@@ -299,9 +300,9 @@ static void warn_pen(const cli_options *options, const options_given *given, siz
                         : pen == PEN_HATCH ? "--hatch"
                                            : NULL;
     snprintf(what, sizeof what, "%s--style %s", why ? "" : "the pen of ", values_pens[pen]);
-    if (why && (set || (off && pen != PEN_FRAME)))
+    if (why && named && (set || (off && pen != PEN_FRAME)))
         warn(what, why);
-    else if (!why && set && off)
+    else if (!why && set && off && named)
         warn(what, "these lines are off");
     else if (!why && off && asked)
         warn(asked, "--style turns these lines off");

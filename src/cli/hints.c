@@ -441,7 +441,8 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
         for (size_t i = 0; i < d->count; i++)
             there[class_of(&d->segment[i])] |= d->segment[i].state != ROBERTS_CLIPPED;
     for (size_t pen = 0; pen < PENS && used < size; pen++)
-        if (!there[pen] && (values_pen_is_set(&options->draw, pen) || values_pen(&options->draw, pen)->off))
+        if (!there[pen] && (options->named_pens >> pen & 1) &&
+            (values_pen_is_set(&options->draw, pen) || values_pen(&options->draw, pen)->off))
             used += (size_t)snprintf(text + used, size - used, "%s--style %s", found++ ? ", " : "", values_pens[pen]);
     if (found > 0 && used < size)
         snprintf(text + used, size - used, " %s no effect: the drawing has no such lines", found > 1 ? "have" : "has");
@@ -457,6 +458,17 @@ bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, 
             if (d->regions->region[i].color.count > 0)
                 return false;
     return true;
+}
+
+/* Fraction: --epsilon that is more of the faces' width is probably a mistake. */
+static const double wide_epsilon = 0.05;
+
+bool hint_wide_epsilon(const cli_options *options, const roberts_drawing *drawing, double *width)
+{
+    const roberts_vec2 min = drawing->window_min, max = drawing->window_max;
+    const size_t faces = drawing->front_faces + drawing->back_faces + drawing->edge_on_faces;
+    *width = sqrt((max.x - min.x) / (double)faces) * sqrt(max.y - min.y);
+    return options->hide.epsilon > wide_epsilon * *width && faces > 0 && !drawing->framed;
 }
 
 /* The library's rule: a face has strokes if it is dark, as far as the levels tell, by more than rounding, or if it is a

@@ -54,7 +54,12 @@ bool hint_idle_pens(const cli_options *options, const roberts_drawing *drawing, 
 /* Has no visible face a colour that --fill model or shade could use? */
 bool hint_no_colors(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
-/* Does the light fall straight on all faces that are seen, so that --hatch draws no stroke? */
+/* Is --epsilon so large that faces narrower than it, which hide nothing, are probably many? *width: about how wide
+ * faces are in the picture, model units. */
+bool hint_wide_epsilon(const cli_options *options, const roberts_drawing *drawing, double *width);
+
+/* Does --hatch draw no stroke, because the light falls straight on all faces that are seen, or because only sections
+ * have strokes and there are none? */
 bool hint_idle_hatch(const cli_options *options, const roberts_drawing *drawing, size_t views);
 
 /* How many bodies are curved? */

@@ -439,7 +439,8 @@ static const option rows[] = {
      .help = "leave room for this model, which is not drawn; steps of a construction then fit together",
      .manual = "Lays out the page as if it showed the model in FILE, too. FILE is not drawn, and hides nothing. So the "
                "steps of a construction have one scale and one place, if each of them, the last one too, leaves room "
-               "for the finished whole. May be given up to 64 times. With --eye, give --look-at as well."},
+               "for the finished whole. Labels need room, too: if not all steps have the same ones, give all steps one "
+               "--scale. May be given up to 64 times. With --eye, give --look-at as well."},
     {.group = GROUP_PAGE,
      .name = "scale",
      .flags = OPTION_DRAWS | OPTION_PAPER,
@@ -588,16 +589,18 @@ static const option rows[] = {
      .set = values_set_style,
      .brief = "a pen",
      .help =
-         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or hidden-text "
-         "(default: 0.5, 0.5, 0.35, 0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; "
+         "a pen; CLASS: outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text, hidden-text "
+         "or all (default: 0.5, 0.5, 0.35, 0.35, 0.35, 0.25 dashed, 0.7, 0.35, 0.25, 0.25, 0.25 mm, black). width=MM; "
          "color=NAME, #rrggbb or #rgb; dash=DASH/GAP in mm as seen, or none; pen=N: its number in hpgl and numbered "
          "layers; off, on",
      .manual =
-         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text or "
-         "hidden-text. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are the "
+         "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text, "
+         "hidden-text or all. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are "
+         "the "
          "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
          "whole lines. pen=N is the number of the pen in hpgl, and of the layer with --layers numbered, where several "
-         "classes may share one. off leaves the class out, on brings it back. All else keeps its place on the page, so "
+         "classes may share one; in hpgl they then follow one another. off leaves the class out, on brings it back. "
+         "All else keeps its place on the page, so "
          "files for "
          "one pen each fit together; only a frame and the symbol of a sheet must be in all of them or in none. May be "
          "given several times.\n"
@@ -720,8 +723,9 @@ static const option rows[] = {
      .manual =
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
-         "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, or in "
-         "the largest visible part of its face or body, and keeps off lines and other labels where there is room. "
+         "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, in the "
+         "middle of what is seen of its face, or in the largest face that is seen of its body; on a round body, whose "
+         "edges are left out, in the middle of the body. It keeps off lines and other labels where there is room. "
          "If a face or body is too narrow, its label stands near by, with a leader line. A fitted drawing leaves room "
          "for its labels. "
          "Hidden things have no label; with --hidden, hidden vertices and edges have grey ones, in the class "
@@ -1005,7 +1009,8 @@ static const option rows[] = {
          "The touching distance, in model units, at most a hundredth of the scene: points nearer than this touch. "
          "Default: 0, which is 1e-11 of the scene's diameter, at least 16 units in the last place of the largest "
          "coordinate, and at least 2 such units of 32-bit floats if the file holds these (see also --rounded). "
-         "--stats says what it is and why."},
+         "Faces whose picture is narrower hide nothing, so it does not suit meshes of faces of that size. --stats says "
+         "what it is and why."},
     {.group = GROUP_ENGINE,
      .name = "tolerance",
      .flags = OPTION_DRAWS,

@@ -56,7 +56,8 @@ typedef struct cli_options {
     size_t distance_count;
     const char *room[ROOMS_MOST]; /* files for which there is room in the picture, too */
     size_t room_count;
-    const char *unit; /* name of --unit; NULL: not given */
+    uint32_t named_pens; /* bit i: --style names class i of values_pens */
+    const char *unit;    /* name of --unit; NULL: not given */
     bool landscape;
     description description;
     cli_stats stats;

@@ -453,6 +453,7 @@ static bool is_idle_rounded(const cli_options *options, const roberts_drawing *d
 static void warn_idle(const cli_options *options, const roberts_scene *scene, const views *v, const run_stats *run)
 {
     char text[256];
+    double width;
     const bool page = values_has_page(options->draw.format);
     if (options->quiet || options->turntable > 0)
         return;
@@ -461,6 +462,11 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
         warn_of_inputs(options, "--crop has no effect: the near plane cuts the scene close to the eye");
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
+    if (hint_wide_epsilon(options, &v->drawing[0], &width)) {
+        snprintf(text, sizeof text, "--epsilon is large for faces about %.2g wide: those narrower than it hide nothing",
+                 width);
+        warn_of_inputs(options, text);
+    }
     if (is_idle_rounded(options, &v->drawing[0]))
         warn_of_inputs(options,
                        v->drawing[0].epsilon_reason == ROBERTS_EPSILON_FLOAT32

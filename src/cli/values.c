@@ -545,7 +545,8 @@ const char *const values_pens[] = {
     [PEN_HATCH] = "hatch",
     [PEN_TEXT] = "text",
     [PEN_HIDDEN_TEXT] = "hidden-text",
-    [PENS] = NULL,
+    [PENS] = "all",
+    [PENS + 1] = NULL,
 };
 
 static const size_t pen_fields[PENS] = {
@@ -596,11 +597,15 @@ int values_set_style(const option *o, const char *value, cli_options *options)
                               value);
     if (*point_meant(rest))
         return message_misuse("--style: \"%s\": there is a comma between two values%s", value, point_meant(rest));
-    roberts_pen *pen = (roberts_pen *)((char *)&options->draw + pen_fields[i]);
     while (rest && status == EXIT_DONE) {
         rest = parse_word(rest, ',', word, sizeof word, &fits);
-        status = fits ? set_key(pen, word) : message_misuse("--style: \"%s...\" is too long", word);
+        if (!fits)
+            return message_misuse("--style: \"%s...\" is too long", word);
+        for (size_t pen = i < PENS ? i : 0; pen < (i < PENS ? i + 1 : PENS) && status == EXIT_DONE; pen++)
+            status = set_key((roberts_pen *)((char *)&options->draw + pen_fields[pen]), word);
     }
+    if (i < PENS)
+        options->named_pens |= 1u << i;
     return status;
 }
 

@@ -360,7 +360,7 @@ bool space_find_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, spa
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 
-/* The point of a region that is farthest from its border, by a grid of points that is refined about the best
+/* The point of a region that is farthest from some lines, by a grid of points that is refined about the best
  * one. That may miss the best point of a region of very many arms, but never leaves the region. */
 
 enum { GRID = 16, ROUNDS = 5 };
@@ -372,18 +372,14 @@ static double segment_distance(roberts_vec2 p, roberts_vec2 a, roberts_vec2 b)
     return vec2_length(a.x + t * x - p.x, a.y + t * y - p.y);
 }
 
-/* How far the border is from p: > 0 within the region (by the parity of crossings), < 0 outside. */
-static double depth_of(const roberts_region_list *list, const roberts_region *region, roberts_vec2 p)
+/* How far the nearest line is from p: > 0 within the region (by the parity of crossings), < 0 outside. */
+static double depth_of(const pole_line *line, size_t count, size_t border, roberts_vec2 p)
 {
     double least = INFINITY;
     bool inside = false;
-    for (size_t r = region->first_ring; r < region->first_ring + region->ring_count; r++) {
-        const size_t start = list->ring_start[r], end = list->ring_start[r + 1];
-        for (size_t i = start; i < end; i++) {
-            const roberts_vec2 a = list->corner[i], b = list->corner[i + 1 < end ? i + 1 : start];
-            least = fmin(least, segment_distance(p, a, b));
-            inside ^= vec2_ray_crosses(p, a, b);
-        }
+    for (size_t i = 0; i < count; i++) {
+        least = fmin(least, segment_distance(p, line[i].a, line[i].b));
+        inside ^= i < border && vec2_ray_crosses(p, line[i].a, line[i].b);
     }
     return inside ? least : -least;
 }
@@ -391,15 +387,12 @@ static double depth_of(const roberts_region_list *list, const roberts_region *re
 /* Of points that are nearly as far from the border, the one in the middle is the best: in a long strip all are. */
 static const double off_middle = 0.2;
 
-static void find_box(const roberts_region_list *list, const roberts_region *region, roberts_vec2 *min,
-                     roberts_vec2 *max)
+static void find_box(const pole_line *line, size_t count, roberts_vec2 *min, roberts_vec2 *max)
 {
     *min = (roberts_vec2){INFINITY, INFINITY};
     *max = (roberts_vec2){-INFINITY, -INFINITY};
-    const size_t start = list->ring_start[region->first_ring],
-                 end = list->ring_start[region->first_ring + region->ring_count];
-    for (size_t i = start; i < end; i++) {
-        const roberts_vec2 p = list->corner[i];
+    for (size_t i = 0; i < 2 * count; i++) {
+        const roberts_vec2 p = i % 2 ? line[i / 2].b : line[i / 2].a;
         *min = (roberts_vec2){fmin(min->x, p.x), fmin(min->y, p.y)};
         *max = (roberts_vec2){fmax(max->x, p.x), fmax(max->y, p.y)};
     }
@@ -411,10 +404,10 @@ static double depth_in_box(const space_box *box, roberts_vec2 p)
     return fmin(fmin(p.x - box->min.x, box->max.x - p.x), fmin(p.y - box->min.y, box->max.y - p.y));
 }
 
-pole pole_find(const roberts_region_list *list, const roberts_region *region, const space_box *within)
+pole pole_find(const pole_line *line, size_t count, size_t border, const space_box *within)
 {
     roberts_vec2 min, max;
-    find_box(list, region, &min, &max);
+    find_box(line, border, &min, &max);
     if (within) {
         min = (roberts_vec2){fmax(min.x, within->min.x), fmax(min.y, within->min.y)};
         max = (roberts_vec2){fmin(max.x, within->max.x), fmin(max.y, within->max.y)};
@@ -431,7 +424,8 @@ pole pole_find(const roberts_region_list *list, const roberts_region *region, co
         for (int i = 0; i < GRID * GRID; i++) {
             const roberts_vec2 p = {from.x + (i % GRID + 0.5) / GRID * size.x,
                                     from.y + (i / GRID + 0.5) / GRID * size.y};
-            const double deep = depth_of(list, region, p), depth = within ? fmin(deep, depth_in_box(within, p)) : deep;
+            const double deep = depth_of(line, count, border, p),
+                         depth = within ? fmin(deep, depth_in_box(within, p)) : deep;
             const double off = half > 0.0 ? vec2_length(p.x - middle.x, p.y - middle.y) / half : 0.0;
             const double worth = depth > 0.0 ? depth * (1.0 - off_middle * off) : depth;
             if (worth > most) {

@@ -71,14 +71,20 @@ bool space_find_covered(const free_space *r, roberts_vec2 a, roberts_vec2 b, spa
 
 /* ---- the middle of a region -------------------------------------------------------------------------------------- */
 
-/* A point within a region, and how far its border is; model units of the picture. */
+/* A point within a region, and how far the nearest line is; model units of the picture. */
 typedef struct pole {
     roberts_vec2 at;
     double distance;
 } pole;
 
-/* The pole of inaccessibility, to about a hundredth of the region's size. within: only this box of the picture counts;
- * NULL: all of it. A distance of 0: no point has been found. */
-pole pole_find(const roberts_region_list *list, const roberts_region *region, const space_box *within);
+/* A line in the picture. */
+typedef struct pole_line {
+    roberts_vec2 a, b;
+} pole_line;
+
+/* The point of a region that is farthest from some lines, to about a hundredth of the region's size. line: [count], of
+ * which the first `border` go round the region, in any order. within: only this box of the picture counts; NULL: all of
+ * it. A distance of 0: no point has been found. */
+pole pole_find(const pole_line *line, size_t count, size_t border, const space_box *within);
 
 #endif

@@ -71,27 +71,198 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     return add_target(t, &one);
 }
 
-/* Of a region that the frame cuts, only the part within it counts. */
-static bool add_region(const strokes *s, uint32_t v, const roberts_region *region, unsigned kinds, targets *t)
+/* ---- regions ---- */
+
+/* A search for places in the regions of a view. */
+typedef struct region_search {
+    const strokes *s;
+    targets *to;
+    uint32_t view;
+    pole_line *line; /* [count] scratch */
+    size_t count, room;
+    const roberts_segment **drawn; /* [drawn_count] visible segments, by body */
+    size_t drawn_count, next;      /* next: the first of a body that is not done */
+} region_search;
+
+static bool add_line(region_search *w, roberts_vec2 a, roberts_vec2 b)
 {
-    const page_view *view = &s->view[v];
-    const roberts_region_list *list = view->drawing->regions;
-    const double mm = page_scale(&view->map);
-    const space_box field = {view->low, view->high};
-    const pole middle = pole_find(list, region, view->drawing->framed ? &field : NULL);
-    target one = {.view = v,
-                  .kind = ROBERTS_LABEL_FACES,
-                  .number = region->face,
-                  .at = page_place(&view->map, middle.at),
-                  .reach = middle.distance * mm,
-                  .size = region->area};
-    if (view->drawing->framed && !(middle.distance > 0.0))
-        return true;
-    if ((kinds & ROBERTS_LABEL_FACES) && region->face != ROBERTS_NONE && !add_target(t, &one))
+    if (!array_reserve(&w->line, &w->room, w->count + 1, sizeof *w->line))
         return false;
-    one.kind = ROBERTS_LABEL_BODIES;
-    one.number = region->solid;
-    return !(kinds & ROBERTS_LABEL_BODIES) || add_target(t, &one);
+    w->line[w->count++] = (pole_line){a, b};
+    return true;
+}
+
+/* Adds the sides of a region's rings. */
+static bool add_rings(region_search *w, const roberts_region_list *list, const roberts_region *region)
+{
+    bool enough = true;
+    for (size_t r = region->first_ring; r < region->first_ring + region->ring_count; r++)
+        for (size_t start = list->ring_start[r], end = list->ring_start[r + 1], i = start; enough && i < end; i++)
+            enough = add_line(w, list->corner[i], list->corner[i + 1 < end ? i + 1 : start]);
+    return enough;
+}
+
+/* Sets the place of a target: within the first `border` lines, which go round a region, and as far as possible from all
+ * lines. Of what the frame cuts, only the part within it counts; then the reach may be 0. */
+static void place_within(const region_search *w, size_t border, target *one)
+{
+    const page_view *view = &w->s->view[w->view];
+    const space_box field = {view->low, view->high};
+    const pole middle = pole_find(w->line, w->count, border, view->drawing->framed ? &field : NULL);
+    one->at = page_place(&view->map, middle.at);
+    one->reach = middle.distance * page_scale(&view->map);
+}
+
+/* Adds a target, unless the frame shows nothing of it. */
+static bool add_placed(region_search *w, const target *one)
+{
+    return (w->s->view[w->view].drawing->framed && !(one->reach > 0.0)) || add_target(w->to, one);
+}
+
+static bool place_in_region(region_search *w, const roberts_region_list *list, const roberts_region *region,
+                            target *one)
+{
+    w->count = 0;
+    one->size = region->area;
+    if (!add_rings(w, list, region))
+        return false;
+    place_within(w, w->count, one);
+    return true;
+}
+
+static bool add_face(region_search *w, const roberts_region_list *list, const roberts_region *region)
+{
+    target one = {.kind = ROBERTS_LABEL_FACES, .view = w->view, .number = region->face};
+    return region->face == ROBERTS_NONE || (place_in_region(w, list, region, &one) && add_placed(w, &one));
+}
+
+/* Fraction: regions that differ in area by less are equal, so that rounding does not choose. */
+static const double same_size = 1e-9;
+
+/* Places the label of a body in its largest region; of equal ones, in that with the highest middle on the page, then in
+ * the one on the left. */
+static bool place_in_largest(region_search *w, const roberts_region_list *list, size_t first, size_t end, target *one)
+{
+    double largest = 0.0;
+    bool found = false;
+    for (size_t i = first; i < end; i++)
+        largest = greater(largest, list->region[i].area);
+    for (size_t i = first; i < end; i++) {
+        target other = *one;
+        if (list->region[i].area < (1.0 - same_size) * largest)
+            continue;
+        if (!place_in_region(w, list, &list->region[i], &other))
+            return false;
+        if (!found || (other.at.y != one->at.y ? other.at.y < one->at.y : other.at.x < one->at.x))
+            *one = other;
+        found = true;
+    }
+    return true;
+}
+
+static int by_point(roberts_vec2 a, roberts_vec2 b)
+{
+    if (a.x != b.x)
+        return a.x < b.x ? -1 : 1;
+    return (a.y > b.y) - (a.y < b.y);
+}
+
+/* Both directions of a line are equal. */
+static int by_place(const void *a, const void *b)
+{
+    const pole_line *p = a, *q = b;
+    const bool p_turned = by_point(p->a, p->b) > 0, q_turned = by_point(q->a, q->b) > 0;
+    const int first = by_point(p_turned ? p->b : p->a, q_turned ? q->b : q->a);
+    return first ? first : by_point(p_turned ? p->a : p->b, q_turned ? q->a : q->b);
+}
+
+/* Removes the sides between two of the regions. */
+static void leave_border(region_search *w)
+{
+    size_t kept = 0;
+    if (w->count > 1)
+        qsort(w->line, w->count, sizeof *w->line, by_place);
+    for (size_t i = 0; i < w->count; i++)
+        if (kept > 0 && by_place(&w->line[kept - 1], &w->line[i]) == 0)
+            kept--;
+        else
+            w->line[kept++] = w->line[i];
+    w->count = kept;
+}
+
+/* Lists the border of all regions of a body, then its visible segments that are drawn. */
+static bool add_lines_of_body(region_search *w, const roberts_region_list *list, size_t first, size_t end,
+                              size_t *border)
+{
+    const uint32_t solid = list->region[first].solid;
+    bool enough = true;
+    w->count = 0;
+    for (size_t i = first; enough && i < end; i++)
+        enough = add_rings(w, list, &list->region[i]);
+    leave_border(w);
+    *border = w->count;
+    while (w->next < w->drawn_count && w->drawn[w->next]->solid < solid)
+        w->next++;
+    for (; enough && w->next < w->drawn_count && w->drawn[w->next]->solid == solid; w->next++)
+        enough = add_line(w, w->drawn[w->next]->p0, w->drawn[w->next]->p1);
+    return enough;
+}
+
+/* The label of a body stands across edges that are not drawn, as those of a round one, if there is this many times as
+ * much room. */
+static const double much_more_room = 1.5;
+
+static bool add_body(region_search *w, const roberts_region_list *list, size_t first, size_t end)
+{
+    target one = {.kind = ROBERTS_LABEL_BODIES, .view = w->view, .number = list->region[first].solid}, all = one;
+    size_t border;
+    if (!place_in_largest(w, list, first, end, &one) || !add_lines_of_body(w, list, first, end, &border))
+        return false;
+    place_within(w, border, &all);
+    all.size = one.size;
+    return add_placed(w, all.reach > much_more_room * one.reach ? &all : &one);
+}
+
+static int by_solid(const void *a, const void *b)
+{
+    const roberts_segment *p = *(const roberts_segment *const *)a, *q = *(const roberts_segment *const *)b;
+    if (p->solid != q->solid)
+        return p->solid < q->solid ? -1 : 1;
+    return (p > q) - (p < q);
+}
+
+/* Lists the visible segments that are drawn. */
+static bool list_drawn(region_search *w, const roberts_drawing *drawing)
+{
+    roberts_line line;
+    w->drawn = alloc_array(drawing->count + drawing->cut_count, sizeof *w->drawn);
+    for (size_t i = 0; w->drawn && i < drawing->count + drawing->cut_count; i++) {
+        const roberts_segment *segment = &drawing->segment[i];
+        if (segment->state == ROBERTS_VISIBLE && strokes_has_place(w->s->options, segment, &line))
+            w->drawn[w->drawn_count++] = segment;
+    }
+    if (w->drawn_count > 1)
+        qsort(w->drawn, w->drawn_count, sizeof *w->drawn, by_solid);
+    return w->drawn != NULL;
+}
+
+static bool add_regions(const strokes *s, uint32_t v, unsigned kinds, targets *t)
+{
+    const roberts_drawing *drawing = s->view[v].drawing;
+    const roberts_region_list *list = drawing->regions;
+    const bool bodies = kinds & ROBERTS_LABEL_BODIES;
+    region_search w = {.s = s, .to = t, .view = v};
+    bool enough = !bodies || list_drawn(&w, drawing);
+    for (size_t i = 0; enough && (kinds & ROBERTS_LABEL_FACES) && i < list->count; i++)
+        enough = add_face(&w, list, &list->region[i]);
+    for (size_t i = 0, end; enough && bodies && i < list->count; i = end) {
+        for (end = i + 1; end < list->count && list->region[end].solid == list->region[i].solid;)
+            end++;
+        enough = add_body(&w, list, i, end);
+    }
+    free(w.line);
+    free(w.drawn);
+    return enough;
 }
 
 /* By view, kind and number; for one thing, visible parts come first, the largest one first. */
@@ -119,18 +290,6 @@ static bool is_same_thing(const target *p, const target *q)
     return p->view == q->view && p->kind == q->kind && p->number == q->number && p->other == q->other;
 }
 
-/* Fraction: parts that differ in size by less are equal, so that rounding does not choose. */
-static const double same_size = 1e-9;
-
-/* Is a part of a face or body, no larger than another part, as good for its label? Of equal parts the highest on the
- * page is the best, then the one on the left. */
-static bool is_better_part(const target *part, const target *than)
-{
-    const bool is_higher = part->at.y != than->at.y ? part->at.y < than->at.y : part->at.x < than->at.x;
-    return (part->kind == ROBERTS_LABEL_FACES || part->kind == ROBERTS_LABEL_BODIES) &&
-           part->size >= (1.0 - same_size) * than->size && is_higher;
-}
-
 /* Leaves one target of each thing. A vertex keeps the sum of the directions of all its lines that have its state. */
 static void unite(targets *t)
 {
@@ -144,8 +303,6 @@ static void unite(targets *t)
         } else if (last->kind == ROBERTS_LABEL_VERTICES && last->is_back == t->item[i].is_back) {
             last->along.x += t->item[i].along.x;
             last->along.y += t->item[i].along.y;
-        } else if (is_better_part(&t->item[i], last)) {
-            *last = t->item[i];
         }
     }
     t->count = kept;
@@ -161,11 +318,8 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t)
             if (strokes_has_place(s->options, &drawing->segment[i], &line) &&
                 !add_segment(s, v, &drawing->segment[i], kinds, t))
                 return false;
-        for (size_t i = 0;
-             drawing->regions && i < drawing->regions->count && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
-             i++)
-            if (!add_region(s, v, &drawing->regions->region[i], kinds, t))
-                return false;
+        if (drawing->regions && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES)) && !add_regions(s, v, kinds, t))
+            return false;
     }
     unite(t);
     return true;

@@ -62,6 +62,12 @@ static void begin_class(void *context, roberts_line line)
         output_text(p->out, "LT;\n");
 }
 
+static uint32_t pen_of(void *context, roberts_line line)
+{
+    const hpgl *p = context;
+    return strokes_class_number(p->s->options, line);
+}
+
 static page_point on_plotter(const hpgl *p, page_point at)
 {
     const roberts_plotter *axes = &p->s->options->plotter;
@@ -114,7 +120,7 @@ roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
     hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM};
-    const plotter to = {.begin = begin_class, .stroke = write_stroke, .context = &p};
+    const plotter to = {.begin = begin_class, .stroke = write_stroke, .pen = pen_of, .context = &p};
     write_integer(out, "IN;NP", PENS, ";\n");
     roberts_status status = plot_strokes(s, &to, out, error);
     output_text(out, "PU;SP0;\n");

@@ -358,7 +358,7 @@ static roberts_status write_stream(const strokes *s, output *out, roberts_error 
         free(p);
         return error_no_memory(error);
     }
-    const plotter to = {begin_class, write_stroke, end_part, p};
+    const plotter to = {.begin = begin_class, .stroke = write_stroke, .part = end_part, .context = p};
     p->s = s;
     output_start(&p->text, deflater_write, &p->deflater);
     write_page(p);

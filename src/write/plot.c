@@ -56,8 +56,6 @@ static bool plot_some(const strokes *s, size_t first, size_t end, const plotter 
 static bool plot_class(const strokes *s, int class, const plotter *to, drawn *d, const output *out)
 {
     size_t at = s->start[class], end = s->start[class + 1];
-    if (at == end)
-        return true;
     if (to->begin)
         to->begin(to->context, line_order[class]);
     while (at < end && !out->failed) {
@@ -71,12 +69,39 @@ static bool plot_class(const strokes *s, int class, const plotter *to, drawn *d,
     return true;
 }
 
+static bool is_same_pen(const plotter *to, int a, int b)
+{
+    return to->pen && to->pen(to->context, line_order[a]) == to->pen(to->context, line_order[b]);
+}
+
+/* Lists the classes that have strokes in the order in which they are drawn: each follows the last one before it that
+ * has its pen. Returns how many there are. */
+static int order_classes(const strokes *s, const plotter *to, int order[LINE_CLASSES])
+{
+    int count = 0;
+    for (int i = 0; i < LINE_CLASSES; i++) {
+        int at = count;
+        if (s->start[i] == s->start[i + 1])
+            continue;
+        while (at > 0 && !is_same_pen(to, order[at - 1], i))
+            at--;
+        if (at == 0)
+            at = count;
+        for (int k = count++; k > at; k--)
+            order[k] = order[k - 1];
+        order[at] = i;
+    }
+    return count;
+}
+
 roberts_status plot_strokes(const strokes *s, const plotter *to, const output *out, roberts_error *error)
 {
     drawn d = {0};
+    int order[LINE_CLASSES];
     bool done = true;
-    for (int i = 0; i < LINE_CLASSES && done; i++)
-        done = plot_class(s, i, to, &d, out);
+    const int count = order_classes(s, to, order);
+    for (int i = 0; i < count && done; i++)
+        done = plot_class(s, order[i], to, &d, out);
     free(d.point);
     return done ? ROBERTS_OK : error_no_memory(error);
 }

@@ -459,8 +459,12 @@ static bool write_fills(const strokes *s, output *out)
     }
     if (grouped)
         done = write_regions(s, out);
+    if (f->plates < f->count)
+        output_text(out, "<g class=\"plate\" pointer-events=\"none\">\n"); /* the pointer finds what lies below */
     for (size_t i = f->plates; i < f->count; i++)
         write_fill(s, &f->paint[i], out);
+    if (f->plates < f->count)
+        output_text(out, "</g>\n");
     output_text(out, "</g>\n");
     return done;
 }
@@ -720,7 +724,7 @@ roberts_status svg_write(const strokes *s, output *out, roberts_error *error)
     if (s->options->background.on)
         write_background(out, s);
     svg_plot p = {s, out};
-    const plotter to = {begin_layer, write_stroke, end_part, &p};
+    const plotter to = {.begin = begin_layer, .stroke = write_stroke, .part = end_part, .context = &p};
     roberts_status status = ROBERTS_OK;
     if (!write_fills(s, out))
         status = error_no_memory(error);

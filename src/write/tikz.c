@@ -479,7 +479,7 @@ roberts_status tikz_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
     tikz p = {.s = s, .out = out, .height = page_round(page->height_mm * s->units_per_mm)};
-    const plotter to = {begin_class, write_stroke, end_part, &p};
+    const plotter to = {.begin = begin_class, .stroke = write_stroke, .part = end_part, .context = &p};
     if (page->width_mm > longest_mm || page->height_mm > longest_mm)
         return error_set(error, ROBERTS_BAD_ARGUMENT, 0,
                          "TeX knows no lengths of more than %g mm: choose a smaller page", longest_mm);

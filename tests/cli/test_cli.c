@@ -1289,6 +1289,8 @@ static void regions(void **state)
     assert_int_equal(run("--view top --fill model --style border:off plate.off"), 0);
     assert_string_equal(last.err, ""); /* it is filled, and so not empty */
     assert_non_null(strstr(last.out, "<path fill=\"#ff0080\" d=\"M"));
+    assert_int_equal(run("--view top --fill black --label faces plate.off"), 0); /* plates do not catch the pointer */
+    assert_non_null(strstr(last.out, "<g class=\"plate\" pointer-events=\"none\">\n<path fill=\"#ffffff\" d=\"M"));
     assert_int_equal(run("--fill model -o a.svg models/table.off"), 0);
     assert_non_null(strstr(last.err, "--fill model has no effect: no face that is seen has a colour\n"));
     assert_int_equal(run("--hatch on --light 0,0,1 --view top --style outline:off -o a.svg plate.off"), 0);

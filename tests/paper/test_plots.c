@@ -217,6 +217,33 @@ static void tiny_strokes_of_hpgl(void **state)
     free(text);
 }
 
+/* Classes with one pen follow the first of them, whatever is drawn in between: the plotter changes the pen but once. */
+static void classes_share_a_pen(void **state)
+{
+    static const struct {
+        unsigned char wire, crease, outline;
+        const char *pens;
+    } rows[] = {{1, 2, 1, "112"}, {3, 3, 3, "333"}, {1, 2, 3, "123"}, {2, 1, 1, "211"}};
+    const roberts_segment segment[] = {line_at(ROBERTS_WIRE, 0, 0, 9, 0), line_at(ROBERTS_CREASE, 0, 9, 9, 9),
+                                       line_at(ROBERTS_OUTLINE, 0, 50, 10, 50)};
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        roberts_segment own[3];
+        char pens[8] = "";
+        memcpy(own, segment, sizeof own);
+        const roberts_drawing drawing = {.count = 3, .segment = own};
+        roberts_draw_options options = roberts_draw_options_default();
+        options.wire.number = rows[i].wire;
+        options.crease.number = rows[i].crease;
+        options.outline.number = rows[i].outline;
+        char *text = written(&drawing, options, ROBERTS_HPGL);
+        for (const char *at = strstr(text, "SP"); at && at[2] != '0'; at = strstr(at + 1, "SP"))
+            strncat(pens, at + 2, 1);
+        assert_string_equal(pens, rows[i].pens);
+        free(text);
+    }
+}
+
 /* The corners of a page of 100 x 60 mm, as 4000 x 2400 units: right, up from the lower left. */
 static void plotters_have_their_axes(void **state)
 {
@@ -418,6 +445,7 @@ int main(void)
         cmocka_unit_test(changes_are_found),
         cmocka_unit_test(tikz_knows_the_vertices_drawn),
         cmocka_unit_test(texts_of_tikz),
+        cmocka_unit_test(classes_share_a_pen),
         cmocka_unit_test(tiny_strokes_of_hpgl),
         cmocka_unit_test(plotters_have_their_axes),
         cmocka_unit_test(colours_of_dxf),

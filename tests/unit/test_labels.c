@@ -444,17 +444,24 @@ typedef struct cube {
     roberts_region_list regions;
 } cube;
 
-static void see_model(cube *c, const char *model, const roberts_camera *camera)
+static void see_model_to(cube *c, const char *model, const roberts_camera *camera, double crease_degrees)
 {
+    roberts_hide_options options = roberts_hide_options_default();
     roberts_mesh mesh = {0};
     roberts_scene *scene;
     assert_int_equal(roberts_mesh_read_file(&mesh, model, NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
-    assert_int_equal(roberts_hide(scene, camera, NULL, &c->drawing, NULL), ROBERTS_OK);
+    options.crease_degrees = crease_degrees;
+    assert_int_equal(roberts_hide(scene, camera, &options, &c->drawing, NULL), ROBERTS_OK);
     assert_int_equal(roberts_regions(scene, camera, NULL, &c->regions, NULL), ROBERTS_OK);
     c->drawing.regions = &c->regions;
     roberts_scene_free(scene);
     roberts_mesh_free(&mesh);
+}
+
+static void see_model(cube *c, const char *model, const roberts_camera *camera)
+{
+    see_model_to(c, model, camera, roberts_hide_options_default().crease_degrees);
 }
 
 static void see_cube(cube *c, const roberts_camera *camera)
@@ -581,6 +588,38 @@ static void narrow_faces(void **state)
                                                (roberts_vec2){q[1].x / 1000.0, q[1].y / 1000.0}));
             }
         }
+        strokes_free(&s);
+        free_cube(&c);
+    }
+}
+
+/* The name of a round body is far wider than each of its faces, whose edges are not drawn: it stands in the middle of
+ * the body. That of a box, of which three faces of one size are seen, stands on the highest. */
+static void bodies_are_more_than_their_faces(void **state)
+{
+    static const roberts_name name[] = {{ROBERTS_LABEL_BODIES, 0, 0, "wider than a face"}};
+    static const struct {
+        const char *model;
+        double x[2], y[2]; /* mm: where the middle of its name lies on a page of 100 x 100 */
+    } row[] = {{"models/sphere.off", {47, 53}, {47, 53}}, {"models/platonic/cube.off", {40, 60}, {15, 45}}};
+    const roberts_camera camera = preset_camera("iso");
+    (void)state;
+    for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        cube c;
+        strokes s;
+        options.page = (roberts_page){100, 100, 2};
+        options.lettering.name = name;
+        options.lettering.name_count = 1;
+        see_model_to(&c, row[n].model, &camera, 30);
+        assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.count, 1);
+        assert_int_equal(s.notes.lines.count, 0);
+        const space_box box = letters_box(notes_line(&s.notes, 0));
+        const double x = (box.min.x + box.max.x) / 2, y = (box.min.y + box.max.y) / 2;
+        if (!(x > row[n].x[0] && x < row[n].x[1] && y > row[n].y[0] && y < row[n].y[1]))
+            fail_msg("%s: its name stands at %g, %g", row[n].model, x, y);
         strokes_free(&s);
         free_cube(&c);
     }
@@ -803,6 +842,7 @@ int main(void)
                                        cmocka_unit_test(sheet_with_its_labels),
                                        cmocka_unit_test(narrow_faces),
                                        cmocka_unit_test(no_thicket),
+                                       cmocka_unit_test(bodies_are_more_than_their_faces),
                                        cmocka_unit_test(lines_that_cross)};
     return cmocka_run_group_tests_name("labels", tests, NULL, NULL);
 }

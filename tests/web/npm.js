@@ -59,6 +59,7 @@ for (const file of models.flatMap((one) => readdirSync(one).map((name) => path.j
 assert.ok(count >= 50, `only ${count} models`);
 
 const cube = readFileSync("models/table.off");
+const bare = (drawing) => drawing.svg.replace(/<(title|desc)>.*?<\/\1>/g, "");
 const { svg, warnings } = await draw(cube, { name: "table.off" });
 assert.ok(svg.startsWith("<?xml") && svg.includes("<title>table.off</title>"));
 assert.deepEqual(warnings, []);
@@ -84,12 +85,14 @@ for (const [option, value] of Object.entries({ format: "png", output: "a.svg", h
 await assert.rejects(draw(cube, { name: "-" }), { name: "TypeError", message: /^name: "-" would be standard input/ });
 const turned = await draw(cube, { help: false, output: "turn-%d.svg", turntable: 2 });
 assert.deepEqual([turned.svg, Object.keys(turned.files)], ["", ["turn-0.svg", "turn-1.svg"]]);
+const rooms = { roomFor: ["a.off", "b.off"], files: { "a.off": cube, "b.off": readFileSync("models/tower.off") } };
+assert.deepEqual(toArguments(rooms), ["--room-for=a.off", "--room-for=b.off"]);
+assert.notEqual(bare(await draw(cube, rooms)), bare(await draw(cube)));
 await assert.rejects(save(cube, "png"), { status: 2, message: /PNG is not written here/ });
 
 // parts need a file of their own; batches need processes, which are not here
 const part = await save(cube, "svg", { name: "table.off", part: "1/1" });
 assert.ok(Buffer.from(part.bytes).equals(program_draws("models/table.off", "svg", { part: "1/1" }).bytes));
-const bare = (drawing) => drawing.svg.replace(/<(title|desc)>.*?<\/\1>/g, "");
 assert.equal(bare(await draw(part.bytes, { join: true })), bare(await draw(cube)));
 await assert.rejects(save(cube, "svg", { join: true }), { status: 1, message: /model: this is no part of a drawing/ });
 await assert.rejects(save(cube, "svg", { batch: "drawings" }), { status: 2, message: /--batch needs processes/ });

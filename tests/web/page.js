@@ -251,6 +251,8 @@ try {
   await browser.click("[name=crease-on]");
   await rest("--view=trimetric --hidden=dashed --union --fill=body --landscape --style=crease:off");
   for (const format of ["svg", "pdf", "dxf", "tikz", "hpgl"]) await compare(format);
+  await browser.click("[name=rounded]");
+  await rest("--rounded");
   await choose("perspective", 2);
   await rest("--eye=");
   const last = await compare("svg");

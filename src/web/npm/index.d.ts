@@ -6,8 +6,8 @@ type Value = string | number | boolean;
 /**
  * The options of the program by their long names: `{ hidden: "dashed", crease: 30, allEdges: true }` is
  * `--hidden=dashed --crease=30 --all-edges`. A list is one value with commas: `{ label: ["vertices", "faces"] }` is
- * `--label=vertices,faces`. A list of `style`, `field` or `pick` gives the option several times. `true` gives it
- * without a value, but `hatch: true` is `--hatch=on`, and `hidden: true` is `--hidden=dashed`. `false` and
+ * `--label=vertices,faces`. A list of `style`, `field`, `pick` or `roomFor` gives the option several times. `true`
+ * gives it without a value, but `hatch: true` is `--hatch=on`, and `hidden: true` is `--hidden=dashed`. `false` and
  * `undefined` do not give it. `roberts --help` lists the options.
  */
 export interface Options {

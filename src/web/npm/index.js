@@ -15,7 +15,11 @@ let loading;
 function load() {
   loading ??= (async () => {
     const url = new URL("./roberts.wasm", import.meta.url);
-    if (url.protocol !== "file:") return WebAssembly.compile(await (await fetch(url)).arrayBuffer());
+    if (url.protocol !== "file:") {
+      const answer = await fetch(url);
+      if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
+      return WebAssembly.compile(await answer.arrayBuffer());
+    }
     const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
     return WebAssembly.compile(await readFile(url));
   })();
@@ -45,7 +49,7 @@ function argument(name, value) {
 }
 
 /* Options that may be given several times; of any other only the last one would count. */
-const repeated = new Set(["style", "field", "pick"]);
+const repeated = new Set(["style", "field", "pick", "roomFor"]);
 
 /* A list of numbers is one value (a point), and so is a list of texts and numbers if the option is given but once. Any
  * other list is an option given several times. */

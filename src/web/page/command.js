@@ -57,6 +57,7 @@ function viewArguments(state, scene) {
 export function sceneArguments(state) {
   const args = [];
   if (state.hull) args.push("--hull");
+  if (state.rounded) args.push("--rounded");
   if (state.up === "y") args.push("--y-up");
   return args;
 }

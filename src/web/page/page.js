@@ -69,6 +69,7 @@ function state() {
     allEdges: is("allEdges"),
     union: is("union"),
     hull: is("hull"),
+    rounded: is("rounded"),
     fill: text("fill"),
     hatch: is("hatch"),
     page: text("page"),
@@ -481,7 +482,7 @@ controls.addEventListener("input", (event) => {
     if (Math.abs(typed) > event.target.max) event.target.value = view[name]; // what is drawn
   }
   showView();
-  if ((name === "hull" || name === "up") && model) return open(model);
+  if (["hull", "rounded", "up"].includes(name) && model) return open(model);
   changed();
 });
 controls.addEventListener("change", showAngles);
