@@ -128,6 +128,9 @@ class Scenes(unittest.TestCase):
         with self.assertRaises(roberts.Error) as caught:
             roberts.read("none.off")
         self.assertEqual((caught.exception.status, caught.exception.file), ("IO", "none.off"))
+        with self.assertRaisesRegex(OSError, "^none.off: ") as caught:
+            roberts.read("none.off")
+        self.assertIsInstance(caught.exception, roberts.FileError)
         triangle = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
         for vertices, faces, status in ((triangle, [[0, 1, 3]], "BAD_INDEX"), ([[np.nan, 0, 0]], [[0]], "BAD_NUMBER")):
             with self.assertRaises(roberts.Error) as caught:
@@ -145,7 +148,13 @@ class Scenes(unittest.TestCase):
         self.assertRaises(TypeError, scene.hide, odd=1)
         self.assertRaises(ValueError, scene.hide().save, "a.odd")
         self.assertRaises(ValueError, scene.hide().svg, fill="odd")
-        self.assertRaises(TypeError, scene.hide().svg, odd=1)
+        for option, meant in ({"odd": 1}, "background"), ({"label": "vertices"}, "labels"), ({"colour": 1}, "columns"):
+            with self.assertRaisesRegex(TypeError, rf"^there is no '{[*option][0]}'; .*\b{meant}\b"):
+                scene.hide().svg(**option)
+        with self.assertRaisesRegex(TypeError, "did you mean unite[?] There are all_edges, .*crease_degrees, "):
+            scene.hide(union=True)
+        with self.assertRaisesRegex(TypeError, "^hatch: there is no 'spacing'; did you mean spacing_mm[?] "):
+            scene.hide().svg(hatch={"spacing": 1})
         with self.assertRaises(roberts.Error) as caught:
             scene.hide(roberts.view(direction=(0, 0, 0)))
         self.assertEqual(caught.exception.status, "BAD_VIEW")

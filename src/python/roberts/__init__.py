@@ -17,6 +17,7 @@ The names and the rules are those of roberts.h, the header of the library.
 from __future__ import annotations
 
 import ctypes
+import difflib
 import os
 import re
 import warnings as _warnings
@@ -26,10 +27,10 @@ from typing import Any, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import _library as c
-from ._library import NONE, Error, RobertsWarning
+from ._library import NONE, Error, FileError, RobertsWarning
 
-__all__ = ["NONE", "VISIBLE", "HIDDEN", "CLIPPED", "LINES", "Error", "RobertsWarning", "Scene", "View", "Drawing",
-           "Regions", "Sheet", "read", "view"]
+__all__ = ["NONE", "VISIBLE", "HIDDEN", "CLIPPED", "LINES", "Error", "FileError", "RobertsWarning", "Scene", "View",
+           "Drawing", "Regions", "Sheet", "read", "view"]
 
 VISIBLE, HIDDEN, CLIPPED = 0, 1, 2
 """The values of segments["state"]."""
@@ -49,6 +50,10 @@ _LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
 _COLUMNS = {"ends": 0, "depth": 1, "level": 2, "name": 3, "by": 4}
 _ANGLES = {"first": 0, "third": 1}
 _SHEET_VIEWS = ("front", "top", "side", "iso")
+
+# the options of a page: see svg()
+_OPTIONS = ("background", "columns", "crop", "description", "dpi", "fill", "group", "hatch", "hidden", "id_prefix",
+            "labels", "light", "number_layers", "page", "pens", "real_dashes", "scale", "shaded", "title")
 
 _vec2, _vec3 = np.dtype((np.float64, 2)), np.dtype((np.float64, 3))
 _SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), ("t0", "f8"), ("t1", "f8"),
@@ -110,12 +115,19 @@ def _set(struct: Any, name: str, value: Any, what: str) -> None:
         raise TypeError(f"{what}: {why}") from None
 
 
+def _unknown(what: str, name: str, names: Sequence[str]) -> TypeError:
+    """There is no such name; says which ones there are, and which one was probably meant."""
+    meant = difflib.get_close_matches(name, names, 1, 0.5)
+    return TypeError(f"{what}there is no {name!r}; " + (f"did you mean {meant[0]}? " if meant else "") +
+                     f"There are {', '.join(names)}")
+
+
 def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
     """Sets fields of a struct by name."""
     names = {name for name, *_ in struct._fields_}
     for name, value in values.items():
         if name not in names:
-            raise TypeError(f"{what}: there is no {name!r}")
+            raise _unknown(f"{what}: ", name, sorted(names))
         _set(struct, name, value, f"{what}: {name}")
         if isinstance(value, int) and getattr(struct, name) != value:  # ctypes keeps the lowest bits
             raise ValueError(f"{what}: {name} is out of range")
@@ -628,7 +640,7 @@ class _Page:
             if name in given:
                 _set(o, name, given.pop(name), name)
         if given:
-            raise TypeError(f"there is no option {next(iter(given))!r}")
+            raise _unknown("", next(iter(given)), _OPTIONS)
 
     def _texts(self, of: Drawing, given: dict) -> None:
         for name, default in (("title", of._scene.name or None), ("description", None), ("id_prefix", None)):

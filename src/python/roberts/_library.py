@@ -243,6 +243,10 @@ class Error(Exception):
         super().__init__(place(file, line) + message)
 
 
+class FileError(Error, OSError):
+    """A file that cannot be read or written."""
+
+
 class RobertsWarning(UserWarning):
     """What the library warns of: parts of a file that it ignores, labels without room."""
 
@@ -262,4 +266,5 @@ def check(name: str, *arguments) -> None:
     if status == 1:
         raise MemoryError("roberts_" + name)
     if status != 0:
-        raise Error(STATUS[status], text(problem.file), problem.line, text(problem.message))
+        kind = FileError if STATUS[status] == "IO" else Error
+        raise kind(STATUS[status], text(problem.file), problem.line, text(problem.message))
