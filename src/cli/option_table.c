@@ -708,7 +708,8 @@ static const option rows[] = {
      .brief = "what ids of svg begin with",
      .help = "begin the ids of svg with this, so that one web page can hold several drawings",
      .manual = "The ids of svg begin with TEXT: letters, digits, - . and _, beginning with a letter or _. One "
-               "web page can then hold several drawings: in a page an id may be used only once."},
+               "web page can then hold several drawings: in a page an id may be used only once. Groups have classes as "
+               "well, such as outline, so that one style sheet serves all drawings."},
 
     /* ---- text ---- */
     {.group = GROUP_TEXT,

@@ -104,7 +104,8 @@ static void svg_attribute(output *out, const char *name, const char *text)
     output_text(out, "\"");
 }
 
-/* Writes ` id="..."` with the prefix of all ids. */
+/* Writes ` id="..."` with the prefix of all ids. Where each drawing has ids of its own, layers of classes have a class,
+ * too, for a style sheet of all drawings. */
 static void svg_id(output *out, const roberts_draw_options *options, const char *name)
 {
     output_text(out, " id=\"");
@@ -112,6 +113,8 @@ static void svg_id(output *out, const roberts_draw_options *options, const char 
         write_escaped(out, options->id_prefix, true);
     output_text(out, name);
     output_text(out, "\"");
+    if (options->id_prefix && options->grouping == ROBERTS_GROUP_CLASS)
+        svg_attribute(out, "class", name);
 }
 
 /* Writes the attributes that make a group a layer of Inkscape. number: before its name where layers are numbered. */
