@@ -25,7 +25,7 @@ static void saving_survives(roberts_format format, bool sheet, roberts_grouping 
     roberts_region region = {.ring_count = 1, .normal = {0.6, 0.0, 0.8}};
     size_t start[2] = {0, 4};
     roberts_vec2 corner[4] = {{0, 0}, {9, 0}, {9, 9}, {0, 9}};
-    const roberts_region_list regions = {1, 1, 4, &region, start, corner, NULL};
+    const roberts_region_list regions = {1, 1, 4, &region, start, corner, NULL, false};
     roberts_drawing drawing = {.count = 6, .segment = some, .regions = &regions};
     roberts_draw_options options = roberts_draw_options_default();
     some[1].z0 = some[1].z1 = 1.0;
