@@ -557,7 +557,7 @@ static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, c
 
 /* Does a side of f separate the two faces in the picture? A corner within rounding of the side may be on either side of
  * it. The picture of a face that is nearly edge-on may be turned, or cross itself, as far as its corners are not in one
- * plane. So f itself is tested as well. */
+ * plane. So f itself is tested as well. A side whose ends are one point of the picture separates nothing. */
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
@@ -566,7 +566,7 @@ static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, cons
     for (uint32_t i = 0; i < f->count; i++) {
         roberts_vec3 B = P[f->corner[i]];
         double most = loose * (fabs(B.x - A.x) + fabs(B.y - A.y));
-        if (is_right_of(P, A, B, g, most) && is_right_of(P, B, A, f, most))
+        if (most > 0.0 && is_right_of(P, A, B, g, most) && is_right_of(P, B, A, f, most))
             return true;
         A = B;
     }

@@ -13,28 +13,35 @@
 #include "base/search.h"
 #include "base/sort.h"
 #include "hide/tolerance.h"
+#include "model/union.h"
 
 typedef struct line_list {
     seen_line *line; /* [count] */
     size_t count, room;
 } line_list;
 
-/* Is this a vertex in the near plane, where an edge is cut? Asked in the model: near the eye, the depth in view space
- * multiplies its rounding by a million. */
-static bool is_cut(const hide_fronts *fronts, uint32_t vertex)
+/* Does the vertex lie in the near plane? Asked in the model: near the eye, the depth in view space multiplies its
+ * rounding by a million. */
+static bool is_in_near(const hide_fronts *fronts, uint32_t vertex)
 {
     const view *v = &fronts->seen->view;
-    if (scene_vertex_number(fronts->scene, vertex) != ROBERTS_NONE)
-        return false;
     const view_clip *clip = &fronts->seen->clip;
     return view_clip_depth(clip, fronts->scene->point[vertex]) <= clip->near + CUT_TOUCHING * v->epsilon * v->unit;
 }
 
-static bool is_in_cap(const hide_fronts *fronts, uint32_t face)
+/* Is this a vertex in the near plane, where an edge is cut? */
+static bool is_cut(const hide_fronts *fronts, uint32_t vertex)
+{
+    return scene_vertex_number(fronts->scene, vertex) == ROBERTS_NONE && is_in_near(fronts, vertex);
+}
+
+typedef bool asked_fn(const hide_fronts *fronts, uint32_t vertex);
+
+static bool are_all(asked_fn *asked, const hide_fronts *fronts, uint32_t face)
 {
     const roberts_scene *scene = fronts->scene;
     for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
-        if (!is_cut(fronts, scene->corner[k]))
+        if (!asked(fronts, scene->corner[k]))
             return false;
     return true;
 }
@@ -115,7 +122,7 @@ static bool add_body(const hide_fronts *fronts, uint32_t body, line_list *to)
     bool enough = true, capped = false;
     for (int pass = 0; pass < 2 && !capped; pass++)
         for (uint32_t f = own->face; enough && f < own[1].face; f++) {
-            const bool cap = is_in_cap(fronts, f);
+            const bool cap = are_all(is_cut, fronts, f);
             capped = capped || cap;
             if (cap || pass > 0)
                 enough = add_sides(fronts, body, f, to);
@@ -151,7 +158,7 @@ void cuts_free(seen_further *lines)
 
 /* ---- drawing them ------------------------------------------------------------------------------------------------ */
 
-/* The pieces of all caps. */
+/* The pieces of all caps, and those of faces that lie in the near plane. */
 typedef struct cap_pieces {
     uint32_t *face; /* [count] */
     uint32_t *body; /* [count] */
@@ -201,10 +208,11 @@ static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_
     if (!caps->face || !caps->body || !caps->box)
         return false;
     for (uint32_t s = 0; s < scene->solid_count; s++) {
-        if (lines->first[s] == lines->first[s + 1])
-            continue; /* it is not cut */
+        const bool cut = lines->first[s] < lines->first[s + 1];
+        if (fronts->culled[s] || !union_takes(scene, s))
+            continue;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-            if (is_in_cap(fronts, f)) {
+            if (are_all(cut ? is_cut : is_in_near, fronts, f)) {
                 const uint32_t first = scene->face_start[f];
                 caps->face[caps->count] = f;
                 caps->body[caps->count] = s;

@@ -205,9 +205,10 @@ static inline bool hide_polygon_holds(const hide_fronts *fronts, const runs_tabl
 {
     const runs *r = runs_of(table, corner, count);
     if (r)
-        return runs_hold_point(&fronts->space, r, corner, X.x, X.y, slack);
+        return runs_hold_point(&fronts->space, r, corner, X, slack);
     for (uint32_t i = 0; i < count; i++)
-        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], X.x, X.y, slack))
+        if (!hide_side_holds(fronts->P[corner[i]], fronts->P[corner[i + 1 < count ? i + 1 : 0]], X, slack,
+                             fronts->space.epsilon))
             return false;
     return true;
 }

@@ -169,15 +169,15 @@ static bool runs_next(const runs *r, roberts_vec3 A, roberts_vec3 B, uint32_t *s
     return false;
 }
 
-bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack)
+bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, roberts_vec2 X, double slack)
 {
-    roberts_vec3 X = {x, y, 0.0};
+    const roberts_vec3 at = {X.x, X.y, 0.0};
     bool straight;
-    for (uint32_t i = 0, end; runs_next(r, X, X, &i, &end, &straight);)
+    for (uint32_t i = 0, end; runs_next(r, at, at, &i, &end, &straight);)
         for (uint32_t next; i < end; i = next) {
             next = straight ? end : i + 1;
             if (!hide_side_holds(run_corner(space, corner, r->tree.items, i),
-                                 run_corner(space, corner, r->tree.items, next), x, y, slack))
+                                 run_corner(space, corner, r->tree.items, next), X, slack, space->epsilon))
                 return false;
         }
     return true;

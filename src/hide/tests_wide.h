@@ -102,8 +102,8 @@ static inline const runs *runs_of(const runs_table *table, const uint32_t *corne
     return count > RUNS_CORNERS && table->at ? table->at[(size_t)(corner - table->corner) / RUNS_CORNERS] : NULL;
 }
 
-/* Is (x, y) inside the polygon of these corners, or no farther outside than `slack`? `r` has the polygon's runs. */
-bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, double x, double y, double slack);
+/* Is X inside the polygon of these corners, or no farther outside than `slack`? `r` has the polygon's runs. */
+bool runs_hold_point(const hide_space *space, const runs *r, const uint32_t *corner, roberts_vec2 X, double slack);
 
 /* Gives the results of hide_test2() and hide_by_sides() for F, with the same counts: `part` is the part of e inside all
  * sides; false if there is none. `r` has the runs of F. The results agree to the last bit, unless a run of several

@@ -84,12 +84,15 @@ static inline float hide_float_above(double x)
     return (float)(x + fabs(x) * 0x1p-23);
 }
 
-/* Is (x, y) inside the side from P to Q, whose inside is on the left, or at most `slack` outside? A negative slack asks
- * for that much inside. */
-static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, double x, double y, double slack)
+/* Is X inside the side from P to Q, whose inside is on the left, or at most `slack` outside? A negative slack asks for
+ * that much inside. A side no longer than `shortest` is ignored. */
+static inline bool hide_side_holds(roberts_vec3 P, roberts_vec3 Q, roberts_vec2 X, double slack, double shortest)
 {
-    double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (y - P.y) - dy * (x - P.x);
-    return !((H < 0.0 || slack < 0.0) && H < -slack * sqrt(dx * dx + dy * dy));
+    double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
+    if (H >= 0.0 && slack >= 0.0)
+        return true;
+    const double length = sqrt(dx * dx + dy * dy);
+    return !(H < -slack * length) || length <= shortest;
 }
 
 static inline hide_box hide_box_around(const box3 *all)

@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "base/box.h"
 #include "base/error.h"
+#include "base/orient.h"
 #include "base/sort.h"
 #include "base/vec.h"
 #include "model/face_plane.h"
@@ -74,19 +75,25 @@ static double turn_of_spots(spot a, spot b, spot c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/* Do a, b, c turn left? Decided exactly: signs that contradict one another would put a spot into both chains. */
+static bool turn_left(spot a, spot b, spot c)
+{
+    return orient2d((roberts_vec2){a.x, a.y}, (roberts_vec2){b.x, b.y}, (roberts_vec2){c.x, c.y}) > 0.0;
+}
+
 /* Finds the convex hull of the sorted spots, counter-clockwise, without collinear corners. `hull` has room for count +
  * 1. */
 static uint32_t monotone_chain(const spot *sorted, uint32_t count, spot *hull)
 {
     uint32_t size = 0, lower;
     for (uint32_t i = 0; i < count; i++) {
-        while (size >= 2 && turn_of_spots(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+        while (size >= 2 && !turn_left(hull[size - 2], hull[size - 1], sorted[i]))
             size--;
         hull[size++] = sorted[i];
     }
     lower = size + 1;
     for (uint32_t i = count - 1; i-- > 0;) {
-        while (size >= lower && turn_of_spots(hull[size - 2], hull[size - 1], sorted[i]) <= 0.0)
+        while (size >= lower && !turn_left(hull[size - 2], hull[size - 1], sorted[i]))
             size--;
         hull[size++] = sorted[i];
     }

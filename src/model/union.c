@@ -266,7 +266,8 @@ static bool add_own(union_cutter *c, uint32_t body, uint32_t face)
         c, &(union_contact){{0.0, 1.0, 0}, body, face, union_plane_number(scene, face), true, n, w, o.plus, o.minus});
 }
 
-/* Does the line, seen along itself, lie in the face or within `touch` of it? Pieces are convex. */
+/* Does the line, seen along itself, lie in the face or within `touch` of it? Pieces are convex. A side no longer than
+ * `touch` has no direction to trust; its neighbours bound the face. */
 static bool pierces(const union_cutter *c, uint32_t face, double touch)
 {
     const roberts_scene *scene = c->all->scene;
@@ -278,9 +279,9 @@ static bool pierces(const union_cutter *c, uint32_t face, double touch)
     for (uint32_t i = 0; i < count; i++) {
         P = vec3_sub(union_place(scene, scene->point[corner[i]]), c->A);
         const double x1 = vec3_dot(P, c->e1), y1 = vec3_dot(P, c->e2), H = x * y1 - y * x1;
-        const double band = touch * hypot(x1 - x, y1 - y);
-        left = left || H > band;
-        right = right || H < -band;
+        const double length = hypot(x1 - x, y1 - y);
+        left = left || (length > touch && H > touch * length);
+        right = right || (length > touch && H < -touch * length);
         x = x1;
         y = y1;
     }
@@ -524,6 +525,21 @@ static bool begin_lists(union_cutter *c)
     return true;
 }
 
+/* Finds a face of the edge's own that lies in the near plane. */
+static uint32_t find_in_near(const union_cutter *c)
+{
+    const roberts_scene *scene = c->all->scene;
+    for (uint32_t i = 0; c->all->cut && c->line->body != ROBERTS_NONE && i < c->line->own_count; i++) {
+        const uint32_t face = c->line->own[i] & ~MANY_TURNED, end = scene->face_start[face + 1];
+        uint32_t k = scene->face_start[face];
+        while (k < end && fabs(plane_at(c->all->near, union_place(scene, scene->point[scene->corner[k]]))) <= c->touch)
+            k++;
+        if (k == end)
+            return face;
+    }
+    return ROBERTS_NONE;
+}
+
 bool union_cut(const union_bodies *all, const union_line *line, union_work *work)
 {
     union_cutter c = {.all = all, .line = line, .work = work, .touch = all->touch};
@@ -533,6 +549,7 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
                       ? all->departure[line->body]
                       : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
     c.touch += c.departure;
+    c.in_near = find_in_near(&c);
     if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than the touching distance */
         return add_union_piece(&c, 0.0, 1.0);
     if (!meet_bodies(&c) || !begin_lists(&c))

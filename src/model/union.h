@@ -18,6 +18,8 @@
  * Faces of a closed body that lie on one another may enclose nothing, but they hide what is behind them. They count as
  * sides of the region.
  *
+ * Where the near plane has cut the scene, an edge of a face in this plane is judged by what the bodies fill beyond it.
+ *
  * Open bodies fill nothing, and their lines are not tested. */
 #ifndef ROBERTS_MODEL_UNION_H
 #define ROBERTS_MODEL_UNION_H
@@ -75,6 +77,8 @@ typedef struct union_bodies {
     uint32_t bodies;   /* root of the tree over the closed bodies; ROBERTS_NONE: there are none */
     box_tree tree;
     int32_t *winding; /* [face_count] see winding_find() */
+    bool cut;         /* the near plane has cut the scene: */
+    plane near;       /* it; relative to the scene's centre, as all positions here */
 } union_bodies;
 
 typedef struct union_contact union_contact;

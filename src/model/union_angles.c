@@ -8,7 +8,8 @@
 /* Directions tried until a ray passes no border of a face too closely. */
 enum { RAYS_TRIED = 16 };
 
-/* Scene units: the least distance at which a ray's side of a border is certain. Far above rounding. */
+/* Scene units: the least distance at which a ray's side of a border is certain. Far above rounding. Shorter sides of a
+ * face are left out: their neighbours bound the face as closely. */
 #define RAY_CLEAR 1e-13
 
 #define FULL_TURN 6.28318530717958647692
@@ -35,6 +36,8 @@ static int ray_meets(const roberts_scene *scene, uint32_t face, roberts_vec3 M, 
         roberts_vec3 P = union_place(scene, scene->point[scene->corner[first + i]]);
         roberts_vec3 Q = union_place(scene, scene->point[scene->corner[first + (i + 1) % count]]);
         roberts_vec3 side = vec3_sub(Q, P), to = vec3_sub(X, P);
+        if (vec3_length(side) <= RAY_CLEAR)
+            continue;
         double area = vec3_dot(vec3_cross(side, to), n), sure = RAY_CLEAR * (vec3_length(side) + vec3_length(to));
         left += area > sure;
         right += area < -sure;
@@ -168,7 +171,21 @@ static bool add_ray(union_cutter *c, const union_contact *of, double way, double
     if (!array_reserve(&work->ray, &work->ray_room, work->ray_count + 1, sizeof *work->ray))
         return false;
     double angle = atan2(vec3_dot(d, c->e2), vec3_dot(d, c->e1));
-    work->ray[work->ray_count++] = (union_ray){{of->face, way > 0.0, of->body, d, reach}, angle, of->plane, 0, of->own};
+    work->ray[work->ray_count++] =
+        (union_ray){{of->face, way > 0.0, of->body, d, reach}, angle, of->plane, 0, of->own, false};
+    return true;
+}
+
+/* Goes on with a face that lies in the near plane to the other side of its edge, as the sections of other bodies may.
+ * False: no memory. */
+static bool add_cut(union_cutter *c, const union_contact *of)
+{
+    union_contact on = *of;
+    on.plane = ROBERTS_NONE;
+    on.own = false;
+    if (!add_ray(c, &on, of->plus > 0.0 ? -1.0 : 1.0, c->all->diameter))
+        return false;
+    c->work->ray[c->work->ray_count - 1].cut = true;
     return true;
 }
 
@@ -196,7 +213,8 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
         fill_of(work, contact->body)->active = true;
         *alone = *alone && contact->body == first;
         if ((contact->plus > 0.0 && !add_ray(c, contact, 1.0, contact->plus)) ||
-            (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus)))
+            (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus)) ||
+            (contact->own && contact->face == c->in_near && !add_cut(c, contact)))
             return false;
     }
     return true;
@@ -258,23 +276,37 @@ static bool convex_fills(const union_cutter *c, const union_fill *of, double t, 
     return true;
 }
 
+/* Is it the ray of a face of this body? */
+static bool is_of(const union_ray *r, const union_fill *of)
+{
+    return r->side.body == of->body && !r->cut;
+}
+
 /* The change of a body's winding number, or of the parity, where a ray is passed counter-clockwise. */
 static int32_t step_past(const union_cutter *c, const union_fill *of, const union_ray *r)
 {
     return of->wound ? -winding_across(c->all, r->side.face, vec3_cross(c->u, r->side.d)) : 1;
 }
 
+/* Has the near plane, in which the line lies, taken away what is in this direction? */
+static bool is_taken(const union_cutter *c, roberts_vec3 w)
+{
+    const plane near = c->all->near;
+    return c->in_near != ROBERTS_NONE && vec3_dot((roberts_vec3){near.a, near.b, near.c}, w) < 0.0;
+}
+
 /* Does the body fill the sector after cluster k? For a body that is not convex, each ray changes the answer. */
 static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_t k, double middle)
 {
     const union_work *work = c->work;
-    if (!of->active || of->broken)
+    const roberts_vec3 w = vec3_add(vec3_scale(cos(middle), c->e1), vec3_scale(sin(middle), c->e2));
+    if (!of->active || of->broken || is_taken(c, w))
         return false;
     if (of->convex)
-        return convex_fills(c, of, t, vec3_add(vec3_scale(cos(middle), c->e1), vec3_scale(sin(middle), c->e2)));
+        return convex_fills(c, of, t, w);
     int32_t winding = of->first;
     for (size_t i = 0; i < work->ray_count; i++)
-        if (work->ray[i].side.body == of->body && work->ray[i].cluster > 0 && work->ray[i].cluster <= k)
+        if (is_of(&work->ray[i], of) && work->ray[i].cluster > 0 && work->ray[i].cluster <= k)
             winding += step_past(c, of, &work->ray[i]);
     return of->wound ? winding != 0 : winding % 2 != 0;
 }
@@ -290,7 +322,7 @@ static void begin_fills(union_cutter *c, double t, uint32_t clusters)
         if (!of->active || of->convex)
             continue;
         for (size_t k = 0; k < work->ray_count; k++)
-            if (work->ray[k].side.body == of->body)
+            if (is_of(&work->ray[k], of))
                 round += step_past(c, of, &work->ray[k]);
         of->broken = of->wound ? round != 0 : round % 2 != 0;
         of->first = of->broken ? 0 : winding_by_rays(c, of, t, middle, half);
@@ -351,6 +383,17 @@ static bool own_sides(const union_cutter *c, const union_piece *piece)
     return true;
 }
 
+/* Has the near plane cut the body? Then it has no edges left in that plane. */
+static bool is_cut(const union_cutter *c, uint32_t body)
+{
+    const scene_solid *own = &c->all->scene->solid[body];
+    uint32_t v = own->vertex;
+    while (v < own[1].vertex &&
+           plane_at(c->all->near, union_place(c->all->scene, c->all->scene->point[v])) >= -c->touch)
+        v++;
+    return v < own[1].vertex;
+}
+
 /* Is another line in this place drawn instead? */
 static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
 {
@@ -361,6 +404,8 @@ static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
         const union_ray *r = &work->ray[i];
         size_t k = 0;
         if (c->line->body != ROBERTS_NONE && r->side.body >= c->line->body)
+            continue;
+        if (c->in_near != ROBERTS_NONE && is_cut(c, r->side.body))
             continue;
         while (k < work->ray_count &&
                (k == i || work->ray[k].side.body != r->side.body || work->ray[k].plane != r->plane))
@@ -381,7 +426,8 @@ static const union_ray *folded_ray(const union_cutter *c, uint32_t k)
     for (size_t i = 0; i < work->ray_count; i++) {
         const union_ray *r = &work->ray[i];
         const union_fill *of = fill_of(work, r->side.body);
-        if (r->cluster == k && !of->convex && !of->broken && is_preferred(c, r, found))
+        if (r->cluster == k && !r->cut && !of->convex && !of->broken && !is_taken(c, r->side.d) &&
+            is_preferred(c, r, found))
             found = r;
     }
     return found;

@@ -25,6 +25,7 @@ struct union_ray {
     double angle;
     uint32_t plane, cluster;
     bool own;
+    bool cut; /* not of a face: in the near plane, opposite to a face of the line's own */
 };
 
 /* A body near the line. */
@@ -53,6 +54,7 @@ typedef struct union_cutter {
     union_work *work;
     roberts_vec3 A, U, u, e1, e2; /* A + t U: the line; u: unit vector of U; e1, e2: a frame across the line */
     double length, departure, touch;
+    uint32_t in_near; /* one of the line's own faces that lies in the near plane; ROBERTS_NONE: there is none */
     span_list contacts, fills; /* of `work` */
 } union_cutter;
 

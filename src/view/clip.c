@@ -266,13 +266,6 @@ static bool cut_face(cutter *c, uint32_t solid, uint32_t face, uint32_t *to_face
                            scene_face_number(from, face));
 }
 
-/* The plane of caps, which the viewer sees. */
-static plane near_plane(const cutter *c)
-{
-    const roberts_vec3 dir = c->clip->dir;
-    return (plane){-dir.x, -dir.y, -dir.z, view_clip_depth(c->clip, c->from->centre) - c->clip->near};
-}
-
 static bool cutter_touch(const cutter *c, uint32_t v, uint32_t w)
 {
     const roberts_vec3 *P = c->clip->scene.point;
@@ -297,7 +290,7 @@ static bool add_cap(cutter *c, uint32_t start)
     if (to->corner_count > begin + 1 && cutter_touch(c, to->corner[to->corner_count - 1], to->corner[begin]))
         to->corner_count--;
     return cutter_measure_width(c, begin, &width) &&
-           cutter_add_face(c, near_plane(c), c->touching, width, ROBERTS_NONE);
+           cutter_add_face(c, view_clip_plane(c->clip, c->from->centre), c->touching, width, ROBERTS_NONE);
 }
 
 /* Adds the edges that are kept, completely or in part, in order, followed by those of the cap. map: numbers of the
@@ -705,7 +698,7 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool e
                               .keep_straight = true};
     bool enough = face_pieces_cut(&pieces, &rules, ring, (uint32_t)count);
     uint32_t plane_of = ROBERTS_NONE - 1; /* a key that no edge lists */
-    plane F = near_plane(c);
+    plane F = view_clip_plane(c->clip, c->from->centre);
     if (!(vec3_dot(pieces.fit.n, c->clip->dir) > 0.0)) /* as the pieces are wound */
         F = (plane){-F.a, -F.b, -F.c, -F.d};
     for (size_t n = 0; enough && n < pieces.node_count; n++)

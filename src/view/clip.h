@@ -34,6 +34,12 @@ static inline double view_clip_depth(const view_clip *clip, roberts_vec3 P)
     return vec3_dot(clip->dir, vec3_sub(clip->from, P));
 }
 
+/* The near plane, relative to the scene's centre, with what is left of the scene on its inner side. */
+static inline plane view_clip_plane(const view_clip *clip, roberts_vec3 centre)
+{
+    return (plane){-clip->dir.x, -clip->dir.y, -clip->dir.z, view_clip_depth(clip, centre) - clip->near};
+}
+
 /* Clips `scene` for a camera. `clipped` becomes false for a parallel view without a section, and for a scene completely
  * beyond the near plane. Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond
  * the plane. Does nothing if view_prepare() refuses the camera. */

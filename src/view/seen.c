@@ -90,8 +90,12 @@ static bool is_walked(const void *context, uint32_t body, uint32_t edge)
 bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
 {
     const walked w = {s, culled};
-    return union_prepare(&s->bodies, s->source, s->scene, s->view.epsilon * s->view.unit) &&
-           united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
+    if (!union_prepare(&s->bodies, s->source, s->scene, s->view.epsilon * s->view.unit))
+        return false;
+    s->bodies.cut = s->clip.clipped;
+    s->bodies.near = view_clip_plane(&s->clip, s->source->centre);
+    s->bodies.near.d *= s->view.per_unit;
+    return united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 
 scene_shape seen_face_again(const seen *s, uint32_t face, seen_face *out, uint32_t turned[SEEN_TURNED])

@@ -131,6 +131,106 @@ static void what_is_taken_away_leaves_no_seam(void **state)
     }
 }
 
+/* ---- contacts in the near plane ---- */
+
+enum { GRID = 6 };
+
+/* The lines of a picture whose lines run along whole coordinates: is there one from (x, y) to the right, or up? */
+typedef struct grid_lines {
+    bool right[GRID + 1][GRID + 1], up[GRID + 1][GRID + 1];
+} grid_lines;
+
+static grid_lines lines_on_grid(const roberts_scene *scene, double z, bool unite)
+{
+    const roberts_camera camera = {.dir = {0, 0, 1}, .up = {0, 1, 0}, .section = {0, 0, z}, .has_section = true};
+    const roberts_vec3 origin = {0, 0, 0};
+    const roberts_hide_options options = {.unite = unite};
+    roberts_drawing d = drawing_of(scene, &camera, &options);
+    grid_lines grid = {{{false}}, {{false}}};
+    roberts_vec3 zero;
+    assert_int_equal(
+        roberts_project(scene, &(roberts_camera){.dir = camera.dir, .up = camera.up}, &origin, 1, &zero, NULL),
+        ROBERTS_OK);
+    for (size_t i = 0; i < d.count + d.cut_count; i++) {
+        const roberts_segment *s = &d.segment[i];
+        const double x0 = s->p0.x - zero.x, y0 = s->p0.y - zero.y, x1 = s->p1.x - zero.x, y1 = s->p1.y - zero.y;
+        if (s->state != ROBERTS_VISIBLE)
+            continue;
+        for (int k = (int)lround(fmin(x0, x1)); k < lround(fmax(x0, x1)); k++)
+            grid.right[k][lround(y0)] = true;
+        for (int k = (int)lround(fmin(y0, y1)); k < lround(fmax(y0, y1)); k++)
+            grid.up[lround(x0)][k] = true;
+    }
+    roberts_drawing_free(&d);
+    return grid;
+}
+
+/* Adds a box, or what is left of one without the quarter from its middle on along two axes. */
+static void put_block(model *m, rng *r)
+{
+    static const uint32_t face[8][6] = {{0, 1, 2, 3, 4, 5}, {11, 10, 9, 8, 7, 6}, {0, 6, 7, 1},   {1, 7, 8, 2},
+                                        {2, 8, 9, 3},       {3, 9, 10, 4},        {4, 10, 11, 5}, {5, 11, 6, 0}};
+    double low[3], high[3];
+    const int axis = rng_int(r, 0, 2), bent = (axis + 1) % 3, other = (axis + 2) % 3;
+    for (int k = 0; k < 3; k++) {
+        low[k] = rng_int(r, 0, GRID - 2);
+        high[k] = low[k] + rng_int(r, 1, 2);
+    }
+    if (rng_int(r, 0, 1) || high[bent] - low[bent] < 2 || high[other] - low[other] < 2) {
+        model_box(m, (roberts_vec3){low[0], low[1], low[2]}, (roberts_vec3){high[0], high[1], high[2]});
+        return;
+    }
+    const bool turned = rng_int(r, 0, 1), over = rng_int(r, 0, 1);
+    const uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int k = 0; k < 12; k++) {
+        static const double profile[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+        double p[3];
+        p[axis] = k < 6 ? low[axis] : high[axis];
+        p[bent] = low[bent] + (turned ? 2 - profile[k % 6][0] : profile[k % 6][0]);
+        p[other] = low[other] + (over ? 2 - profile[k % 6][1] : profile[k % 6][1]);
+        model_vertex(m, (roberts_vec3){p[0], p[1], p[2]});
+    }
+    for (int f = 0; f < 8; f++) {
+        uint32_t corner[6];
+        for (int k = 0; k < 6; k++)
+            corner[k] = first + face[f][k];
+        model_face(m, corner, f < 2 ? 6 : 4);
+    }
+    model_close_solid(m);
+}
+
+/* Blocks that touch and overlap anywhere, taken as one. A section through their contacts is that just behind it. */
+static void contacts_are_cut_as_what_is_behind_them(void **state)
+{
+    rng r = {86};
+    size_t all = 0;
+    (void)state;
+    for (int round = 0; round < 1000; round++) {
+        model m = {0};
+        const int blocks = rng_int(&r, 2, 6), z = rng_int(&r, 1, GRID - 1);
+        for (int k = 0; k < blocks; k++)
+            put_block(&m, &r);
+        roberts_scene *scene = model_build(&m);
+        bool any = false;
+        for (size_t v = 0; v < m.mesh.vertex_count; v++)
+            any = any || m.mesh.vertex[v].z < z;
+        if (any) {
+            const grid_lines at = lines_on_grid(scene, z, true), behind = lines_on_grid(scene, z - 0x1p-10, true);
+            for (int i = 0; i < (GRID + 1) * (GRID + 1); i++) {
+                const int x = i % (GRID + 1), y = i / (GRID + 1);
+                if (at.right[x][y] != behind.right[x][y] || at.up[x][y] != behind.up[x][y])
+                    fail_msg("round %d, z = %d: the line from %d, %d is drawn only %s", round, z, x, y,
+                             at.right[x][y] > behind.right[x][y] || at.up[x][y] > behind.up[x][y] ? "at the contact"
+                                                                                                  : "behind it");
+                all += at.right[x][y];
+            }
+        }
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+    assert_true(all > 1000);
+}
+
 /* A box with a facet without area, which the near plane cuts in two points at one place. Rounding may put them in
  * either order. */
 static void a_facet_without_area_is_cut(void **state)
@@ -397,6 +497,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(boxes_are_cut),
         cmocka_unit_test(what_is_taken_away_leaves_no_seam),
+        cmocka_unit_test(contacts_are_cut_as_what_is_behind_them),
         cmocka_unit_test(a_facet_without_area_is_cut),
         cmocka_unit_test(a_room_far_away),
         cmocka_unit_test(other_bodies_are_cut),
