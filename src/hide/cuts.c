@@ -114,6 +114,21 @@ static bool is_whole(const seen *s, uint32_t body)
     return true;
 }
 
+/* Adds the cuts of a body's faces that do not bound its cap. False: no memory. */
+static bool add_sheets(const hide_fronts *fronts, uint32_t body, line_list *to)
+{
+    const view_clip *clip = &fronts->seen->clip;
+    const scene_solid *own = &fronts->scene->solid[body];
+    const size_t first = to->count;
+    bool enough = true;
+    for (size_t i = find_first(&own->face, clip->sheet, clip->sheet_count, sizeof *clip->sheet, compare_u32);
+         enough && i < clip->sheet_count && clip->sheet[i] < own[1].face; i++)
+        enough = add_sides(fronts, body, clip->sheet[i], to);
+    if (to->count > first)
+        to->count = first + drop_equal(to->line + first, to->count - first, false);
+    return enough;
+}
+
 /* Adds the lines of a body: those of its cap, or else of its faces. False: no memory. */
 static bool add_body(const hide_fronts *fronts, uint32_t body, line_list *to)
 {
@@ -129,7 +144,7 @@ static bool add_body(const hide_fronts *fronts, uint32_t body, line_list *to)
         }
     if (to->count > first)
         to->count = first + drop_equal(to->line + first, to->count - first, capped);
-    return enough;
+    return enough && (!capped || add_sheets(fronts, body, to));
 }
 
 bool cuts_find(const hide_fronts *fronts, seen_further *lines)

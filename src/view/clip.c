@@ -55,7 +55,7 @@ typedef struct cutter {
     roberts_vec3 *ring; /* [corners] scratch: positions of the corners of a clipped face */
     size_t vertex_room, low_room, number_room, start_room, corner_room, plane_room, deviation_room, width_room,
         face_room;
-    size_t edge_room, cap_room, ring_room;
+    size_t edge_room, cap_room, ring_room, sheet_room;
     cut_side *side; /* [side_count] cut sides of a body that is not convex, sorted by their ends */
     size_t side_count, side_room, plane_of_room, whole_room, edge_is_room, many_room, many_face_room, part_room,
         many_faces;
@@ -435,6 +435,22 @@ static bool bounds_cap(const cutter *c, uint32_t face)
     return (c->winding && c->winding[face] != 0) || !own || own[face] % 2 != 0;
 }
 
+/* Adds the cut of a piece, whose number in the clipped scene will be `to_face`. False: no memory. */
+static bool add_cut(cutter *c, uint32_t face, const cut_line *line, uint32_t to_face, cut_lines *lines)
+{
+    view_clip *clip = c->clip;
+    if (!bounds_cap(c, face)) {
+        if (!array_reserve(&clip->sheet, &c->sheet_room, clip->sheet_count + 1, sizeof *clip->sheet))
+            return false;
+        clip->sheet[clip->sheet_count++] = to_face;
+        return true;
+    }
+    if (!array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item))
+        return false;
+    lines->item[lines->count++] = *line;
+    return true;
+}
+
 /* Clips one face. `lines` receives the cut, if there is one. False: no memory. */
 static bool cut_piece(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *lines)
 {
@@ -459,12 +475,9 @@ static bool cut_piece(cutter *c, uint32_t face, uint32_t *to_face, cut_lines *li
     *to_face = ROBERTS_NONE;
     if (c->clip->scene.corner_count == begin)
         return true;
-    if (line.from != ROBERTS_NONE && line.to != ROBERTS_NONE && bounds_cap(c, face)) {
-        if (!array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item))
-            return false;
-        lines->item[lines->count++] = line;
-    }
     *to_face = c->clip->scene.face_count;
+    if (line.from != ROBERTS_NONE && line.to != ROBERTS_NONE && !add_cut(c, face, &line, *to_face, lines))
+        return false;
     if (!cutter_add_face(c, scene_plane(from, face), scene_deviation(from, face), scene_width(from, face),
                          scene_face_number(from, face)) ||
         !add_plane_of(c, scene_plane_number(from, face)))
@@ -962,5 +975,6 @@ void view_clip_free(view_clip *clip)
     scene_surface_free(clip->scene.surface);
     free(clip->origin);
     free(clip->cap);
+    free(clip->sheet);
     *clip = (view_clip){0};
 }

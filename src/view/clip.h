@@ -20,6 +20,10 @@ typedef struct view_clip {
     roberts_scene scene; /* the clipped scene; freed with the clip */
     clip_edge *origin;   /* [edge_count of the scene] */
     bool *cap;           /* [edge_count of the clipped scene] is it an edge of a cap? */
+    /* [sheet_count] faces of the clipped scene whose cut bounds no cap although the body is closed: see bounds_cap() in
+     * clip.c. They ascend. */
+    uint32_t *sheet;
+    size_t sheet_count;
     /* The near plane: view_clip_depth() is `near` there. from: the eye, or in a parallel view the point of the section;
      * dir: unit vector toward the viewer. Model units. */
     roberts_vec3 from, dir;

@@ -463,6 +463,40 @@ static void rounded_joints_are_cut(void **state)
     }
 }
 
+/* The region in which a point of the picture lies; NULL: in none. */
+static const roberts_region *region_at(const roberts_region_list *list, roberts_vec2 at)
+{
+    for (size_t i = 0; i < list->count; i++) {
+        const roberts_region *region = &list->region[i];
+        bool inside = false;
+        for (size_t r = region->first_ring; r < region->first_ring + region->ring_count; r++)
+            for (size_t k = list->ring_start[r], end = list->ring_start[r + 1]; k < end; k++)
+                inside ^=
+                    vec2_ray_crosses(at, list->corner[k], list->corner[k + 1 < end ? k + 1 : list->ring_start[r]]);
+        if (inside)
+            return region;
+    }
+    return NULL;
+}
+
+/* How many of some random points have another face in their region than rays find, or no region. */
+static size_t wrong_points(const roberts_scene *scene, const roberts_camera *camera, rng *r)
+{
+    roberts_region_list list;
+    size_t wrong = 0;
+    assert_int_equal(roberts_regions(scene, camera, NULL, &list, NULL), ROBERTS_OK);
+    for (int i = 0; i < 200; i++) {
+        const roberts_vec2 at = {rng_between(r, -1.2, 1.2), rng_between(r, -1.2, 1.2)};
+        const roberts_region *region = region_at(&list, at);
+        roberts_picked picked;
+        assert_int_equal(roberts_pick(scene, camera, at.x, at.y, &picked, NULL), ROBERTS_OK);
+        wrong += (region ? region->face : ROBERTS_NONE - 1) != (picked.count ? picked.hit[0].face : ROBERTS_NONE - 1);
+        roberts_picked_free(&picked);
+    }
+    roberts_regions_free(&list);
+    return wrong;
+}
+
 /* Where faces cannot be oriented alike, parity decides what is filled: the middle of a pentagram counts twice, and so
  * not at all, whatever the rule by which it is filled. */
 static void one_sided_stars_are_cut(void **state)
@@ -482,6 +516,7 @@ static void one_sided_stars_are_cut(void **state)
             const roberts_scene_options options = {.even_odd = even_odd, .rounded = true};
             roberts_scene *scene = scene_of_mesh(&mesh, &options);
             area[even_odd] = area_of_caps(scene, &camera);
+            assert_int_equal(wrong_points(scene, &camera, &r), 0);
             roberts_scene_free(scene);
         }
         if (fabs(area[0] - area[1]) > 1e-7)
