@@ -336,8 +336,8 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera);
  * range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
-/** Turns `camera` (direction or eye, look-at point and up) by `degrees` about the vertical line through the centre of
- * the scene's box, from the front to the right. What the drawing shows turns the other way. */
+/** Turns `camera` (direction or eye, look-at point, section and up) by `degrees` about the vertical line through the
+ * centre of the scene's box, from the front to the right. What the drawing shows turns the other way. */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**
@@ -459,6 +459,7 @@ typedef struct roberts_drawing {
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
     bool framed;   /**< the window is the field of view: segments may reach beyond it, and are cut off there when drawn
                         (see roberts_page_shape()) */
+    bool clipped;  /**< the near plane has cut something off the scene */
     bool windowed; /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
     const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for fills, hatching and labels;
                                                     of the same scene and camera. NULL: not known. Set it before

@@ -358,15 +358,15 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
 }
 
 /* A face that the input does not have is the cut of the near plane (or belongs to a hull). roberts_pick() takes as long
- * as the view, so it is called only if hardly anything is drawn. If --near was given and something is drawn, the cut is
- * intended. */
+ * as the view, so it is called only if hardly anything is drawn. If --section was given, or --near and something is
+ * drawn, the cut is intended. */
 bool hint_near_plane(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing, char *why,
                      size_t size)
 {
     const size_t few = options->camera.near_distance > 0.0 ? 1 : FEW_LINES;
     roberts_picked picked;
-    if (options->camera.projection != ROBERTS_PERSPECTIVE || options->scene.hull || !drawing->framed ||
-        look(options, drawing, 1, few).drawn >= few ||
+    if (options->camera.projection != ROBERTS_PERSPECTIVE || options->camera.has_section || options->scene.hull ||
+        !drawing->framed || look(options, drawing, 1, few).drawn >= few ||
         roberts_pick(scene, &options->camera, 0.0, 0.0, &picked, NULL) != ROBERTS_OK)
         return false;
     const bool cut = picked.count > 0 && picked.hit[0].face == ROBERTS_NONE;

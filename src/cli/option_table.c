@@ -938,8 +938,10 @@ static const option rows[] = {
      .excludes = "sheet plan part join",
      .brief = "cut off what is nearer than this point",
      .help = "any view: cut off everything nearer to the viewer than this point",
-     .manual = "Cuts off everything nearer to the viewer than this point, measured along the axis of sight: with "
-               "--view front, everything in front of the point. Bodies are cut as by --near."},
+     .manual =
+         "Cuts off everything nearer to the viewer than this point, measured along the axis of sight: with "
+         "--view front, everything in front of the point. Bodies are cut as by --near. With --turntable, the point "
+         "turns with the viewer."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,

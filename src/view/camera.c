@@ -108,7 +108,7 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
 {
     view v;
     view_clip clip;
-    roberts_status status = view_clip_scene(&clip, scene, camera, error);
+    roberts_status status = view_clip_scene(&clip, scene, camera, 0.0, error);
     if (status != ROBERTS_OK)
         return status;
     const roberts_scene *seen = clip.clipped ? &clip.scene : scene;

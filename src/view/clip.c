@@ -17,6 +17,7 @@
 #include "model/face_pieces.h"
 #include "model/face_plane.h"
 #include "model/winding.h"
+#include "view/view.h"
 
 /* The default distance of the near plane: this fraction of the look-at point's distance, and at least this fraction of
  * the scene's diameter. Nearer things would appear a thousand times as large as at the look-at point. */
@@ -43,7 +44,7 @@ typedef struct cutter {
     const roberts_scene *from;
     double touching; /* model units: a point nearer to the near plane than this lies in it, an eye nearer to a face lies
                         on it */
-    bool eye;        /* the view is one from an eye, clip->from */
+    bool section;    /* the near plane is that of a section */
     scene_solid first; /* first vertex, face and edge of the current solid in the clipped scene */
     bool whole;        /* no vertex of the current solid is in front of the near plane: it is not cut */
     double *depth;     /* [vertex_count of from] see view_clip_depth() */
@@ -788,7 +789,7 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
         c->whole = c->whole && c->depth[v] >= c->clip->near;
     if (!scene_is_convex(from, solid))
         return cut_body(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
-    if (c->eye && holds_eye(c, solid))
+    if (!c->section && holds_eye(c, solid))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
                          (unsigned)solid);
     if (!cut_vertices(c, solid))
@@ -858,15 +859,20 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
-        status = c->eye ? error_set(error, ROBERTS_BAD_VIEW, 0,
-                                    "nothing of the scene lies in front of the eye, beyond the near plane at a "
-                                    "distance of %.6g; move the eye, the look-at point or the near plane",
-                                    c->clip->near)
-                        : error_set(error, ROBERTS_BAD_VIEW, 0,
-                                    "nothing of the scene lies beyond the section; move its point away from the "
-                                    "viewer");
+        status = c->section ? error_set(error, ROBERTS_BAD_VIEW, 0,
+                                        "nothing of the scene lies beyond the section; move its point away from the "
+                                        "viewer")
+                            : error_set(error, ROBERTS_BAD_VIEW, 0,
+                                        "nothing of the scene lies in front of the eye, beyond the near plane at a "
+                                        "distance of %.6g; move the eye, the look-at point or the near plane",
+                                        c->clip->near);
     free(map);
     return status;
+}
+
+static double diameter_of(const roberts_scene *scene)
+{
+    return vec3_length(vec3_sub(scene->box_max, scene->box_min));
 }
 
 static void set_touching(cutter *c)
@@ -877,36 +883,53 @@ static void set_touching(cutter *c)
     c->touching *= TOUCHING_ULPS * DBL_EPSILON;
 }
 
-/* Sets the near plane of a view from an eye. distance: of the look-at point. */
-static void set_near_of_eye(cutter *c, const roberts_camera *camera, double distance)
+/* Makes the near plane that of a section, at this depth. The point is usually one of the model, of which others lie in
+ * the plane only to within the touching distance of the view. */
+static void set_section(cutter *c, double depth, double epsilon)
 {
-    double diameter = vec3_length(vec3_sub(c->from->box_max, c->from->box_min)), near = camera->near_distance;
-    if (near <= 0.0)
-        near = fmax(NEAR_OF_DISTANCE * distance, NEAR_OF_DIAMETER * diameter);
-    if (camera->has_section)
-        near = fmax(near, view_clip_depth(c->clip, camera->section));
-    c->clip->near = fmax(near, NEAR_LEAST * diameter + c->touching);
+    c->section = true;
+    c->clip->near = depth;
+    if (!(epsilon > 0.0))
+        epsilon = greater(EPSILON_OF_DIAMETER * diameter_of(c->from), scene_step(c->from));
+    c->touching = greater(c->touching, epsilon);
 }
 
-/* Sets the near plane. False: there is none, or the camera is invalid; view_prepare() will refuse it. */
-static bool set_near(cutter *c, const roberts_camera *camera)
+/* Sets the near plane of a view from an eye. distance: of the look-at point. */
+static void set_near_of_eye(cutter *c, const roberts_camera *camera, double distance, double epsilon)
 {
+    const double diameter = diameter_of(c->from);
+    double near = camera->near_distance;
+    if (near <= 0.0)
+        near = fmax(NEAR_OF_DISTANCE * distance, NEAR_OF_DIAMETER * diameter);
+    near = fmax(near, NEAR_LEAST * diameter + c->touching);
+    c->clip->near = near;
+    if (camera->has_section && view_clip_depth(c->clip, camera->section) > near)
+        set_section(c, view_clip_depth(c->clip, camera->section), epsilon);
+}
+
+/* Sets the near plane. epsilon: as in view_clip_scene(). False: there is none, or the camera is invalid;
+ * view_prepare() will refuse it. */
+static bool set_near(cutter *c, const roberts_camera *camera, double epsilon)
+{
+    const roberts_vec3 centre = c->from->centre;
+    const bool eye = camera->projection == ROBERTS_PERSPECTIVE;
     roberts_vec3 back = camera->dir;
-    c->eye = camera->projection == ROBERTS_PERSPECTIVE;
-    if (!c->eye && !camera->has_section)
+    if (!eye && !camera->has_section)
         return false;
-    if (c->eye)
-        back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : c->from->centre);
+    if (eye)
+        back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
     double largest = vec3_largest(back);
     if (!vec3_is_finite(back) || !(largest > 0.0) || !isfinite(camera->near_distance) ||
         (camera->has_section && !vec3_is_finite(camera->section)))
         return false;
     back = (roberts_vec3){back.x / largest, back.y / largest, back.z / largest};
-    c->clip->from = c->eye ? camera->eye : camera->section;
+    c->clip->from = eye ? camera->eye : centre;
     c->clip->dir = vec3_scale(1.0 / vec3_length(back), back);
     set_touching(c);
-    if (c->eye)
-        set_near_of_eye(c, camera, vec3_length(back) * largest);
+    if (eye)
+        set_near_of_eye(c, camera, vec3_length(back) * largest, epsilon);
+    else
+        set_section(c, view_clip_depth(c->clip, camera->section), epsilon);
     return true;
 }
 
@@ -915,7 +938,7 @@ bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const
     view_clip clip = {0};
     cutter c = {.clip = &clip, .from = scene};
     bool cut = false;
-    if (!set_near(&c, camera))
+    if (!set_near(&c, camera, 0.0))
         return false;
     for (size_t i = 0; i < count && !cut; i++)
         cut = depth_of(&c, P[i]) < clip.near;
@@ -923,12 +946,12 @@ bool view_is_cut(const roberts_scene *scene, const roberts_camera *camera, const
 }
 
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
-                               roberts_error *error)
+                               double epsilon, roberts_error *error)
 {
     roberts_status status = ROBERTS_NO_MEMORY;
     cutter c = {.clip = clip, .from = scene};
     *clip = (view_clip){0};
-    if (!set_near(&c, camera))
+    if (!set_near(&c, camera, epsilon))
         return ROBERTS_OK;
     c.depth = alloc_array(scene->vertex_count, sizeof *c.depth);
     if (!c.depth)

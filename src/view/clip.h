@@ -24,8 +24,8 @@ typedef struct view_clip {
      * clip.c. They ascend. */
     uint32_t *sheet;
     size_t sheet_count;
-    /* The near plane: view_clip_depth() is `near` there. from: the eye, or in a parallel view the point of the section;
-     * dir: unit vector toward the viewer. Model units. */
+    /* The near plane: view_clip_depth() is `near` there. from: the eye, or in a parallel view the scene's centre; dir:
+     * unit vector toward the viewer. Model units. */
     roberts_vec3 from, dir;
     double near;
     bool pieces;  /* faces of the scene have been cut into pieces before */
@@ -44,11 +44,12 @@ static inline plane view_clip_plane(const view_clip *clip, roberts_vec3 centre)
     return (plane){-clip->dir.x, -clip->dir.y, -clip->dir.z, view_clip_depth(clip, centre) - clip->near};
 }
 
-/* Clips `scene` for a camera. `clipped` becomes false for a parallel view without a section, and for a scene completely
- * beyond the near plane. Returns ROBERTS_OK, _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond
- * the plane. Does nothing if view_prepare() refuses the camera. */
+/* Clips `scene` for a camera. epsilon: touching distance of the view, model units; 0: choose it. `clipped` becomes
+ * false for a parallel view without a section, and for a scene completely beyond the near plane. Returns ROBERTS_OK,
+ * _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond the plane. Does nothing if view_prepare()
+ * refuses the camera. */
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
-                               roberts_error *error);
+                               double epsilon, roberts_error *error);
 void view_clip_free(view_clip *clip);
 
 /* Does the near plane cut off any of these points, of a scene with this box? */

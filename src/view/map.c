@@ -10,9 +10,6 @@
 #include "base/lanes.h"
 #include "base/vec.h"
 
-/* Touching distance as a fraction of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a
- * page). */
-#define EPSILON_OF_DIAMETER 1e-11
 /* The least touching distance, in ulps of the largest coordinate: for scenes far from the origin. */
 #define EPSILON_ULPS 16.0
 /* Fraction of the scene's diameter: the least distance of the eye from the scene, along the line of sight. As the

@@ -13,7 +13,7 @@ roberts_status seen_begin(seen *s, const roberts_scene *scene, const roberts_cam
                           roberts_error *error)
 {
     *s = (seen){.source = scene, .scene = scene};
-    roberts_status status = view_clip_scene(&s->clip, scene, camera, error);
+    roberts_status status = view_clip_scene(&s->clip, scene, camera, epsilon, error);
     if (status != ROBERTS_OK)
         return status;
     if (s->clip.clipped)

@@ -18,6 +18,10 @@
 #include "base/vec.h"
 #include "model/scene.h"
 
+/* Touching distance as a fraction of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a
+ * page). */
+#define EPSILON_OF_DIAMETER 1e-11
+
 enum { VIEW_UNKNOWN = 0, VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
 
 typedef struct view {

@@ -641,6 +641,12 @@ static void sections_are_cut(void **state)
     assert_string_equal(last.err, "");
     assert_int_equal(run("--section 0,-1,0 --view front --hatch faces=sections -o a.svg models/platonic/cube.off"), 0);
     assert_non_null(strstr(last.err, "--hatch has no effect: the near plane cuts no closed body\n"));
+    assert_non_null(strstr(last.err, "--section has no effect: nothing of the scene is nearer to the viewer than its "
+                                     "point\n"));
+    /* the eye is in the part of a solid that is cut off */
+    assert_int_equal(run("--eye 0,-0.95,0 --look-at 0,1,0 --section 0,0.9,0 -o a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--eye 0,-0.95,0 --look-at 0,1,0 --section 0,-0.95,0 -o a.svg models/platonic/cube.off"), 1);
 }
 
 /* Levels are counted only on request; a row that is not hidden has 0. */

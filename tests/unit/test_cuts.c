@@ -231,6 +231,50 @@ static void contacts_are_cut_as_what_is_behind_them(void **state)
     assert_true(all > 1000);
 }
 
+/* Through each corner of a face that the section is parallel to, the section is the same. The turn has rounded their
+ * coordinates. */
+static void faces_in_the_plane_are_cut_alike(void **state)
+{
+    rng r = {87};
+    (void)state;
+    for (int round = 0; round < 100; round++) {
+        model m = {0};
+        const mat3 turn = mat3_turn(&r);
+        while (m.mesh.vertex_count != 12) { /* an angle */
+            model_free(&m);
+            put_block(&m, &r);
+        }
+        model_map(&m, turn, (roberts_vec3){0, 0, 0});
+        roberts_scene *scene = model_build(&m);
+        double area[2][12];
+        for (int v = 0; v < 12; v++)
+            for (int way = 0; way < 2; way++) {
+                const roberts_camera camera = {.dir = vec3_scale(way ? 1 : -1, round % 2 ? turn.x : turn.y),
+                                               .section = m.mesh.vertex[v],
+                                               .has_section = true};
+                roberts_region_list list;
+                area[way][v] = 0.0;
+                if (roberts_regions(scene, &camera, NULL, &list, NULL) != ROBERTS_OK)
+                    continue; /* nothing lies beyond */
+                for (size_t i = 0; i < list.count; i++)
+                    area[way][v] += list.region[i].section ? list.region[i].area : 0.0;
+                roberts_regions_free(&list);
+            }
+        for (int v = 0; v < 12; v++)
+            for (int w = 0; w < v; w++) {
+                const roberts_vec3 apart = vec3_sub(m.mesh.vertex[v], m.mesh.vertex[w]);
+                if (fabs(vec3_dot(apart, round % 2 ? turn.x : turn.y)) > 0.1)
+                    continue;
+                for (int way = 0; way < 2; way++)
+                    if (fabs(area[way][v] - area[way][w]) > 1e-9)
+                        fail_msg("round %d: through vertex %d the section is %g large, through %d %g", round, v,
+                                 area[way][v], w, area[way][w]);
+            }
+        roberts_scene_free(scene);
+        model_free(&m);
+    }
+}
+
 /* A box with a facet without area, which the near plane cuts in two points at one place. Rounding may put them in
  * either order. */
 static void a_facet_without_area_is_cut(void **state)
@@ -533,6 +577,7 @@ int main(void)
         cmocka_unit_test(boxes_are_cut),
         cmocka_unit_test(what_is_taken_away_leaves_no_seam),
         cmocka_unit_test(contacts_are_cut_as_what_is_behind_them),
+        cmocka_unit_test(faces_in_the_plane_are_cut_alike),
         cmocka_unit_test(a_facet_without_area_is_cut),
         cmocka_unit_test(a_room_far_away),
         cmocka_unit_test(other_bodies_are_cut),

@@ -93,9 +93,9 @@ class time(Structure):
 class drawing(Structure):
     _fields_ = [("count", c_size_t), ("segment", c_void_p), ("crossing_count", c_size_t), ("crossing", c_void_p),
                 ("crossing_pairs", c_size_t), ("window_min", vec2), ("window_max", vec2), ("framed", c_bool),
-                ("windowed", c_bool), ("regions", c_void_p), ("epsilon", c_double), ("epsilon_reason", c_int),
-                ("scene_diameter", c_double), ("grid", c_uint32), ("grid_rows", c_uint32), ("solids", c_size_t),
-                ("culled_solids", c_size_t), ("front_faces", c_size_t), ("back_faces", c_size_t),
+                ("clipped", c_bool), ("windowed", c_bool), ("regions", c_void_p), ("epsilon", c_double),
+                ("epsilon_reason", c_int), ("scene_diameter", c_double), ("grid", c_uint32), ("grid_rows", c_uint32),
+                ("solids", c_size_t), ("culled_solids", c_size_t), ("front_faces", c_size_t), ("back_faces", c_size_t),
                 ("edge_on_faces", c_size_t), ("edges", c_size_t), ("surviving_edges", c_size_t), ("seams", c_size_t),
                 ("drawn_edges", c_size_t), ("tally", tally), ("view_time", time), ("grid_time", time),
                 ("hide_time", time), ("region_time", time), ("known_edge_count", c_size_t), ("known_edge", c_void_p),
