@@ -634,6 +634,94 @@ static bool join_lines(const cutter *c, cut_lines *lines)
     return enough;
 }
 
+/* Where more lines begin than end, or the other way round. If parity decides, `more` is 1 where their number is odd. */
+typedef struct loose_end {
+    uint32_t vertex;
+    int32_t more;
+} loose_end;
+
+/* Two loose ends, and how far apart they are. */
+typedef struct end_pair {
+    double distance;
+    uint32_t a, b; /* a line may go from a to b */
+} end_pair;
+
+/* Of more ends, none is joined: the cut is broken. */
+enum { ENDS_JOINED = 1000 };
+
+static int by_vertex(const void *pa, const void *pb)
+{
+    const loose_end *a = pa, *b = pb;
+    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+static int by_distance(const void *pa, const void *pb)
+{
+    const end_pair *a = pa, *b = pb;
+    if (a->distance != b->distance)
+        return a->distance < b->distance ? -1 : 1;
+    return a->a != b->a ? (a->a > b->a) - (a->a < b->a) : (a->b > b->b) - (a->b < b->b);
+}
+
+/* Lists the loose ends; `end` has room for two for each line. Returns how many there are. */
+static size_t find_loose_ends(const cut_lines *lines, loose_end *end)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < lines->count; i++) {
+        const cut_line *line = &lines->item[i];
+        const int32_t more = line->winding ? line->winding : 1;
+        end[2 * i] = (loose_end){line->from, more};
+        end[2 * i + 1] = (loose_end){line->to, line->winding ? -more : more};
+    }
+    qsort(end, 2 * lines->count, sizeof *end, by_vertex);
+    for (size_t i = 0, next; i < 2 * lines->count; i = next) {
+        loose_end all = end[i];
+        for (next = i + 1; next < 2 * lines->count && end[next].vertex == all.vertex; next++)
+            all.more += end[next].more;
+        if (lines->item[0].winding == 0)
+            all.more %= 2;
+        if (all.more != 0)
+            end[kept++] = all;
+    }
+    return kept;
+}
+
+/* Joins ends that rounding has left apart, the nearest ones first, so that all cuts go round. Lines end where as many
+ * begin, or, if parity decides, anywhere. False: no memory. */
+static bool close_gaps(const cutter *c, cut_lines *lines)
+{
+    const roberts_vec3 *point = c->clip->scene.point;
+    const bool parity = lines->item[0].winding == 0;
+    loose_end *end = alloc_array(2 * lines->count, sizeof *end);
+    const size_t ends = end ? find_loose_ends(lines, end) : 0;
+    size_t pairs = 0;
+    if (!end || ends < 2 || ends > ENDS_JOINED) {
+        free(end);
+        return end != NULL;
+    }
+    end_pair *pair = alloc_array(ends * ends, sizeof *pair);
+    for (uint32_t a = 0; pair && a < ends; a++)
+        for (uint32_t b = 0; b < ends; b++)
+            if (parity ? a < b : end[a].more < 0 && end[b].more > 0)
+                pair[pairs++] = (end_pair){vec3_length(vec3_sub(point[end[a].vertex], point[end[b].vertex])), a, b};
+    if (pairs > 1)
+        qsort(pair, pairs, sizeof *pair, by_distance);
+    bool enough = pair != NULL;
+    for (size_t i = 0; enough && i < pairs; i++) {
+        loose_end *a = &end[pair[i].a], *b = &end[pair[i].b];
+        while (enough && a->more != 0 && b->more != 0) {
+            enough = array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item);
+            if (enough)
+                lines->item[lines->count++] = (cut_line){a->vertex, b->vertex, parity ? 0 : 1, 0};
+            a->more += parity ? -1 : 1;
+            b->more -= 1;
+        }
+    }
+    free(pair);
+    free(end);
+    return enough;
+}
+
 /* Uses a line once, in both directions. */
 static void use_line(cut_line *both, size_t count, size_t i)
 {
@@ -737,7 +825,7 @@ static bool cap_lines(cutter *c, cut_lines *lines)
     size_t count = 0, uses = 0;
     cut_line *both = NULL;
     uint32_t *ring = NULL;
-    bool enough = join_lines(c, lines) && (both = alloc_array(2 * lines->count, sizeof *both));
+    bool enough = join_lines(c, lines) && close_gaps(c, lines) && (both = alloc_array(2 * lines->count, sizeof *both));
     for (size_t i = 0; enough && i < lines->count; i++) {
         const cut_line *own = &lines->item[i];
         const uint32_t times = own->winding == 0 ? 1 : (uint32_t)abs(own->winding);

@@ -571,6 +571,42 @@ static void one_sided_stars_are_cut(void **state)
     roberts_mesh_free(&mesh);
 }
 
+static double round_to(double x)
+{
+    return nearbyint(x * 1000.0) / 1000.0;
+}
+
+/* Where coordinates are rounded to three decimals, cuts of faces that cross themselves end some thousandths apart. The
+ * section changes no more than the body. */
+static void rounded_stars_are_cut(void **state)
+{
+    static const char *const models[] = {"models/star/great-stellated-dodecahedron.off",
+                                         "models/star/small-stellated-dodecahedron.off",
+                                         "models/star/great-icosahedron.off"};
+    rng r = {88};
+    (void)state;
+    for (int round = 0; round < 300; round++) {
+        const roberts_camera camera = {.dir = rng_vec3(&r, 1.0), .section = rng_vec3(&r, 0.3), .has_section = true};
+        const mat3 turn = mat3_turn(&r);
+        double area[2];
+        for (int rounded = 0; rounded < 2; rounded++) {
+            roberts_mesh mesh = mesh_of_file(models[round % 3]);
+            for (size_t v = 0; v < mesh.vertex_count; v++) {
+                roberts_vec3 *p = &mesh.vertex[v];
+                *p = mat3_map(turn, *p);
+                if (rounded)
+                    *p = (roberts_vec3){round_to(p->x), round_to(p->y), round_to(p->z)};
+            }
+            roberts_scene *scene = build_scene(&mesh);
+            area[rounded] = area_of_caps(scene, &camera);
+            roberts_scene_free(scene);
+        }
+        if (fabs(area[0] - area[1]) > 0.02)
+            fail_msg("round %d, %s: the section is %g large in place of %g", round, models[round % 3], area[1],
+                     area[0]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -588,6 +624,7 @@ int main(void)
         cmocka_unit_test(stars_are_cut_as_if_no_faces_crossed),
         cmocka_unit_test(rounded_joints_are_cut),
         cmocka_unit_test(one_sided_stars_are_cut),
+        cmocka_unit_test(rounded_stars_are_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
