@@ -73,6 +73,12 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
 
 /* ---- regions ---- */
 
+/* A segment of a drawing, and its body. */
+typedef struct drawn_segment {
+    uint32_t solid;
+    size_t number;
+} drawn_segment;
+
 /* A search for places in the regions of a view. */
 typedef struct region_search {
     const strokes *s;
@@ -80,8 +86,8 @@ typedef struct region_search {
     uint32_t view;
     pole_line *line; /* [count] scratch */
     size_t count, room;
-    const roberts_segment **drawn; /* [drawn_count] visible segments, by body */
-    size_t drawn_count, next;      /* next: the first of a body that is not done */
+    drawn_segment *drawn;     /* [drawn_count] visible segments, by body */
+    size_t drawn_count, next; /* next: the first of a body that is not done */
 } region_search;
 
 static bool add_line(region_search *w, roberts_vec2 a, roberts_vec2 b)
@@ -194,6 +200,7 @@ static void leave_border(region_search *w)
 static bool add_lines_of_body(region_search *w, const roberts_region_list *list, size_t first, size_t end,
                               size_t *border)
 {
+    const roberts_segment *segment = w->s->view[w->view].drawing->segment;
     const uint32_t solid = list->region[first].solid;
     bool enough = true;
     w->count = 0;
@@ -201,10 +208,12 @@ static bool add_lines_of_body(region_search *w, const roberts_region_list *list,
         enough = add_rings(w, list, &list->region[i]);
     leave_border(w);
     *border = w->count;
-    while (w->next < w->drawn_count && w->drawn[w->next]->solid < solid)
+    while (w->next < w->drawn_count && w->drawn[w->next].solid < solid)
         w->next++;
-    for (; enough && w->next < w->drawn_count && w->drawn[w->next]->solid == solid; w->next++)
-        enough = add_line(w, w->drawn[w->next]->p0, w->drawn[w->next]->p1);
+    for (; enough && w->next < w->drawn_count && w->drawn[w->next].solid == solid; w->next++) {
+        const roberts_segment *drawn = &segment[w->drawn[w->next].number];
+        enough = add_line(w, drawn->p0, drawn->p1);
+    }
     return enough;
 }
 
@@ -225,10 +234,10 @@ static bool add_body(region_search *w, const roberts_region_list *list, size_t f
 
 static int by_solid(const void *a, const void *b)
 {
-    const roberts_segment *p = *(const roberts_segment *const *)a, *q = *(const roberts_segment *const *)b;
+    const drawn_segment *p = a, *q = b;
     if (p->solid != q->solid)
         return p->solid < q->solid ? -1 : 1;
-    return (p > q) - (p < q);
+    return (p->number > q->number) - (p->number < q->number);
 }
 
 /* Lists the visible segments that are drawn. */
@@ -239,7 +248,7 @@ static bool list_drawn(region_search *w, const roberts_drawing *drawing)
     for (size_t i = 0; w->drawn && i < drawing->count + drawing->cut_count; i++) {
         const roberts_segment *segment = &drawing->segment[i];
         if (segment->state == ROBERTS_VISIBLE && strokes_has_place(w->s->options, segment, &line))
-            w->drawn[w->drawn_count++] = segment;
+            w->drawn[w->drawn_count++] = (drawn_segment){segment->solid, i};
     }
     if (w->drawn_count > 1)
         qsort(w->drawn, w->drawn_count, sizeof *w->drawn, by_solid);
