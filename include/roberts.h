@@ -315,12 +315,13 @@ typedef struct roberts_camera {
      * distance, and at least 1e-5 of the scene's diameter. Anything nearer than 1e-6 of the diameter is always cut
      * off. */
     double near_distance;
-    /** A section: anything nearer to the viewer than this point, along the axis of sight, is cut off. The near plane is
-     * the one through this point, unless that of `near_distance` is farther away. */
+    /** A section through this point of the model: everything nearer to the viewer, along the axis of sight, is cut off.
+     * In perspective, this plane or that of `near_distance` counts, whichever is farther from the eye. */
     roberts_vec3 section;
     bool has_section; /**< false: `section` is not used, and a parallel view has no near plane */
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
-     * its shorter side); 0 = the whole scene, but where the near plane cuts it, at most 60. */
+     * its shorter side); 0 = the whole scene, but where the plane at `near_distance` cuts it, at
+     * most 60. */
     double fov_degrees;
     double roll_degrees; /**< turns the drawing counter-clockwise */
 } roberts_camera;
@@ -457,10 +458,10 @@ typedef struct roberts_drawing {
                                      faces that are not edge-on */
     size_t crossing_pairs;      /**< pairs of faces that cross in these */
     roberts_vec2 window_min, window_max; /**< box of the scene's picture, hidden parts included; or the field of view */
-    bool framed;   /**< the window is the field of view: segments may reach beyond it, and are cut off there when drawn
-                        (see roberts_page_shape()) */
-    bool clipped;  /**< the near plane has cut something off the scene */
-    bool windowed; /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
+    bool framed;    /**< the window is the field of view: segments may reach beyond it, and are cut off there when drawn
+                         (see roberts_page_shape()) */
+    bool sectioned; /**< roberts_camera.section has cut something off */
+    bool windowed;  /**< set it to lay out the page by the window, beyond which nothing may reach unless `framed` */
     const struct roberts_region_list *regions; /**< borrowed: what is seen of each face, for fills, hatching and labels;
                                                     of the same scene and camera. NULL: not known. Set it before
                                                     drawing */
@@ -577,7 +578,7 @@ typedef struct roberts_region {
     roberts_vec3 normal; /**< unit normal of the face, on the side that is seen, in the viewer's axes: x to the right, y
                               upward, z toward the viewer */
     roberts_color color; /**< the face's colour in the input; if it has none, the mean of its corners' colours */
-    bool section;        /**< the cut of a closed body by the near plane */
+    bool section;        /**< true: no face, but the cut of a closed body by the near plane */
 } roberts_region;
 
 /** Directions in the plane of a face, for hatching that follows the faces. Faces in one plane have the same values. */
@@ -895,8 +896,8 @@ typedef struct roberts_hatching {
                        the others; default: 1, none do */
     /** Shorter strokes are left out, so the tone of small faces gets lighter: 0 to 1000; default: 0. */
     double shortest_mm;
-    /** Only sections have strokes, in the darkest tone. Those of every second body, by number, are turned by 90 degrees
-     * more, unless the bodies are drawn as one. Default: false */
+    /** Only sections have strokes, all in the darkest tone. In bodies with odd numbers they are turned by 90 degrees,
+     * unless the bodies are drawn as one; with `cross` at 0.5, both kinds look alike. Default: false */
     bool sections;
 } roberts_hatching;
 
@@ -952,8 +953,9 @@ typedef struct roberts_distance {
 /** Text on a page, in the pens `text` and `hidden_text`. A zeroed struct means no text. Letters are strokes of A. V.
  * Hershey's "simplex" fonts, Latin and Greek, close to ISO 3098; accents are composed. A character that the fonts lack
  * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, in faces, and in the
- * largest visible face of a body, or in the middle of one whose edges are not drawn, such as a round one. Where there
- * is room, none lies on a line or on another label. If a face or body is too narrow for its label, the label stands
+ * largest visible face of a body. Where another place in the body has at least half as much room again, such as the
+ * middle of a round body whose edges are not drawn, they lie there. Where there is room, none lies on a line or on
+ * another label. If a face or body is too narrow for its label, the label stands
  * nearby, and a leader line goes from it to a dot. Labels stay within the margins, or the frame of a field of view,
  * unless placement.scale is given; a drawing that is fitted leaves room for them. Hidden things are labelled only if
  * hidden lines are drawn. */

@@ -357,7 +357,8 @@ static void warn_pages(const cli_options *options, const options_given *given)
     const roberts_draw_options *draw = &options->draw;
     warn_lost(options);
     if (options_is_given(given, "light") && !draw->shaded && (!draw->hatching.on || draw->hatching.sections))
-        warn("--light", "nothing is shaded without --fill shade or --hatch");
+        warn("--light", draw->hatching.on ? "sections are hatched in one tone"
+                                          : "nothing is shaded without --fill shade or --hatch");
     for (size_t pen = 0; pen < PENS; pen++)
         if (values_pen(draw, pen)->number && !has_pen_number(options, pen)) {
             warn("pen= of --style", "only pens of hpgl and numbered layers of classes in svg have numbers");
@@ -516,11 +517,16 @@ static void warn_wide(const cli_options *options)
 {
     const roberts_page *page = &options->draw.page;
     const double side = page->width_mm < page->height_mm ? page->width_mm : page->height_mm;
+    bool told = false; /* of --style all */
     for (size_t i = 0; i < PENS; i++) {
         const roberts_pen *pen = values_pen(&options->draw, i);
-        if (!pen->off && values_pen_is_set(&options->draw, i) && pen->width_mm > widest_part * side)
-            fprintf(stderr, "roberts: warning: --style %s: a pen of %g mm is very wide for a page of %g x %g mm\n",
-                    values_pens[i], pen->width_mm, page->width_mm, page->height_mm);
+        const bool named = options->named_pens >> i & 1;
+        if (pen->off || !values_pen_is_set(&options->draw, i) || pen->width_mm <= widest_part * side ||
+            (told && !named))
+            continue;
+        fprintf(stderr, "roberts: warning: --style %s: a pen of %g mm is very wide for a page of %g x %g mm\n",
+                values_pens[named ? i : PENS], pen->width_mm, page->width_mm, page->height_mm);
+        told = told || !named;
     }
 }
 

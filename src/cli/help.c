@@ -17,9 +17,8 @@ static const char usage[] =
 static const char closing[] =
     "\n"
     "A model is a file in OFF, STL, OBJ or PLY; its content decides, not its name.\n"
-    "If an option is given twice, the last one counts; but --style, --field, --pick and --room-for may be given "
-    "several\n"
-    "times.\n"
+    "If an option is given twice, the last one counts; but --style, --field, --pick and\n"
+    "--room-for may be given several times.\n"
     "The program warns of an option that has no effect.\n"
     "Exit status: 0 done, 1 the input or the work failed, 2 misuse.\n"
     "\n"

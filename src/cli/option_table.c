@@ -596,14 +596,11 @@ static const option rows[] = {
      .manual =
          "Sets a pen. CLASS is outline, border, crease, intersection, wire, hidden, frame, symbol, hatch, text, "
          "hidden-text or all. width=MM is its width, color=COLOR its colour (as for --background). dash=DASH/GAP are "
-         "the "
-         "lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none draws "
-         "whole lines. pen=N is the number of the pen in hpgl, and of the layer with --layers numbered, where several "
-         "classes may share one; in hpgl they then follow one another. off leaves the class out, on brings it back. "
-         "All else keeps its place on the page, so "
-         "files for "
-         "one pen each fit together; only a frame and the symbol of a sheet must be in all of them or in none. May be "
-         "given several times.\n"
+         "the lengths of dashes and gaps in mm, as seen on paper; dash=DASH has gaps of a quarter of it; dash=none "
+         "draws whole lines. pen=N is the number of the pen in hpgl, and of the layer with --layers numbered, where "
+         "several classes may share one; in hpgl they then follow one another. off leaves the class out, on brings it "
+         "back. All else keeps its place on the page, so files for one pen each fit together; only a frame and the "
+         "symbol of a sheet must be in all of them or in none. May be given several times.\n"
          "The defaults are 0.5, 0.5, 0.35, 0.35, 0.35, 0.25, 0.7, 0.35, 0.25, 0.25 and 0.25 mm. All are black, but "
          "hidden-text is grey. Hidden lines have dashes of 3 mm and gaps of 0.75 mm; with another width= both "
          "change in proportion. The pens do not depend on the page: small or crowded pictures want thinner ones."},
@@ -640,7 +637,8 @@ static const option rows[] = {
          "shortest=MM: shorter strokes are left out. Meshes of small triangles have many of them where two tones meet. "
          "Small dark faces get lighter. Default: 0, none is.\n"
          "faces=all (the default). sections: only sections (--section, --near) have strokes, all of the darkest tone. "
-         "Those of every second body run across the others, unless --union draws all bodies as one.\n"
+         "Those of every second body run across the others, unless --union draws all bodies as one; with cross=0.5 "
+         "both look alike.\n"
          "off: no strokes."},
     {.group = GROUP_LINES,
      .name = "dash",
@@ -725,11 +723,11 @@ static const option rows[] = {
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
          "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, in the "
-         "middle of what is seen of its face, or in the largest face that is seen of its body; on a round body, whose "
-         "edges are left out, in the middle of the body. It keeps off lines and other labels where there is room. "
-         "If a face or body is too narrow, its label stands near by, with a leader line. A fitted drawing leaves room "
-         "for its labels. "
-         "Hidden things have no label; with --hidden, hidden vertices and edges have grey ones, in the class "
+         "middle of what is seen of its face, or in the largest face that is seen of its body; where another place "
+         "has much more room, such as the middle of a round body whose edges are left out, there. It keeps off lines "
+         "and other labels where there is room. If a face or body is too narrow, its label stands near by, with a "
+         "leader line. A fitted drawing leaves room for its labels. Hidden things have no label; with --hidden, hidden "
+         "vertices and edges have grey ones, in the class "
          "hidden-text. Edges that are not drawn have none. Where letters could not be read on a fill, a plate in the "
          "colour of the paper lies below them."},
     {.group = GROUP_TEXT,

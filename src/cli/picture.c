@@ -462,10 +462,11 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
         warn_of_inputs(options, "--crop has no effect: the near plane cuts the scene close to the eye");
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
-    if (options->camera.has_section && !v->drawing[0].clipped)
+    if (options->camera.has_section && !v->drawing[0].sectioned)
         warn_of_inputs(options, "--section has no effect: nothing of the scene is nearer to the viewer than its point");
     if (hint_wide_epsilon(options, &v->drawing[0], &width)) {
-        snprintf(text, sizeof text, "--epsilon is large for faces about %.2g wide: those narrower than it hide nothing",
+        snprintf(text, sizeof text,
+                 "--epsilon is large: faces are about %.2g wide, and those narrower than --epsilon hide nothing",
                  width);
         warn_of_inputs(options, text);
     }

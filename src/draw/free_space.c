@@ -372,15 +372,18 @@ static double segment_distance(roberts_vec2 p, roberts_vec2 a, roberts_vec2 b)
     return vec2_length(a.x + t * x - p.x, a.y + t * y - p.y);
 }
 
-/* How far the nearest line is from p: > 0 within the region (by the parity of crossings), < 0 outside. */
-static double depth_of(const pole_line *line, size_t count, size_t border, roberts_vec2 p)
+/* How far the nearest line is from p: > 0 within the region (by the parity of crossings), < 0 outside. Any number up to
+ * `most` stands for what is no more than that. */
+static double depth_of(const pole_line *line, size_t count, size_t border, roberts_vec2 p, double most)
 {
     double least = INFINITY;
     bool inside = false;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < border; i++)
+        inside ^= vec2_ray_crosses(p, line[i].a, line[i].b);
+    if (!inside && most >= 0.0)
+        return -INFINITY;
+    for (size_t i = 0; i < count && !(inside && least <= most); i++)
         least = fmin(least, segment_distance(p, line[i].a, line[i].b));
-        inside ^= i < border && vec2_ray_crosses(p, line[i].a, line[i].b);
-    }
     return inside ? least : -least;
 }
 
@@ -424,7 +427,7 @@ pole pole_find(const pole_line *line, size_t count, size_t border, const space_b
         for (int i = 0; i < GRID * GRID; i++) {
             const roberts_vec2 p = {from.x + (i % GRID + 0.5) / GRID * size.x,
                                     from.y + (i / GRID + 0.5) / GRID * size.y};
-            const double deep = depth_of(line, count, border, p),
+            const double deep = depth_of(line, count, border, p, most),
                          depth = within ? fmin(deep, depth_in_box(within, p)) : deep;
             const double off = half > 0.0 ? vec2_length(p.x - middle.x, p.y - middle.y) / half : 0.0;
             const double worth = depth > 0.0 ? depth * (1.0 - off_middle * off) : depth;

@@ -217,8 +217,8 @@ static bool add_lines_of_body(region_search *w, const roberts_region_list *list,
     return enough;
 }
 
-/* The label of a body stands across edges that are not drawn, as those of a round one, if there is this many times as
- * much room. */
+/* A body's label leaves its largest region for another place in the body that has this many times as much room, such as
+ * the middle of a round body, whose edges are not drawn. */
 static const double much_more_room = 1.5;
 
 static bool add_body(region_search *w, const roberts_region_list *list, size_t first, size_t end)

@@ -35,13 +35,13 @@ static bool is_cut(const hide_fronts *fronts, uint32_t vertex)
     return scene_vertex_number(fronts->scene, vertex) == ROBERTS_NONE && is_in_near(fronts, vertex);
 }
 
-typedef bool asked_fn(const hide_fronts *fronts, uint32_t vertex);
+typedef bool vertex_test(const hide_fronts *fronts, uint32_t vertex);
 
-static bool are_all(asked_fn *asked, const hide_fronts *fronts, uint32_t face)
+static bool all_corners(vertex_test *is, const hide_fronts *fronts, uint32_t face)
 {
     const roberts_scene *scene = fronts->scene;
     for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
-        if (!asked(fronts, scene->corner[k]))
+        if (!is(fronts, scene->corner[k]))
             return false;
     return true;
 }
@@ -137,7 +137,7 @@ static bool add_body(const hide_fronts *fronts, uint32_t body, line_list *to)
     bool enough = true, capped = false;
     for (int pass = 0; pass < 2 && !capped; pass++)
         for (uint32_t f = own->face; enough && f < own[1].face; f++) {
-            const bool cap = are_all(is_cut, fronts, f);
+            const bool cap = all_corners(is_cut, fronts, f);
             capped = capped || cap;
             if (cap || pass > 0)
                 enough = add_sides(fronts, body, f, to);
@@ -227,7 +227,7 @@ static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_
         if (fronts->culled[s] || !union_takes(scene, s))
             continue;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-            if (are_all(cut ? is_cut : is_in_near, fronts, f)) {
+            if (all_corners(cut ? is_cut : is_in_near, fronts, f)) {
                 const uint32_t first = scene->face_start[f];
                 caps->face[caps->count] = f;
                 caps->body[caps->count] = s;

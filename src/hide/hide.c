@@ -337,8 +337,9 @@ static void describe_scene(const hide_job *job, const roberts_camera *camera, ro
     drawing->edge_on_faces = fronts->edge_on;
     drawing->window_min = (roberts_vec2){fronts->low.x * unit, fronts->low.y * unit};
     drawing->window_max = (roberts_vec2){fronts->high.x * unit, fronts->high.y * unit};
-    drawing->clipped = job->seen.clip.clipped;
-    drawing->framed = view_frame(v, camera, job->seen.clip.clipped, &drawing->window_min, &drawing->window_max);
+    drawing->sectioned = job->seen.clip.clipped && job->seen.clip.section;
+    drawing->framed = view_frame(v, camera, job->seen.clip.clipped && !job->seen.clip.section, &drawing->window_min,
+                                 &drawing->window_max);
 }
 
 roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const roberts_camera *camera,

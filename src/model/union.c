@@ -102,8 +102,25 @@ bool union_prepare(union_bodies *all, const roberts_scene *scene, const roberts_
     return done;
 }
 
+bool union_set_near(union_bodies *all, plane near)
+{
+    const roberts_scene *scene = all->scene;
+    all->near = near;
+    all->near.d /= scene->unit;
+    all->cut = alloc_array(scene->solid_count, sizeof *all->cut);
+    for (uint32_t s = 0; all->cut && s < scene->solid_count; s++) {
+        uint32_t v = scene->solid[s].vertex;
+        while (v < scene->solid[s + 1].vertex &&
+               plane_at(all->near, union_place(scene, scene->point[v])) >= -(all->touch + all->departure[s]))
+            v++;
+        all->cut[s] = v < scene->solid[s + 1].vertex;
+    }
+    return all->cut != NULL;
+}
+
 void union_free(union_bodies *all)
 {
+    free(all->cut);
     free(all->departure);
     free(all->box);
     free(all->root);

@@ -77,8 +77,8 @@ typedef struct union_bodies {
     uint32_t bodies;   /* root of the tree over the closed bodies; ROBERTS_NONE: there are none */
     box_tree tree;
     int32_t *winding; /* [face_count] see winding_find() */
-    bool cut;         /* the near plane has cut the scene: */
-    plane near;       /* it; relative to the scene's centre, as all positions here */
+    bool *cut;        /* [solid_count] has the near plane cut the body? NULL: there is none */
+    plane near;       /* it */
 } union_bodies;
 
 typedef struct union_contact union_contact;
@@ -104,6 +104,10 @@ typedef struct union_work {
 /* Prepares the closed bodies of a scene. left: the scene, or what the near plane leaves of it; a body without vertices
  * there fills nothing. touch: the touching distance, model units. False: no memory. */
 bool union_prepare(union_bodies *all, const roberts_scene *scene, const roberts_scene *left, double touch);
+
+/* Tells of a near plane that has cut the scene; its distances are model units, its positions relative to the scene's
+ * centre. False: no memory. */
+bool union_set_near(union_bodies *all, plane near);
 
 /* Cuts a line of a closed body into work->piece. The pieces cover 0 to 1 without gaps, and adjacent pieces differ.
  * False: no memory. */

@@ -154,14 +154,14 @@ bool union_agree(const union_cutter *c, const union_side *a, const union_side *b
            vec3_length(vec3_cross(a->d, b->d)) * lesser(a->reach, b->reach) <= 2.0 * touch_of(c, a->body, b->body);
 }
 
-/* Adds a ray. Pieces of one face share one ray. False: no memory. */
-static bool add_ray(union_cutter *c, const union_contact *of, double way, double reach)
+/* Adds a ray. Pieces of one face share one ray. cut: see union_ray. False: no memory. */
+static bool add_ray(union_cutter *c, const union_contact *of, double way, double reach, bool cut)
 {
     union_work *work = c->work;
     roberts_vec3 d = vec3_scale(way, of->w);
     for (size_t i = 0; i < work->ray_count; i++) {
         union_ray *r = &work->ray[i];
-        if (r->side.body == of->body && r->plane == of->plane && vec3_dot(r->side.d, d) > 0.0) {
+        if (r->side.body == of->body && r->plane == of->plane && r->cut == cut && vec3_dot(r->side.d, d) > 0.0) {
             r->side.reach = greater(r->side.reach, reach);
             r->own = r->own || of->own;
             r->side.face = of->own || (!r->own && of->face < r->side.face) ? of->face : r->side.face;
@@ -171,22 +171,16 @@ static bool add_ray(union_cutter *c, const union_contact *of, double way, double
     if (!array_reserve(&work->ray, &work->ray_room, work->ray_count + 1, sizeof *work->ray))
         return false;
     double angle = atan2(vec3_dot(d, c->e2), vec3_dot(d, c->e1));
-    work->ray[work->ray_count++] =
-        (union_ray){{of->face, way > 0.0, of->body, d, reach}, angle, of->plane, 0, of->own, false};
+    work->ray[work->ray_count++] = (union_ray){
+        {of->face, way > 0.0, of->body, d, reach}, angle, cut ? ROBERTS_NONE : of->plane, 0, of->own && !cut, cut};
     return true;
 }
 
-/* Goes on with a face that lies in the near plane to the other side of its edge, as the sections of other bodies may.
- * False: no memory. */
+/* Adds a ray opposite to a face that lies in the near plane: sections of other bodies may continue the face beyond its
+ * edge. False: no memory. */
 static bool add_cut(union_cutter *c, const union_contact *of)
 {
-    union_contact on = *of;
-    on.plane = ROBERTS_NONE;
-    on.own = false;
-    if (!add_ray(c, &on, of->plus > 0.0 ? -1.0 : 1.0, c->all->diameter))
-        return false;
-    c->work->ray[c->work->ray_count - 1].cut = true;
-    return true;
+    return add_ray(c, of, of->plus > 0.0 ? -1.0 : 1.0, c->all->diameter, true);
 }
 
 static union_fill *fill_of(const union_work *work, uint32_t body)
@@ -212,8 +206,8 @@ static bool find_rays(union_cutter *c, double t, bool *alone)
             continue;
         fill_of(work, contact->body)->active = true;
         *alone = *alone && contact->body == first;
-        if ((contact->plus > 0.0 && !add_ray(c, contact, 1.0, contact->plus)) ||
-            (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus)) ||
+        if ((contact->plus > 0.0 && !add_ray(c, contact, 1.0, contact->plus, false)) ||
+            (contact->minus > 0.0 && !add_ray(c, contact, -1.0, contact->minus, false)) ||
             (contact->own && contact->face == c->in_near && !add_cut(c, contact)))
             return false;
     }
@@ -288,11 +282,12 @@ static int32_t step_past(const union_cutter *c, const union_fill *of, const unio
     return of->wound ? -winding_across(c->all, r->side.face, vec3_cross(c->u, r->side.d)) : 1;
 }
 
-/* Has the near plane, in which the line lies, taken away what is in this direction? */
-static bool is_taken(const union_cutter *c, roberts_vec3 w)
+/* Has the near plane, in which the line lies, taken away what is in this direction? What lies in the plane itself
+ * stays. reach: how far it extends that way. */
+static bool is_taken(const union_cutter *c, roberts_vec3 w, double reach)
 {
     const plane near = c->all->near;
-    return c->in_near != ROBERTS_NONE && vec3_dot((roberts_vec3){near.a, near.b, near.c}, w) < 0.0;
+    return c->in_near != ROBERTS_NONE && vec3_dot((roberts_vec3){near.a, near.b, near.c}, w) * reach < -c->touch;
 }
 
 /* Does the body fill the sector after cluster k? For a body that is not convex, each ray changes the answer. */
@@ -300,7 +295,7 @@ static bool fills(const union_cutter *c, const union_fill *of, double t, uint32_
 {
     const union_work *work = c->work;
     const roberts_vec3 w = vec3_add(vec3_scale(cos(middle), c->e1), vec3_scale(sin(middle), c->e2));
-    if (!of->active || of->broken || is_taken(c, w))
+    if (!of->active || of->broken || is_taken(c, w, c->all->diameter))
         return false;
     if (of->convex)
         return convex_fills(c, of, t, w);
@@ -383,17 +378,6 @@ static bool own_sides(const union_cutter *c, const union_piece *piece)
     return true;
 }
 
-/* Has the near plane cut the body? Then it has no edges left in that plane. */
-static bool is_cut(const union_cutter *c, uint32_t body)
-{
-    const scene_solid *own = &c->all->scene->solid[body];
-    uint32_t v = own->vertex;
-    while (v < own[1].vertex &&
-           plane_at(c->all->near, union_place(c->all->scene, c->all->scene->point[v])) >= -c->touch)
-        v++;
-    return v < own[1].vertex;
-}
-
 /* Is another line in this place drawn instead? */
 static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
 {
@@ -405,8 +389,8 @@ static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
         size_t k = 0;
         if (c->line->body != ROBERTS_NONE && r->side.body >= c->line->body)
             continue;
-        if (c->in_near != ROBERTS_NONE && is_cut(c, r->side.body))
-            continue;
+        if (c->in_near != ROBERTS_NONE && c->all->cut[r->side.body])
+            continue; /* it has no edges left in the near plane */
         while (k < work->ray_count &&
                (k == i || work->ray[k].side.body != r->side.body || work->ray[k].plane != r->plane))
             k++;
@@ -426,7 +410,7 @@ static const union_ray *folded_ray(const union_cutter *c, uint32_t k)
     for (size_t i = 0; i < work->ray_count; i++) {
         const union_ray *r = &work->ray[i];
         const union_fill *of = fill_of(work, r->side.body);
-        if (r->cluster == k && !r->cut && !of->convex && !of->broken && !is_taken(c, r->side.d) &&
+        if (r->cluster == k && !r->cut && !of->convex && !of->broken && !is_taken(c, r->side.d, r->side.reach) &&
             is_preferred(c, r, found))
             found = r;
     }

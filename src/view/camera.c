@@ -121,7 +121,7 @@ roberts_status roberts_window(const roberts_scene *scene, const roberts_camera *
         *min = (roberts_vec2){lesser(min->x, p.x), lesser(min->y, p.y)};
         *max = (roberts_vec2){greater(max->x, p.x), greater(max->y, p.y)};
     }
-    const bool field = view_frame(&v, camera, clip.clipped, min, max);
+    const bool field = view_frame(&v, camera, clip.clipped && !clip.section, min, max);
     if (framed)
         *framed = field;
 done:

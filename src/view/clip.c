@@ -29,6 +29,8 @@
 /* In ulps of the largest coordinate, the eye's included. A point nearer to the near plane than this lies in it; an eye
  * nearer to a face than this lies on it. */
 #define TOUCHING_ULPS 16.0
+/* A fraction of the scene's diameter: more touches nowhere, and is refused when all else is known. */
+#define TOUCHING_MOST 0.01
 /* How far corners of a cap may lie beside the near plane, as a part of its size: they do by rounding alone. */
 #define CAP_TOLERANCE 1e-9
 
@@ -44,7 +46,6 @@ typedef struct cutter {
     const roberts_scene *from;
     double touching; /* model units: a point nearer to the near plane than this lies in it, an eye nearer to a face lies
                         on it */
-    bool section;    /* the near plane is that of a section */
     scene_solid first; /* first vertex, face and edge of the current solid in the clipped scene */
     bool whole;        /* no vertex of the current solid is in front of the near plane: it is not cut */
     double *depth;     /* [vertex_count of from] see view_clip_depth() */
@@ -441,6 +442,8 @@ static bool add_cut(cutter *c, uint32_t face, const cut_line *line, uint32_t to_
 {
     view_clip *clip = c->clip;
     if (!bounds_cap(c, face)) {
+        if (c->from->surface->kind[scene_body_of_face(c->from, face)] != ROBERTS_CLOSED)
+            return true; /* it has no cap, and all its cuts are drawn */
         if (!array_reserve(&clip->sheet, &c->sheet_room, clip->sheet_count + 1, sizeof *clip->sheet))
             return false;
         clip->sheet[clip->sheet_count++] = to_face;
@@ -634,10 +637,11 @@ static bool join_lines(const cutter *c, cut_lines *lines)
     return enough;
 }
 
-/* Where more lines begin than end, or the other way round. If parity decides, `more` is 1 where their number is odd. */
+/* A vertex where cuts do not close. */
 typedef struct loose_end {
     uint32_t vertex;
-    int32_t more;
+    int32_t
+        more; /* how many more lines begin there than end; < 0: more end. If parity decides, 1: an odd number meet */
 } loose_end;
 
 /* Two loose ends, and how far apart they are. */
@@ -646,7 +650,7 @@ typedef struct end_pair {
     uint32_t a, b; /* a line may go from a to b */
 } end_pair;
 
-/* Of more ends, none is joined: the cut is broken. */
+/* With more loose ends than this, none is joined: their pairs would take too much memory and time. */
 enum { ENDS_JOINED = 1000 };
 
 static int by_vertex(const void *pa, const void *pb)
@@ -686,8 +690,9 @@ static size_t find_loose_ends(const cut_lines *lines, loose_end *end)
     return kept;
 }
 
-/* Joins ends that rounding has left apart, the nearest ones first, so that all cuts go round. Lines end where as many
- * begin, or, if parity decides, anywhere. False: no memory. */
+/* Joins ends that rounding has left apart, the nearest pairs first, so that all cuts are closed. A new line goes from
+ * where too many lines end to where too many begin; if parity decides, its direction does not matter. How far apart
+ * they are does not matter either: a cap has to be closed. False: no memory. */
 static bool close_gaps(const cutter *c, cut_lines *lines)
 {
     const roberts_vec3 *point = c->clip->scene.point;
@@ -709,13 +714,14 @@ static bool close_gaps(const cutter *c, cut_lines *lines)
     bool enough = pair != NULL;
     for (size_t i = 0; enough && i < pairs; i++) {
         loose_end *a = &end[pair[i].a], *b = &end[pair[i].b];
-        while (enough && a->more != 0 && b->more != 0) {
-            enough = array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item);
-            if (enough)
-                lines->item[lines->count++] = (cut_line){a->vertex, b->vertex, parity ? 0 : 1, 0};
-            a->more += parity ? -1 : 1;
-            b->more -= 1;
-        }
+        const int32_t times = parity ? (a->more != 0 && b->more != 0) : -a->more < b->more ? -a->more : b->more;
+        if (times == 0)
+            continue;
+        enough = array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item);
+        if (enough)
+            lines->item[lines->count++] = (cut_line){a->vertex, b->vertex, parity ? 0 : times, 0};
+        a->more += parity ? -times : times;
+        b->more -= times;
     }
     free(pair);
     free(end);
@@ -751,34 +757,17 @@ static size_t add_loop(cut_line *both, size_t count, uint32_t start, uint32_t *r
         ring[length++] = at;
     }
     if (at != start)
-        ring[length++] = start; /* left open by rounding: closed by a straight line */
+        ring[length++] = start; /* only where close_gaps() has left too many ends */
     ring[length++] = ring[0];
     return length;
 }
 
-/* Returns how many paths begin where line i does, the first one there. If parity decides, a path does if the number of
- * lines is odd; otherwise as many do as more lines begin there than end there. */
-static int64_t paths_from(const cut_line *both, size_t count, size_t i)
-{
-    int64_t all = 0, ahead = 0;
-    for (size_t k = i; k < count && both[k].from == both[i].from; k++) {
-        all += both[k].left;
-        ahead += both[k].winding > 0 ? (int64_t)both[k].left : -(int64_t)both[k].left;
-    }
-    return both[i].winding == 0 ? all % 2 : ahead;
-}
-
-/* Joins all lines into one ring. What rounding leaves open is walked from end to end, then come closed loops. Between
- * them, the ring goes to its first vertex and back: a path that runs both ways bounds nothing. `both` lists each line
- * in both directions, sorted. With a winding, it is used in the direction in which that is positive. */
+/* Joins all lines into one ring. Between loops, it goes to its first vertex and back: a path that runs both ways bounds
+ * nothing. `both` lists each line in both directions, sorted. With a winding, it is used in the direction in which that
+ * is positive. */
 static size_t make_ring(cut_line *both, size_t count, uint32_t *ring)
 {
     size_t length = 0;
-    for (size_t i = 0; i < count; i++) {
-        const bool first = i == 0 || both[i].from != both[i - 1].from;
-        for (int64_t paths = first ? paths_from(both, count, i) : 0; paths > 0; paths--)
-            length = add_loop(both, count, both[i].from, ring, length);
-    }
     for (size_t i = 0; i < count; i++)
         while (both[i].left > 0 && both[i].winding >= 0)
             length = add_loop(both, count, both[i].from, ring, length);
@@ -877,7 +866,7 @@ static roberts_status cut_solid(cutter *c, uint32_t solid, uint32_t *map, robert
         c->whole = c->whole && c->depth[v] >= c->clip->near;
     if (!scene_is_convex(from, solid))
         return cut_body(c, solid, map) ? ROBERTS_OK : error_no_memory(error);
-    if (!c->section && holds_eye(c, solid))
+    if (!c->clip->section && holds_eye(c, solid))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is inside solid %u; move it out of all solids",
                          (unsigned)solid);
     if (!cut_vertices(c, solid))
@@ -947,13 +936,14 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
         status = cut_solid(c, s, map, error);
     to->solid[to->solid_count] = (scene_solid){to->vertex_count, to->face_count, to->edge_count, to->edge_count};
     if (status == ROBERTS_OK && to->vertex_count == 0)
-        status = c->section ? error_set(error, ROBERTS_BAD_VIEW, 0,
-                                        "nothing of the scene lies beyond the section; move its point away from the "
-                                        "viewer")
-                            : error_set(error, ROBERTS_BAD_VIEW, 0,
-                                        "nothing of the scene lies in front of the eye, beyond the near plane at a "
-                                        "distance of %.6g; move the eye, the look-at point or the near plane",
-                                        c->clip->near);
+        status = c->clip->section
+                     ? error_set(error, ROBERTS_BAD_VIEW, 0,
+                                 "nothing of the scene lies beyond the section; move its point away from the "
+                                 "viewer")
+                     : error_set(error, ROBERTS_BAD_VIEW, 0,
+                                 "nothing of the scene lies in front of the eye, beyond the near plane at a "
+                                 "distance of %.6g; move the eye, the look-at point or the near plane",
+                                 c->clip->near);
     free(map);
     return status;
 }
@@ -975,11 +965,11 @@ static void set_touching(cutter *c)
  * the plane only to within the touching distance of the view. */
 static void set_section(cutter *c, double depth, double epsilon)
 {
-    c->section = true;
+    c->clip->section = true;
     c->clip->near = depth;
     if (!(epsilon > 0.0))
         epsilon = greater(EPSILON_OF_DIAMETER * diameter_of(c->from), scene_step(c->from));
-    c->touching = greater(c->touching, epsilon);
+    c->touching = greater(c->touching, lesser(epsilon, TOUCHING_MOST * diameter_of(c->from)));
 }
 
 /* Sets the near plane of a view from an eye. distance: of the look-at point. */
@@ -1007,7 +997,7 @@ static bool set_near(cutter *c, const roberts_camera *camera, double epsilon)
     if (eye)
         back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
     double largest = vec3_largest(back);
-    if (!vec3_is_finite(back) || !(largest > 0.0) || !isfinite(camera->near_distance) ||
+    if (!vec3_is_finite(back) || !(largest > 0.0) || (eye && !isfinite(camera->near_distance)) ||
         (camera->has_section && !vec3_is_finite(camera->section)))
         return false;
     back = (roberts_vec3){back.x / largest, back.y / largest, back.z / largest};

@@ -24,12 +24,13 @@ typedef struct view_clip {
      * clip.c. They ascend. */
     uint32_t *sheet;
     size_t sheet_count;
-    /* The near plane: view_clip_depth() is `near` there. from: the eye, or in a parallel view the scene's centre; dir:
-     * unit vector toward the viewer. Model units. */
+    /* The near plane: points in it have the depth `near` (view_clip_depth()). from: the eye, or in a parallel view the
+     * scene's centre; dir: unit vector toward the viewer. Model units. */
     roberts_vec3 from, dir;
     double near;
     bool pieces;  /* faces of the scene have been cut into pieces before */
     bool clipped; /* false: nothing is cut, and there are no arrays */
+    bool section; /* the plane is that of camera->section */
 } view_clip;
 
 /* How much farther than clip->from a point lies, along the axis of sight. */
@@ -46,8 +47,8 @@ static inline plane view_clip_plane(const view_clip *clip, roberts_vec3 centre)
 
 /* Clips `scene` for a camera. epsilon: touching distance of the view, model units; 0: choose it. `clipped` becomes
  * false for a parallel view without a section, and for a scene completely beyond the near plane. Returns ROBERTS_OK,
- * _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond the plane. Does nothing if view_prepare()
- * refuses the camera. */
+ * _NO_MEMORY or _BAD_VIEW: the eye is inside a solid, or nothing lies beyond the plane. If the camera is
+ * invalid, so is the result; view_prepare() refuses it. */
 roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, const roberts_camera *camera,
                                double epsilon, roberts_error *error);
 void view_clip_free(view_clip *clip);

@@ -92,9 +92,8 @@ bool seen_unite(seen *s, const unsigned char *culled, uint32_t threads)
     const walked w = {s, culled};
     if (!union_prepare(&s->bodies, s->source, s->scene, s->view.epsilon * s->view.unit))
         return false;
-    s->bodies.cut = s->clip.clipped;
-    s->bodies.near = view_clip_plane(&s->clip, s->source->centre);
-    s->bodies.near.d *= s->view.per_unit;
+    if (s->clip.clipped && !union_set_near(&s->bodies, view_clip_plane(&s->clip, s->source->centre)))
+        return false;
     return united_find_edges(&s->edges, &s->bodies, is_walked, &w, threads);
 }
 

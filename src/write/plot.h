@@ -14,7 +14,8 @@ typedef struct plotter {
     /* Called when about SEGMENTS_PER_STROKE segments have been drawn since `begin` or the last call. `last`: the class
      * ends. */
     void (*part)(void *context, bool last);
-    /* The pen of a class. Classes with one pen follow one another, since some plotters change pens by hand. */
+    /* The pen of a class. Classes that share a pen are drawn one after another, since some plotters change pens by
+     * hand. NULL: classes keep their order. */
     uint32_t (*pen)(void *context, roberts_line line);
     void *context;
 } plotter;

@@ -9,6 +9,7 @@ import gc
 import html
 import io
 import os
+import pickle
 import re
 import subprocess
 import sys
@@ -131,6 +132,8 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(OSError, "^none.off: ") as caught:
             roberts.read("none.off")
         self.assertIsInstance(caught.exception, roberts.FileError)
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((type(again), again.file, str(again)), (roberts.FileError, "none.off", str(caught.exception)))
         triangle = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
         for vertices, faces, status in ((triangle, [[0, 1, 3]], "BAD_INDEX"), ([[np.nan, 0, 0]], [[0]], "BAD_NUMBER")):
             with self.assertRaises(roberts.Error) as caught:

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/orient.h"
+#include "draw/label_targets.h"
 #include "draw/free_space.h"
 #include "draw/strokes.h"
 #include "drawing.h"
@@ -593,33 +594,31 @@ static void narrow_faces(void **state)
     }
 }
 
-/* The name of a round body is far wider than each of its faces, whose edges are not drawn: it stands in the middle of
- * the body. That of a box, of which three faces of one size are seen, stands on the highest. */
+/* The label of a round body, whose edges are not drawn, belongs in the middle of the body. That of a box, of which
+ * three faces of one size are seen, belongs in the highest. */
 static void bodies_are_more_than_their_faces(void **state)
 {
-    static const roberts_name name[] = {{ROBERTS_LABEL_BODIES, 0, 0, "wider than a face"}};
     static const struct {
         const char *model;
-        double x[2], y[2]; /* mm: where the middle of its name lies on a page of 100 x 100 */
-    } row[] = {{"models/sphere.off", {47, 53}, {47, 53}}, {"models/platonic/cube.off", {40, 60}, {15, 45}}};
+        double x[2], y[2]; /* mm: where the label belongs on a page of 100 x 100 */
+    } row[] = {{"models/sphere.off", {47, 53}, {47, 53}}, {"models/platonic/cube.off", {45, 55}, {20, 32}}};
     const roberts_camera camera = preset_camera("iso");
     (void)state;
     for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
         told warnings = {0};
         roberts_draw_options options = options_of(0, 0, &warnings);
+        targets found = {0};
         cube c;
         strokes s;
         options.page = (roberts_page){100, 100, 2};
-        options.lettering.name = name;
-        options.lettering.name_count = 1;
         see_model_to(&c, row[n].model, &camera, 30);
         assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
-        assert_int_equal(s.notes.count, 1);
-        assert_int_equal(s.notes.lines.count, 0);
-        const space_box box = letters_box(notes_line(&s.notes, 0));
-        const double x = (box.min.x + box.max.x) / 2, y = (box.min.y + box.max.y) / 2;
-        if (!(x > row[n].x[0] && x < row[n].x[1] && y > row[n].y[0] && y < row[n].y[1]))
-            fail_msg("%s: its name stands at %g, %g", row[n].model, x, y);
+        assert_true(targets_find(&s, ROBERTS_LABEL_BODIES, &found));
+        assert_int_equal(found.count, 1);
+        const roberts_vec2 at = found.item[0].at;
+        if (!(at.x > row[n].x[0] && at.x < row[n].x[1] && at.y > row[n].y[0] && at.y < row[n].y[1]))
+            fail_msg("%s: the label belongs at %g, %g", row[n].model, at.x, at.y);
+        free(found.item);
         strokes_free(&s);
         free_cube(&c);
     }

@@ -127,7 +127,31 @@ static void tiny_sides_change_nothing(void **state)
     assert_true(all > 5000);
 }
 
-/* Signs of turns at corners this close contradict one another in doubles: a hull of them had too little room. */
+/* Two faces cross. A corner of one has a twin, and both have one picture: that side of it separates nothing. */
+static void faces_with_twins_cross(void **state)
+{
+    const roberts_camera camera = {.dir = {1, -1, 1}};
+    (void)state;
+    roberts_scene *scene = scene_of_text("OFF\n"
+                                         "8 2 0\n"
+                                         "0.24 0.15 0\n"
+                                         "0.24000000000000002 0.15 0\n"
+                                         "4 -2 -4\n"
+                                         "-4 -2 -4\n"
+                                         "1 -4 2\n"
+                                         "1 4 2\n"
+                                         "1 4 -6\n"
+                                         "1 -4 -6\n"
+                                         "4 0 1 2 3\n"
+                                         "4 4 5 6 7\n");
+    roberts_drawing d = drawing_of(scene, &camera, NULL);
+    assert_int_equal(d.crossing_count, 1);
+    roberts_drawing_free(&d);
+    roberts_scene_free(scene);
+}
+
+/* Signs of turns at corners this close contradict one another in doubles: a hull of them had too little
+ * room, as the address sanitizer shows. */
 static void hull_of_close_corners(void **state)
 {
     (void)state;
@@ -144,6 +168,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tiny_sides_change_nothing),
+        cmocka_unit_test(faces_with_twins_cross),
         cmocka_unit_test(hull_of_close_corners),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

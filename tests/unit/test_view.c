@@ -241,10 +241,12 @@ static void turning_goes_about_the_centre(void **state)
         double degrees = i % 3 == 0 ? 90.0 * rng_int(&r, -4, 4) : rng_between(&r, -360, 360);
         camera.eye = vec3_add(camera.eye, centre);
         camera.look_at = vec3_add(camera.look_at, centre);
+        camera.section = vec3_add(centre, rng_vec3(&r, 1.0));
         turned = camera;
         roberts_camera_turn(scene, degrees, &turned);
         view v = prepare(scene, &camera), w = prepare(scene, &turned);
         double c = cos(degrees * atan(1) / 45), s = sin(degrees * atan(1) / 45);
+        assert_true(distance3(view_point(&v, camera.section), view_point(&w, turned.section)) < 10 * ROUNDING);
         for (int k = 0; k < 8; k++) {
             roberts_vec3 d = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
             roberts_vec3 t = {c * d.x - s * d.y, s * d.x + c * d.y, d.z};

@@ -689,7 +689,7 @@ class _Page:
             self.warned.said.append("shaded has no effect: nothing is filled without fill")
         if "light" in given:
             o.light = _vector(given.pop("light"), "light")
-            if not (o.shaded and o.fill or o.hatching.on):
+            if not (o.shaded and o.fill or o.hatching.on and not o.hatching.sections):
                 self.warned.said.append("light has no effect: nothing is shaded without a shaded fill or hatch")
         for name in _names(given.pop("labels", ())):
             o.lettering.labels |= _choice(_LABELS, name, "labels")

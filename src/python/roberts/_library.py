@@ -93,7 +93,7 @@ class time(Structure):
 class drawing(Structure):
     _fields_ = [("count", c_size_t), ("segment", c_void_p), ("crossing_count", c_size_t), ("crossing", c_void_p),
                 ("crossing_pairs", c_size_t), ("window_min", vec2), ("window_max", vec2), ("framed", c_bool),
-                ("clipped", c_bool), ("windowed", c_bool), ("regions", c_void_p), ("epsilon", c_double),
+                ("sectioned", c_bool), ("windowed", c_bool), ("regions", c_void_p), ("epsilon", c_double),
                 ("epsilon_reason", c_int), ("scene_diameter", c_double), ("grid", c_uint32), ("grid_rows", c_uint32),
                 ("solids", c_size_t), ("culled_solids", c_size_t), ("front_faces", c_size_t), ("back_faces", c_size_t),
                 ("edge_on_faces", c_size_t), ("edges", c_size_t), ("surviving_edges", c_size_t), ("seams", c_size_t),
@@ -242,9 +242,12 @@ class Error(Exception):
         self.status, self.file, self.line, self.message = status, file, line, message
         super().__init__(place(file, line) + message)
 
+    def __reduce__(self):
+        return type(self), (self.status, self.file, self.line, self.message)
+
 
 class FileError(Error, OSError):
-    """A file that cannot be read or written."""
+    """A file that cannot be read or written. It is an OSError, but errno is None."""
 
 
 class RobertsWarning(UserWarning):
