@@ -643,6 +643,11 @@ static void sections_are_cut(void **state)
     assert_non_null(strstr(last.err, "--hatch has no effect: the near plane cuts no closed body\n"));
     assert_non_null(strstr(last.err, "--section has no effect: nothing of the scene is nearer to the viewer than its "
                                      "point\n"));
+    assert_int_equal(run("--eye 0,-9,0 --near 8.5 --section 0,-5,0 -o a.svg models/platonic/cube.off"), 0);
+    assert_non_null(strstr(last.err, "--section has no effect"));
+    /* the picture is not cut at a field of view, as near the eye */
+    assert_int_equal(run("--eye 0,-1.8,0 --section 0,-0.5,0 --crop -o a.svg models/platonic/cube.off"), 0);
+    assert_string_equal(last.err, "");
     /* the eye is in the part of a solid that is cut off */
     assert_int_equal(run("--eye 0,-0.95,0 --look-at 0,1,0 --section 0,0.9,0 -o a.svg models/platonic/cube.off"), 0);
     assert_string_equal(last.err, "");
