@@ -602,7 +602,8 @@ int values_set_style(const option *o, const char *value, cli_options *options)
         if (!fits)
             return message_misuse("--style: \"%s...\" is too long", word);
         for (size_t pen = i < PENS ? i : 0; pen < (i < PENS ? i + 1 : PENS) && status == EXIT_DONE; pen++)
-            status = set_key((roberts_pen *)((char *)&options->draw + pen_fields[pen]), word);
+            if (i < PENS || pen != PEN_FRAME || strcmp(word, "on") != 0) /* --frame draws a frame */
+                status = set_key((roberts_pen *)((char *)&options->draw + pen_fields[pen]), word);
     }
     if (i < PENS)
         options->named_pens |= 1u << i;
