@@ -320,8 +320,8 @@ typedef struct roberts_camera {
     roberts_vec3 section;
     bool has_section; /**< false: `section` is not used, and a parallel view has no near plane */
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
-     * its shorter side); 0 = the whole scene, but where the plane at `near_distance` cuts it, at
-     * most 60. */
+     * its shorter side); 0 = the whole scene, but where the plane at `near_distance` cuts it, at most
+     * 60. */
     double fov_degrees;
     double roll_degrees; /**< turns the drawing counter-clockwise */
 } roberts_camera;
@@ -955,10 +955,9 @@ typedef struct roberts_distance {
  * is drawn as a box, and a warning counts such characters. Labels lie beside vertices and edges, in faces, and in the
  * largest visible face of a body. Where another place in the body has at least half as much room again, such as the
  * middle of a round body whose edges are not drawn, they lie there. Where there is room, none lies on a line or on
- * another label. If a face or body is too narrow for its label, the label stands
- * nearby, and a leader line goes from it to a dot. Labels stay within the margins, or the frame of a field of view,
- * unless placement.scale is given; a drawing that is fitted leaves room for them. Hidden things are labelled only if
- * hidden lines are drawn. */
+ * another label. If a face or body is too narrow for its label, the label stands nearby, and a leader line goes from it
+ * to a dot. Labels stay within the margins, or the frame of a field of view, unless placement.scale is given; a drawing
+ * that is fitted leaves room for them. Hidden things are labelled only if hidden lines are drawn. */
 typedef struct roberts_lettering {
     double height_mm; /**< of capitals, 0.5 to 100; 0 = 3.5, labels 2.5 or 1.8 where there is little room */
     bool native;      /**< SVG, PDF, TikZ and DXF: text in a font of the viewer, so that it can be searched and

@@ -355,8 +355,7 @@ const char *hint_empty(const cli_options *options, const roberts_drawing *drawin
         return "from so far away the whole scene is smaller than the touching distance; bring --eye nearer, or set "
                "--epsilon";
     return "no line of the scene is seen from there; --eye, --look-at, --near and --section say what is in front of "
-           "the "
-           "eye";
+           "the eye";
 }
 
 /* A face that the input does not have is the cut of the near plane (or belongs to a hull). roberts_pick() takes as long

@@ -581,6 +581,18 @@ bool values_pen_is_set(const roberts_draw_options *draw, size_t pen)
            a->green != b->green || a->blue != b->blue;
 }
 
+/* One key=value, or a key alone, of a class; of PENS: of all classes. */
+static int set_in_class(cli_options *options, size_t class, const char *item)
+{
+    int status = EXIT_DONE;
+    if (class < PENS)
+        return set_key((roberts_pen *)((char *)&options->draw + pen_fields[class]), item);
+    for (size_t pen = 0; pen < PENS && status == EXIT_DONE; pen++)
+        if (pen != PEN_FRAME || strcmp(item, "on") != 0) /* --frame draws a frame */
+            status = set_in_class(options, pen, item);
+    return status;
+}
+
 int values_set_style(const option *o, const char *value, cli_options *options)
 {
     char word[64];
@@ -599,11 +611,7 @@ int values_set_style(const option *o, const char *value, cli_options *options)
         return message_misuse("--style: \"%s\": there is a comma between two values%s", value, point_meant(rest));
     while (rest && status == EXIT_DONE) {
         rest = parse_word(rest, ',', word, sizeof word, &fits);
-        if (!fits)
-            return message_misuse("--style: \"%s...\" is too long", word);
-        for (size_t pen = i < PENS ? i : 0; pen < (i < PENS ? i + 1 : PENS) && status == EXIT_DONE; pen++)
-            if (i < PENS || pen != PEN_FRAME || strcmp(word, "on") != 0) /* --frame draws a frame */
-                status = set_key((roberts_pen *)((char *)&options->draw + pen_fields[pen]), word);
+        status = fits ? set_in_class(options, i, word) : message_misuse("--style: \"%s...\" is too long", word);
     }
     if (i < PENS)
         options->named_pens |= 1u << i;

@@ -27,10 +27,6 @@
  */
 #define REFINE_ROUNDINGS (16.0 * 0.5 * DBL_EPSILON)
 
-/* Fraction of the scene's diameter: the largest touching distance accepted. Beyond it, "on" would mean a visible
- * length. */
-#define EPSILON_MOST 0.01
-
 /* Epsilons along the edge: a hidden part with a reach of at most this beyond its end needs no closer look. Cells and
  * boxes are widened by the same amount. */
 #define REACH_PLAIN 4.0

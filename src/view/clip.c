@@ -17,6 +17,7 @@
 #include "model/face_pieces.h"
 #include "model/face_plane.h"
 #include "model/winding.h"
+#include "view/cut_ring.h"
 #include "view/view.h"
 
 /* The default distance of the near plane: this fraction of the look-at point's distance, and at least this fraction of
@@ -29,8 +30,6 @@
 /* In ulps of the largest coordinate, the eye's included. A point nearer to the near plane than this lies in it; an eye
  * nearer to a face than this lies on it. */
 #define TOUCHING_ULPS 16.0
-/* A fraction of the scene's diameter: more touches nowhere, and is refused when all else is known. */
-#define TOUCHING_MOST 0.01
 /* How far corners of a cap may lie beside the near plane, as a part of its size: they do by rounding alone. */
 #define CAP_TOLERANCE 1e-9
 
@@ -418,18 +417,6 @@ static bool add_plane_of(cutter *c, uint32_t plane_of)
     return true;
 }
 
-/* A stretch of the cut, where a clipped face ends in the plane. */
-typedef struct cut_line {
-    uint32_t from, to;
-    int32_t winding; /* how often it counts from `from` to `to`; 0: parity decides what the body fills */
-    uint32_t left;   /* how often it is still to be used in the ring of the cap */
-} cut_line;
-
-typedef struct cut_lines {
-    cut_line *item;
-    size_t count, room;
-} cut_lines;
-
 /* Does the cut of a piece bound a cap? If parity decides, the middle of a pentagram, which counts twice, does not. */
 static bool bounds_cap(const cutter *c, uint32_t face)
 {
@@ -570,210 +557,6 @@ static bool cut_body_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *
     return true;
 }
 
-static int compare_lines(const void *pa, const void *pb)
-{
-    const cut_line *a = pa, *b = pb;
-    if (a->from != b->from)
-        return a->from < b->from ? -1 : 1;
-    if (a->to != b->to)
-        return a->to < b->to ? -1 : 1;
-    return (a->winding > b->winding) - (a->winding < b->winding);
-}
-
-/* Moves the vertices that begin or end an odd number of lines, or all, to the front, each once, ascending. Returns how
- * many. */
-static size_t keep_ends(uint32_t *vertex, size_t count, bool all)
-{
-    size_t odd = 0;
-    qsort(vertex, count, sizeof *vertex, compare_u32);
-    for (size_t i = 0, next; i < count; i = next) {
-        for (next = i + 1; next < count && vertex[next] == vertex[i];)
-            next++;
-        if (all || (next - i) % 2)
-            vertex[odd++] = vertex[i];
-    }
-    return odd;
-}
-
-/* Where vertices lie on an edge of the body, cuts of that edge and of its parts coincide, except that the coordinates
- * may have been rounded. Replaces each of them by the smallest one, so that lines which meet there have a common end.
- * False: no memory. */
-static bool join_lines(const cutter *c, cut_lines *lines)
-{
-    const roberts_vec3 *point = c->clip->scene.point;
-    const double touching = greater(c->touching, scene_step(c->from));
-    const size_t ends = 2 * lines->count;
-    uint32_t *end = alloc_array(ends, sizeof *end), *first = alloc_array(ends, sizeof *first);
-    point_grid grid = {0};
-    point_list near = {0};
-    size_t odd = 0;
-    bool enough = end && first;
-    for (size_t i = 0; enough && i < lines->count; i++) {
-        end[2 * i] = lines->item[i].from;
-        end[2 * i + 1] = lines->item[i].to;
-    }
-    if (enough && (odd = keep_ends(end, ends, lines->item[0].winding != 0)) > 0)
-        enough = point_grid_build(&grid, point, end, odd);
-    for (size_t i = 0; enough && i < odd; i++) {
-        first[i] = end[i];
-        near.count = 0;
-        enough = point_grid_near(&grid, point[end[i]], point[end[i]], touching, &near);
-        for (size_t k = 0; enough && k < near.count; k++) {
-            if (near.item[k] >= end[i] || vec3_length(vec3_sub(point[near.item[k]], point[end[i]])) > touching)
-                continue;
-            const uint32_t *found = bsearch(&near.item[k], end, i, sizeof *end, compare_u32);
-            first[i] = found && first[found - end] < first[i] ? first[found - end] : first[i];
-        }
-    }
-    for (size_t i = 0; enough && odd > 0 && i < ends; i++) {
-        uint32_t *own = i % 2 ? &lines->item[i / 2].to : &lines->item[i / 2].from;
-        const uint32_t *found = bsearch(own, end, odd, sizeof *end, compare_u32);
-        *own = found ? first[found - end] : *own;
-    }
-    point_grid_free(&grid);
-    free(near.item);
-    free(end);
-    free(first);
-    return enough;
-}
-
-/* A vertex where cuts do not close. */
-typedef struct loose_end {
-    uint32_t vertex;
-    int32_t
-        more; /* how many more lines begin there than end; < 0: more end. If parity decides, 1: an odd number meet */
-} loose_end;
-
-/* Two loose ends, and how far apart they are. */
-typedef struct end_pair {
-    double distance;
-    uint32_t a, b; /* a line may go from a to b */
-} end_pair;
-
-/* With more loose ends than this, none is joined: their pairs would take too much memory and time. */
-enum { ENDS_JOINED = 1000 };
-
-static int by_vertex(const void *pa, const void *pb)
-{
-    const loose_end *a = pa, *b = pb;
-    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
-}
-
-static int by_distance(const void *pa, const void *pb)
-{
-    const end_pair *a = pa, *b = pb;
-    if (a->distance != b->distance)
-        return a->distance < b->distance ? -1 : 1;
-    return a->a != b->a ? (a->a > b->a) - (a->a < b->a) : (a->b > b->b) - (a->b < b->b);
-}
-
-/* Lists the loose ends; `end` has room for two for each line. Returns how many there are. */
-static size_t find_loose_ends(const cut_lines *lines, loose_end *end)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < lines->count; i++) {
-        const cut_line *line = &lines->item[i];
-        const int32_t more = line->winding ? line->winding : 1;
-        end[2 * i] = (loose_end){line->from, more};
-        end[2 * i + 1] = (loose_end){line->to, line->winding ? -more : more};
-    }
-    qsort(end, 2 * lines->count, sizeof *end, by_vertex);
-    for (size_t i = 0, next; i < 2 * lines->count; i = next) {
-        loose_end all = end[i];
-        for (next = i + 1; next < 2 * lines->count && end[next].vertex == all.vertex; next++)
-            all.more += end[next].more;
-        if (lines->item[0].winding == 0)
-            all.more %= 2;
-        if (all.more != 0)
-            end[kept++] = all;
-    }
-    return kept;
-}
-
-/* Joins ends that rounding has left apart, the nearest pairs first, so that all cuts are closed. A new line goes from
- * where too many lines end to where too many begin; if parity decides, its direction does not matter. How far apart
- * they are does not matter either: a cap has to be closed. False: no memory. */
-static bool close_gaps(const cutter *c, cut_lines *lines)
-{
-    const roberts_vec3 *point = c->clip->scene.point;
-    const bool parity = lines->item[0].winding == 0;
-    loose_end *end = alloc_array(2 * lines->count, sizeof *end);
-    const size_t ends = end ? find_loose_ends(lines, end) : 0;
-    size_t pairs = 0;
-    if (!end || ends < 2 || ends > ENDS_JOINED) {
-        free(end);
-        return end != NULL;
-    }
-    end_pair *pair = alloc_array(ends * ends, sizeof *pair);
-    for (uint32_t a = 0; pair && a < ends; a++)
-        for (uint32_t b = 0; b < ends; b++)
-            if (parity ? a < b : end[a].more < 0 && end[b].more > 0)
-                pair[pairs++] = (end_pair){vec3_length(vec3_sub(point[end[a].vertex], point[end[b].vertex])), a, b};
-    if (pairs > 1)
-        qsort(pair, pairs, sizeof *pair, by_distance);
-    bool enough = pair != NULL;
-    for (size_t i = 0; enough && i < pairs; i++) {
-        loose_end *a = &end[pair[i].a], *b = &end[pair[i].b];
-        const int32_t times = parity ? (a->more != 0 && b->more != 0) : -a->more < b->more ? -a->more : b->more;
-        if (times == 0)
-            continue;
-        enough = array_reserve(&lines->item, &lines->room, lines->count + 1, sizeof *lines->item);
-        if (enough)
-            lines->item[lines->count++] = (cut_line){a->vertex, b->vertex, parity ? 0 : times, 0};
-        a->more += parity ? -times : times;
-        b->more -= times;
-    }
-    free(pair);
-    free(end);
-    return enough;
-}
-
-/* Uses a line once, in both directions. */
-static void use_line(cut_line *both, size_t count, size_t i)
-{
-    const cut_line back = {both[i].to, both[i].from, -both[i].winding, 0};
-    both[i].left--;
-    for (size_t k = find_numbered(both, count, sizeof *both, back.from); k < count && both[k].from == back.from; k++)
-        if (compare_lines(&both[k], &back) == 0 && both[k].left > 0) {
-            both[k].left--;
-            return;
-        }
-}
-
-/* Adds a loop to the ring, from the start of a line on: each line is followed by one that begins where it ends. Returns
- * the length of the ring. */
-static size_t add_loop(cut_line *both, size_t count, uint32_t start, uint32_t *ring, size_t length)
-{
-    uint32_t at = start;
-    ring[length++] = start;
-    for (;;) {
-        size_t low = find_numbered(both, count, sizeof *both, at);
-        while (low < count && both[low].from == at && (both[low].left == 0 || both[low].winding < 0))
-            low++;
-        if (low == count || both[low].from != at)
-            break;
-        use_line(both, count, low);
-        at = both[low].to;
-        ring[length++] = at;
-    }
-    if (at != start)
-        ring[length++] = start; /* only where close_gaps() has left too many ends */
-    ring[length++] = ring[0];
-    return length;
-}
-
-/* Joins all lines into one ring. Between loops, it goes to its first vertex and back: a path that runs both ways bounds
- * nothing. `both` lists each line in both directions, sorted. With a winding, it is used in the direction in which that
- * is positive. */
-static size_t make_ring(cut_line *both, size_t count, uint32_t *ring)
-{
-    size_t length = 0;
-    for (size_t i = 0; i < count; i++)
-        while (both[i].left > 0 && both[i].winding >= 0)
-            length = add_loop(both, count, both[i].from, ring, length);
-    return length;
-}
-
 /* Adds the cap's pieces as faces without a number. They hide, but have no edges. False: no memory. */
 static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool even_odd)
 {
@@ -811,25 +594,12 @@ static bool add_cap_pieces(cutter *c, const uint32_t *ring, size_t count, bool e
 /* Fills the cut of a closed body. False: no memory. */
 static bool cap_lines(cutter *c, cut_lines *lines)
 {
-    size_t count = 0, uses = 0;
-    cut_line *both = NULL;
-    uint32_t *ring = NULL;
-    bool enough = join_lines(c, lines) && close_gaps(c, lines) && (both = alloc_array(2 * lines->count, sizeof *both));
-    for (size_t i = 0; enough && i < lines->count; i++) {
-        const cut_line *own = &lines->item[i];
-        const uint32_t times = own->winding == 0 ? 1 : (uint32_t)abs(own->winding);
-        if (own->from == own->to)
-            continue;
-        both[count++] = (cut_line){own->from, own->to, own->winding, times};
-        both[count++] = (cut_line){own->to, own->from, -own->winding, times};
-        uses += times;
-    }
-    if (count > 0) {
-        qsort(both, count, sizeof *both, compare_lines);
-        ring = alloc_array(6 * uses + 1, sizeof *ring);
-        enough = ring && add_cap_pieces(c, ring, make_ring(both, count, ring), both[0].winding == 0);
-    }
-    free(both);
+    const double touching = greater(c->touching, scene_step(c->from));
+    uint32_t *ring;
+    size_t count;
+    bool enough = cut_ring(lines, c->clip->scene.point, touching, &ring, &count);
+    if (enough && count > 0)
+        enough = add_cap_pieces(c, ring, count, lines->item[0].winding == 0);
     free(ring);
     return enough;
 }
@@ -969,7 +739,7 @@ static void set_section(cutter *c, double depth, double epsilon)
     c->clip->near = depth;
     if (!(epsilon > 0.0))
         epsilon = greater(EPSILON_OF_DIAMETER * diameter_of(c->from), scene_step(c->from));
-    c->touching = greater(c->touching, lesser(epsilon, TOUCHING_MOST * diameter_of(c->from)));
+    c->touching = greater(c->touching, lesser(epsilon, EPSILON_MOST * diameter_of(c->from)));
 }
 
 /* Sets the near plane of a view from an eye. distance: of the look-at point. */

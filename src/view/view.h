@@ -21,6 +21,9 @@
 /* Touching distance as a fraction of the scene's diameter: far above rounding (1e-16), far below a pen (1e-4 of a
  * page). */
 #define EPSILON_OF_DIAMETER 1e-11
+/* Fraction of the scene's diameter: the largest touching distance accepted. Beyond it, "on" would mean a visible
+ * length. */
+#define EPSILON_MOST 0.01
 
 enum { VIEW_UNKNOWN = 0, VIEW_FRONT = 1, VIEW_BACK = 2, VIEW_EDGE_ON = 3 }; /* facing of a face */
 

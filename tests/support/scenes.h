@@ -270,6 +270,30 @@ static inline void model_balls(model *m, int n, double fill, uint64_t seed)
     }
 }
 
+/* Corner k of an L that fills three quarters of a square of 2 x 2, counter-clockwise; they repeat after six. */
+static inline roberts_vec2 angle_corner(int k)
+{
+    static const roberts_vec2 profile[6] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+    return profile[k % 6];
+}
+
+/* Adds a body that is not convex: between an L and another one, six corners each. */
+static inline void model_angle(model *m, const roberts_vec3 point[12])
+{
+    static const uint32_t face[8][6] = {{0, 1, 2, 3, 4, 5}, {11, 10, 9, 8, 7, 6}, {0, 6, 7, 1},   {1, 7, 8, 2},
+                                        {2, 8, 9, 3},       {3, 9, 10, 4},        {4, 10, 11, 5}, {5, 11, 6, 0}};
+    const uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int k = 0; k < 12; k++)
+        model_vertex(m, point[k]);
+    for (int f = 0; f < 8; f++) {
+        uint32_t corner[6];
+        for (int k = 0; k < 6; k++)
+            corner[k] = first + face[f][k];
+        model_face(m, corner, f < 2 ? 6 : 4);
+    }
+    model_close_solid(m);
+}
+
 /* Rounds coordinates to `digits` after the point, as in files: faces are no longer quite planar. */
 static inline void model_to_digits(model *m, int digits)
 {

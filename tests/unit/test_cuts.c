@@ -2,6 +2,7 @@
  * an eye as in a parallel view. */
 #include <stdio.h>
 
+#include "draw/page.h"
 #include "build_scene.h"
 #include "scenes.h"
 #include "star_prism.h"
@@ -168,8 +169,6 @@ static grid_lines lines_on_grid(const roberts_scene *scene, double z, bool unite
 /* Adds a box, or what is left of one without the quarter from its middle on along two axes. */
 static void put_block(model *m, rng *r)
 {
-    static const uint32_t face[8][6] = {{0, 1, 2, 3, 4, 5}, {11, 10, 9, 8, 7, 6}, {0, 6, 7, 1},   {1, 7, 8, 2},
-                                        {2, 8, 9, 3},       {3, 9, 10, 4},        {4, 10, 11, 5}, {5, 11, 6, 0}};
     double low[3], high[3];
     const int axis = rng_int(r, 0, 2), bent = (axis + 1) % 3, other = (axis + 2) % 3;
     for (int k = 0; k < 3; k++) {
@@ -181,22 +180,16 @@ static void put_block(model *m, rng *r)
         return;
     }
     const bool turned = rng_int(r, 0, 1), over = rng_int(r, 0, 1);
-    const uint32_t first = (uint32_t)m->mesh.vertex_count;
+    roberts_vec3 point[12];
     for (int k = 0; k < 12; k++) {
-        static const double profile[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+        const roberts_vec2 at = angle_corner(k);
         double p[3];
         p[axis] = k < 6 ? low[axis] : high[axis];
-        p[bent] = low[bent] + (turned ? 2 - profile[k % 6][0] : profile[k % 6][0]);
-        p[other] = low[other] + (over ? 2 - profile[k % 6][1] : profile[k % 6][1]);
-        model_vertex(m, (roberts_vec3){p[0], p[1], p[2]});
+        p[bent] = low[bent] + (turned ? 2 - at.x : at.x);
+        p[other] = low[other] + (over ? 2 - at.y : at.y);
+        point[k] = (roberts_vec3){p[0], p[1], p[2]};
     }
-    for (int f = 0; f < 8; f++) {
-        uint32_t corner[6];
-        for (int k = 0; k < 6; k++)
-            corner[k] = first + face[f][k];
-        model_face(m, corner, f < 2 ? 6 : 4);
-    }
-    model_close_solid(m);
+    model_angle(m, point);
 }
 
 /* Blocks that touch and overlap anywhere, taken as one. A section through their contacts is that just behind it. */
@@ -231,11 +224,6 @@ static void contacts_are_cut_as_what_is_behind_them(void **state)
     assert_true(all > 1000);
 }
 
-static double round_to(double x, double steps)
-{
-    return nearbyint(x * steps) / steps;
-}
-
 /* Through each corner of a face that the section is parallel to, the section is the same, although their coordinates
  * are rounded to twelve decimals. */
 static void faces_in_the_plane_are_cut_alike(void **state)
@@ -251,10 +239,7 @@ static void faces_in_the_plane_are_cut_alike(void **state)
             put_block(&m, &r);
         }
         model_map(&m, turn, (roberts_vec3){0, 0, 0});
-        for (size_t v = 0; v < m.mesh.vertex_count; v++) {
-            roberts_vec3 *p = &m.mesh.vertex[v];
-            *p = (roberts_vec3){round_to(p->x, 1e12), round_to(p->y, 1e12), round_to(p->z, 1e12)};
-        }
+        model_to_digits(&m, 12);
         roberts_scene *scene = model_build(&m);
         double area[2][12];
         for (int v = 0; v < 12; v++)
@@ -563,16 +548,9 @@ static void rounded_joints_are_cut(void **state)
 /* The region in which a point of the picture lies; NULL: in none. */
 static const roberts_region *region_at(const roberts_region_list *list, roberts_vec2 at)
 {
-    for (size_t i = 0; i < list->count; i++) {
-        const roberts_region *region = &list->region[i];
-        bool inside = false;
-        for (size_t r = region->first_ring; r < region->first_ring + region->ring_count; r++)
-            for (size_t k = list->ring_start[r], end = list->ring_start[r + 1]; k < end; k++)
-                inside ^=
-                    vec2_ray_crosses(at, list->corner[k], list->corner[k + 1 < end ? k + 1 : list->ring_start[r]]);
-        if (inside)
-            return region;
-    }
+    for (const roberts_region *r = list->region; r < list->region + list->count; r++)
+        if (page_rings_hold(r->ring_count, list->ring_start + r->first_ring, list->corner, at))
+            return r;
     return NULL;
 }
 
@@ -638,14 +616,11 @@ static void rounded_stars_are_cut(void **state)
         const mat3 turn = mat3_turn(&r);
         double area[2];
         for (int rounded = 0; rounded < 2; rounded++) {
-            roberts_mesh mesh = mesh_of_file(models[round % 3]);
-            for (size_t v = 0; v < mesh.vertex_count; v++) {
-                roberts_vec3 *p = &mesh.vertex[v];
-                *p = mat3_map(turn, *p);
-                if (rounded)
-                    *p = (roberts_vec3){round_to(p->x, 1e3), round_to(p->y, 1e3), round_to(p->z, 1e3)};
-            }
-            roberts_scene *scene = build_scene(&mesh);
+            model m = {.mesh = mesh_of_file(models[round % 3])};
+            model_map(&m, turn, (roberts_vec3){0, 0, 0});
+            if (rounded)
+                model_to_digits(&m, 3);
+            roberts_scene *scene = build_scene(&m.mesh);
             area[rounded] = area_of_caps(scene, &camera);
             roberts_scene_free(scene);
         }

@@ -5,26 +5,17 @@
 /* Blocks that touch and cross, boxes and angles, turned together. Coordinates are rounded by the turn. */
 static void make_blocks(model *m, rng *r)
 {
-    static const double profile[6][2] = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-    static const uint32_t face[8][6] = {{0, 1, 2, 3, 4, 5}, {11, 10, 9, 8, 7, 6}, {0, 6, 7, 1},   {1, 7, 8, 2},
-                                        {2, 8, 9, 3},       {3, 9, 10, 4},        {4, 10, 11, 5}, {5, 11, 6, 0}};
     const int blocks = rng_int(r, 1, 3);
     for (int i = 0; i < blocks; i++) {
         const roberts_vec3 low = {rng_int(r, 0, 3) / 2.0, rng_int(r, 0, 3) / 2.0, rng_int(r, 0, 3) / 2.0};
-        const uint32_t first = (uint32_t)m->mesh.vertex_count;
+        roberts_vec3 point[12];
         if (rng_int(r, 0, 1)) {
             model_box(m, low, vec3_add(low, (roberts_vec3){rng_int(r, 1, 4) / 2.0, rng_int(r, 1, 4) / 2.0, 2}));
             continue;
         }
-        for (int k = 0; k < 12; k++) /* counter-clockwise from outside: y is the axis */
-            model_vertex(m, vec3_add(low, (roberts_vec3){profile[k % 6][0], k < 6 ? 0 : 1.5, profile[k % 6][1]}));
-        for (int f = 0; f < 8; f++) {
-            uint32_t corner[6];
-            for (int k = 0; k < 6; k++)
-                corner[k] = first + face[f][k];
-            model_face(m, corner, f < 2 ? 6 : 4);
-        }
-        model_close_solid(m);
+        for (int k = 0; k < 12; k++)
+            point[k] = vec3_add(low, (roberts_vec3){angle_corner(k).x, k < 6 ? 0 : 1.5, angle_corner(k).y});
+        model_angle(m, point);
     }
     model_map(m, mat3_turn(r), (roberts_vec3){0, 0, 0});
 }
