@@ -268,12 +268,34 @@ surface_touch surface_touches(roberts_vec3 A, roberts_vec3 B, roberts_vec3 P, do
         return TOUCHES_START;
     if (vec3_length(vec3_sub(P, B)) <= touching)
         return TOUCHES_END;
-    return *t > 0.0 && *t < 1.0 && vec3_length(vec3_sub(AP, vec3_scale(*t, AB))) <= touching ? TOUCHES_BETWEEN
-                                                                                             : TOUCHES_NOT;
+    if (!(*t > 0.0 && *t < 1.0 && vec3_length(vec3_sub(AP, vec3_scale(*t, AB))) <= touching))
+        return TOUCHES_NOT;
+    const double length = sqrt(squared);
+    return *t * length <= touching ? TOUCHES_START : (1.0 - *t) * length <= touching ? TOUCHES_END : TOUCHES_BETWEEN;
 }
 
-/* Finds the vertices on a side and adds them as stops; merges vertices at its ends with these. All sides between the
- * same vertices get the same stops. False: no memory. */
+static int compare_stops(const void *pa, const void *pb)
+{
+    const side_stop *a = pa, *b = pb;
+    if (a->t != b->t)
+        return a->t < b->t ? -1 : 1;
+    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
+}
+
+/* Merges stops whose places along the side, which has this length, are within the touching distance of one another.
+ * Otherwise the side would have a part between them, or would end a part at one of them where another side ends at the
+ * other. */
+static void merge_stops(finder *f, double length)
+{
+    if (f->stop_count > 1)
+        qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
+    for (size_t k = 1; k < f->stop_count; k++)
+        if ((f->stop[k].t - f->stop[k - 1].t) * length <= f->touching)
+            sets_join(f->parent, f->stop[k - 1].vertex, f->stop[k].vertex);
+}
+
+/* Finds the vertices on a side and adds them as stops; merges vertices at its ends with these, and stops in one place.
+ * All sides between the same vertices get the same stops. False: no memory. */
 static bool find_stops(finder *f, const point_grid *grid, const surface_side *side)
 {
     const roberts_vec3 *point = f->s->point;
@@ -294,18 +316,11 @@ static bool find_stops(finder *f, const point_grid *grid, const surface_side *si
         } else if (touch == TOUCHES_BETWEEN) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
-            f->stop[f->stop_count++].vertex = v;
+            f->stop[f->stop_count++] = (side_stop){t, v};
         }
     }
+    merge_stops(f, vec3_length(vec3_sub(point[b], point[a])));
     return true;
-}
-
-static int compare_stops(const void *pa, const void *pb)
-{
-    const side_stop *a = pa, *b = pb;
-    if (a->t != b->t)
-        return a->t < b->t ? -1 : 1;
-    return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
 /* Where a vertex, the smallest one of its place, lies along an edge of the file. The order of the stops and the rows of
