@@ -26,7 +26,11 @@
 extern "C" {
 #endif
 
+/** The version of this header. Structs may differ between versions below 1.0 whose second number differs. */
 #define ROBERTS_VERSION "0.1.0"
+
+/** The version of the library that the program runs with. */
+const char *roberts_version(void);
 
 /* ---- values -------------------------------------------------------------------------------------------------- */
 

@@ -1,9 +1,14 @@
-/* error.c - fills a roberts_error; sends warnings. */
+/* error.c - fills a roberts_error; sends warnings; says the version. */
 #include "base/error.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+const char *roberts_version(void)
+{
+    return ROBERTS_VERSION;
+}
 
 roberts_status error_set(roberts_error *error, roberts_status status, size_t line, const char *format, ...)
 {

@@ -11,6 +11,7 @@ import io
 import os
 import pickle
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -57,6 +58,21 @@ class Layout(unittest.TestCase):
             self.assertEqual([name for name, *_ in struct._fields_], list(dtype.names))
             for name in dtype.names:
                 self.assertEqual(dtype.fields[name][1], getattr(struct, name).offset, name)
+
+
+    def test_libraries_of_other_versions_are_refused(self):
+        self.assertEqual(program("--version").decode(), f"roberts {roberts.__version__}\n")
+        folder = os.path.join(HERE, "other", "roberts")
+        shutil.copytree(os.path.dirname(roberts.__file__), folder)
+        with open(os.path.join(folder, "_library.py")) as file:
+            text = file.read()
+        with open(os.path.join(folder, "_library.py"), "w") as file:
+            file.write(text.replace(f'VERSION = "{roberts.__version__}"', 'VERSION = "0.0.9"'))
+        run = subprocess.run([sys.executable, "-c", "import roberts"], capture_output=True, text=True,
+                             env={**os.environ, "PYTHONPATH": os.path.dirname(folder)})
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("ImportError: the package is of roberts 0.0.9, but the library ", run.stderr)
+        self.assertIn(f" is {roberts.__version__}\n", run.stderr)
 
 
 class Scenes(unittest.TestCase):

@@ -32,6 +32,8 @@ from ._library import NONE, Error, FileError, RobertsWarning
 __all__ = ["NONE", "VISIBLE", "HIDDEN", "CLIPPED", "LINES", "Error", "FileError", "RobertsWarning", "Scene", "View",
            "Drawing", "Regions", "Sheet", "read", "view"]
 
+__version__ = c.VERSION
+
 VISIBLE, HIDDEN, CLIPPED = 0, 1, 2
 """The values of segments["state"]."""
 

@@ -181,6 +181,9 @@ STRUCTS = (vec2, vec3, error, warnings, color, source, group, mesh, scene_option
            time, drawing, hide_options, region, slope, region_list, pen, background, hatching, page, placement,
            lettering, plotter, draw_options, sheet)
 
+VERSION = "0.1.0"
+"""Of the header that the structs come from: a library with another one may have others."""
+
 INSTALLED = ""  # `make install-python` writes the library's path here
 
 
@@ -189,7 +192,15 @@ def _load() -> ctypes.CDLL:
     path = os.environ.get("ROBERTS_LIBRARY")
     if not path:
         path = INSTALLED if os.path.exists(INSTALLED) else "libroberts.so.0"
-    return ctypes.CDLL(path)
+    library = ctypes.CDLL(path)
+    version = getattr(library, "roberts_version", None)
+    if version:
+        version.restype = c_char_p
+    found = version().decode() if version else "older"
+    if found != VERSION:
+        raise ImportError(f"the package is of roberts {VERSION}, but the library {path} is {found}", name="roberts",
+                          path=path)
+    return library
 
 
 lib = _load()
