@@ -545,6 +545,17 @@ static bool merge_edges(finder *f)
     return true;
 }
 
+/* Turns the parts so that the numbers of the mesh ascend along the edges of the file, as those of the surface do. Of
+ * two copied vertices, the one with the larger number in the mesh may have the smaller one in the surface. */
+static void turn_parts(surface *s)
+{
+    for (size_t i = 0; i < s->edge_part_count; i++) {
+        scene_part *part = &s->part[i];
+        if (surface_number(s, part->v[0]) > surface_number(s, part->v[1]))
+            *part = (scene_part){part->edge, {part->v[1], part->v[0]}, 1.0 - part->t1, 1.0 - part->t0};
+    }
+}
+
 bool surface_find_edges(surface *s, double touching)
 {
     finder f = {.s = s, .touching = touching};
@@ -559,6 +570,7 @@ bool surface_find_edges(surface *s, double touching)
     free(f.end);
     if (enough && f.odd_count > 0)
         enough = list_vertices(&f) && divide_all(&f) && take_odd_groups(&f) && merge_edges(&f);
+    turn_parts(s);
     free(f.divided);
     free(f.odd);
     free(f.vertex);
@@ -613,8 +625,18 @@ static int compare_keys(const void *pa, const void *pb)
     return (a->edge > b->edge) - (a->edge < b->edge);
 }
 
+/* The name of an edge: the vertices of the mesh, in ascending order, at the ends of the edge or of the edge of the file
+ * of which it is a part. */
+static void name_of(const surface *s, const surface_edge *e, uint32_t name[2])
+{
+    const uint32_t *v = e->part == ROBERTS_NONE ? e->v : s->part[e->part].v;
+    const uint32_t a = surface_number(s, v[0]), b = surface_number(s, v[1]);
+    name[0] = a < b ? a : b;
+    name[1] = a < b ? b : a;
+}
+
 /* Sorts the edges of one body by their names. The surface has them sorted by their ends, which differ from the names
- * only for parts. False: no memory. */
+ * only for parts and for copies of vertices. False: no memory. */
 static bool sort_by_name(const surface *s, uint32_t *order, uint32_t count)
 {
     edge_key *key = alloc_array(count, sizeof *key);
@@ -622,9 +644,8 @@ static bool sort_by_name(const surface *s, uint32_t *order, uint32_t count)
         return false;
     for (uint32_t i = 0; i < count; i++) {
         const surface_edge *e = &s->edge[order[i]];
-        key[i] = (edge_key){{e->v[0], e->v[1]}, 0.0, order[i]};
-        if (e->part != ROBERTS_NONE)
-            key[i] = (edge_key){{s->part[e->part].v[0], s->part[e->part].v[1]}, s->part[e->part].t0, order[i]};
+        key[i] = (edge_key){{0, 0}, e->part == ROBERTS_NONE ? 0.0 : s->part[e->part].t0, order[i]};
+        name_of(s, e, key[i].v);
     }
     qsort(key, count, sizeof *key, compare_keys);
     for (uint32_t i = 0; i < count; i++)
@@ -665,7 +686,7 @@ bool body_edges_list(body_edges *list, const surface *s, const uint32_t *of, uin
             list->first[b] = list->first[b - 1];
         list->first[0] = 0;
     }
-    for (uint32_t b = 0; enough && s->edge_part_count > 0 && b < bodies; b++)
+    for (uint32_t b = 0; enough && (s->edge_part_count > 0 || s->copies > 0) && b < bodies; b++)
         enough = sort_by_name(s, list->order + list->first[b], body_edges_count(list, b));
     return enough;
 }
@@ -699,11 +720,11 @@ static bool store_part(body_edges *list, scene_surface *to, const surface_edge *
     return true;
 }
 
-/* Does the edge run opposite to the file's edge of which it is a part? */
+/* Does the edge run opposite to its name, or to the file's edge of which it is a part? */
 static bool runs_back(const surface *s, const surface_edge *e)
 {
     if (e->part == ROBERTS_NONE)
-        return false;
+        return surface_number(s, e->v[0]) > surface_number(s, e->v[1]);
     const scene_part *part = &s->part[e->part];
     return vec3_dot(vec3_sub(s->point[e->v[1]], s->point[e->v[0]]),
                     vec3_sub(s->point[part->v[1]], s->point[part->v[0]])) < 0.0;
@@ -723,7 +744,7 @@ bool body_edges_store(body_edges *list, roberts_scene *scene, uint32_t b)
         uint32_t edge = own->edge + i, v0 = list->vertex[e->v[0]], v1 = list->vertex[e->v[1]];
         uint8_t is = e->cut ? EDGE_CUT : 0;
         scene_edge *stored = &scene->edge[own->stored + i];
-        bool back = runs_back(s, e); /* a part runs in the same direction as its edge of the file */
+        const bool back = runs_back(s, e);
         *stored = (scene_edge){{back ? v1 : v0, back ? v0 : v1}, {ROBERTS_NONE, ROBERTS_NONE}};
         for (int k = 0; k < 2 && e->piece[k] != ROBERTS_NONE; k++) {
             stored->f[k] = list->face[surface_piece(e->piece[k])] - own->face;
