@@ -708,8 +708,7 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     if (status == ROBERTS_OK && to->vertex_count == 0)
         status = c->clip->section
                      ? error_set(error, ROBERTS_BAD_VIEW, 0,
-                                 "nothing of the scene lies beyond the section; move its point away from the "
-                                 "viewer")
+                                 "nothing of the scene lies beyond the section; move its point toward the viewer")
                      : error_set(error, ROBERTS_BAD_VIEW, 0,
                                  "nothing of the scene lies in front of the eye, beyond the near plane at a "
                                  "distance of %.6g; move the eye, the look-at point or the near plane",

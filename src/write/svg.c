@@ -104,8 +104,13 @@ static void svg_attribute(output *out, const char *name, const char *text)
     output_text(out, "\"");
 }
 
-/* Writes ` id="..."` with the prefix of all ids. Where each drawing has ids of its own, layers of classes have a class,
- * too, for a style sheet of all drawings. */
+/* Where each drawing has ids of its own, layers of classes have a class, too, for a style sheet of all drawings. */
+static bool has_classes(const roberts_draw_options *options)
+{
+    return options->id_prefix && options->grouping == ROBERTS_GROUP_CLASS;
+}
+
+/* Writes ` id="..."` with the prefix of all ids. */
 static void svg_id(output *out, const roberts_draw_options *options, const char *name)
 {
     output_text(out, " id=\"");
@@ -113,7 +118,7 @@ static void svg_id(output *out, const roberts_draw_options *options, const char 
         write_escaped(out, options->id_prefix, true);
     output_text(out, name);
     output_text(out, "\"");
-    if (options->id_prefix && options->grouping == ROBERTS_GROUP_CLASS)
+    if (has_classes(options))
         svg_attribute(out, "class", name);
 }
 
@@ -207,8 +212,11 @@ static void open_layer(output *out, const roberts_draw_options *options, roberts
     output_text(out, "<g");
     svg_id(out, options, name);
     svg_layer(out, options, strokes_class_number(options, line), name);
+    if (has_classes(options))
+        svg_pen(out, options, line); /* here a style sheet can override it */
     output_text(out, ">\n<path");
-    svg_pen(out, options, line);
+    if (!has_classes(options))
+        svg_pen(out, options, line);
     output_text(out, " d=\"");
 }
 

@@ -371,6 +371,7 @@ static const struct {
     {"--layers numbered --style crease:pen=2", "inkscape:label=\"2 crease\""},
     {"--id-prefix a-", "<g id=\"a-outline\" class=\"outline\" inkscape:groupmode"},
     {"--id-prefix a- --group element", "<g id=\"a-outline\" class=\"outline\" inkscape:groupmode"},
+    {"--id-prefix a-", "inkscape:label=\"outline\" fill=\"none\" stroke=\"#000000\""},
     {"--style all:off --style all:on", "id=\"outline\""},
     {"--style all:off --style all:on", "!id=\"frame\""},
     {"--style crease:pen=7 -f hpgl", "SP7;PW0.35,7;PC7,0,0,0;"},

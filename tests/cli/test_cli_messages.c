@@ -1111,7 +1111,7 @@ static void empty_drawings_are_warned_of(void **state)
         "roberts: models/table.off and 1 more: nothing of the scene lies in front of the eye, beyond the near plane "
         "at a distance of 600; move the eye, the look-at point or the near plane\n");
     assert_int_equal(run("--view top --section 0,0,-99 models/table.off"), 1);
-    assert_said("roberts: models/table.off: nothing of the scene lies beyond the section; move its point away from the "
+    assert_said("roberts: models/table.off: nothing of the scene lies beyond the section; move its point toward the "
                 "viewer\n");
     assert_int_equal(run("--eye 9,9,9 --look-at 9,9,9 models/table.off"), 1);
     assert_said("roberts: models/table.off: the eye is at the point that it looks at; move one of them\n");

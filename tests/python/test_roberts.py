@@ -127,6 +127,20 @@ class Scenes(unittest.TestCase):
         gc.collect()
         np.testing.assert_array_equal(shown, triangles.vertices)
 
+    def test_colors_in(self):
+        cube, red = roberts.read(CUBE), np.zeros((6, 4), np.uint8)
+        red[:] = 255, 0, 0, 128
+        scene = roberts.Scene(cube.vertices, cube.faces, colors=red)
+        color = scene.regions("iso").regions["color"]
+        self.assertEqual(color["value"].tolist(), [[1.0, 0.0, 0.0, np.float32(128 / 255)]] * 3)
+        self.assertEqual(color["count"].tolist(), [4] * 3)
+        blue = roberts.Scene(cube.vertices, cube.faces, colors=[[0, 0, 1.0]] * 6).hide().svg(fill="model")
+        self.assertEqual(blue.count('fill="#0000ff"'), 1)
+
+    def test_table_as_text(self):
+        drawing = roberts.read(CUBE).hide()
+        self.assertEqual(drawing.csv(columns="ends").encode(), program(CUBE, "-f", "csv", "--columns", "+ends"))
+
     def test_bytes(self):
         with open(CUBE, "rb") as file:
             data = file.read()
@@ -165,10 +179,17 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, r"a view is the name of a preset, or .*view\(\).*, not tuple"):
                 method((1, 2, 3))
         self.assertRaises(TypeError, scene.hide, odd=1)
+        self.assertRaises(TypeError, scene.hide, slopes=True)
+        self.assertRaises(TypeError, scene.regions, keep_hidden=True)
+        for options in {"keep_hidden": "yes"}, {"unite": 2}:
+            with self.assertRaisesRegex(TypeError, "^hide: .*: it is True or False, not "):
+                scene.hide(**options)
+        with self.assertRaisesRegex(TypeError, r"^hide: azimuth belongs to the view: hide\(roberts.view\(azimuth="):
+            scene.hide(azimuth=3)
         self.assertRaises(ValueError, scene.hide().save, "a.odd")
         self.assertRaises(ValueError, scene.hide().svg, fill="odd")
         for option, meant in ({"odd": 1}, "background"), ({"label": "vertices"}, "labels"), ({"colour": 1}, "columns"):
-            with self.assertRaisesRegex(TypeError, rf"^there is no '{[*option][0]}'; .*\b{meant}\b"):
+            with self.assertRaisesRegex(TypeError, rf"^there is no '{[*option][0]}'[;.] .*\b{meant}\b"):
                 scene.hide().svg(**option)
         with self.assertRaisesRegex(TypeError, "did you mean unite[?] There are all_edges, .*crease_degrees, "):
             scene.hide(union=True)
@@ -194,6 +215,15 @@ class Scenes(unittest.TestCase):
                             ("pens", {"outline": {"width": "1 mm"}}), ("hatch", {"spacing_mm": "1"})):
             with self.assertRaisesRegex(TypeError, f"^{name}: .*number"):
                 scene.hide().svg(**{name: value})
+        for name, value in (("hatch", "off"), ("hatch", [1]), ("crop", "yes"), ("hatch", {"on": "no"}), ("title", 3),
+                            ("pens", {"outline": {"widht": 1}})):
+            with self.assertRaisesRegex(TypeError, f"^{name}[:,] .*(True or False|str|did you mean width[?])"):
+                scene.hide().svg(**{name: value})
+        with self.assertRaisesRegex(ValueError, "^fill: 'shades' is unknown; it can be none, .*, or .red, green, b"):
+            scene.hide().svg(fill="shades")
+        colors = np.zeros((1, 3))
+        for odd in (colors[0], colors[:, :2], np.zeros((2, 3)), colors + 2, colors - 1, colors * np.nan, [["a"] * 3]):
+            self.assertRaises(ValueError, roberts.Scene, triangle, [[0, 1, 2]], colors=odd)
         self.assertIn('id="_a.1-', scene.hide().svg(id_prefix="_a.1-"))
         for odd in ({"fill": (256, 0, 0)}, {"background": (0, 0)}, {"pens": {"outline": {"color": (0, -1, 0)}}},
                     {"pens": {"outline": {"number": 256}}}, {"light": (1, 2)}):
@@ -209,13 +239,19 @@ class Scenes(unittest.TestCase):
             with self.assertWarnsRegex(roberts.RobertsWarning, f"^{next(iter(options))} has no effect: "):
                 drawing.svg(**options)
         path = os.path.join(HERE, "misnamed.svg")
+        for name, value, ending in (("columns", "name", "svg"), ("fill", "shade", "csv"), ("page", (50, 50), "json"),
+                                    ("dpi", 300, "pdf"), ("group", "element", "png"), ("id_prefix", "a", "dxf")):
+            with self.assertWarnsRegex(roberts.RobertsWarning, f"^{name} has no effect: "):
+                drawing.save(os.path.join(HERE, "idle." + ending), **{name: value})
         with self.assertWarnsRegex(roberts.RobertsWarning, "misnamed.svg: .* another format, but it is pdf"):
             drawing.save(path, format="pdf")
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             for options in ({"fill": "shade"}, {"hatch": True}, {"fill": "body", "shaded": True}):
                 drawing.svg(light=(1, 1, 1), **options)
-            drawing.save(path, format="svg")
+            drawing.save(path, format="svg", hidden="none", group="body", id_prefix="a")
+            drawing.csv(hidden="none", columns="name")
+            drawing.save(os.path.join(HERE, "used.png"), dpi=50)
             drawing.save(os.path.join(HERE, "no-ending"), format="pdf")
 
 
@@ -299,7 +335,7 @@ class Pages(unittest.TestCase):
                   pens={"crease": {"off": True, "color": (255, 0, 0)}})
         with self.assertRaisesRegex(ValueError, "keep_hidden"):
             scene.hide().svg(hidden="dashed")
-        with self.assertRaisesRegex(ValueError, "'thick' is none of outline, .*, hidden, "):
+        with self.assertRaisesRegex(ValueError, "'thick' is unknown; it can be outline, .*, hidden, "):
             scene.hide().svg(pens={"thick": {}})
 
     def test_angles_and_perspective(self):

@@ -43,6 +43,7 @@ LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_ou
 _KINDS = ("convex", "closed", "open")
 # pens by the program's names; roberts.h calls that of hidden lines back
 _PENS = {**{"hidden" if name == "back" else name: name for name in c.PENS}, "back": "back"}
+_PEN = {"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm", "off": "off", "number": "number"}
 # the kind of fill, and whether it is shaded
 _FILLS = {"none": (0, False), "white": (1, False), "model": (2, False), "body": (3, False), "shade": (2, True),
           "shade:white": (1, True), "shade:body": (3, True)}
@@ -56,6 +57,9 @@ _SHEET_VIEWS = ("front", "top", "side", "iso")
 # the options of a page: see svg()
 _OPTIONS = ("background", "columns", "crop", "description", "dpi", "fill", "group", "hatch", "hidden", "id_prefix",
             "labels", "light", "number_layers", "page", "pens", "real_dashes", "scale", "shaded", "title")
+
+_TABLES = ("csv", "json")
+_ONLY_IN = {"columns": _TABLES, "dpi": ("png",), "group": ("svg",), "id_prefix": ("svg",)}
 
 _vec2, _vec3 = np.dtype((np.float64, 2)), np.dtype((np.float64, 3))
 _SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), ("t0", "f8"), ("t1", "f8"),
@@ -110,7 +114,9 @@ class _Warned:
 
 
 def _set(struct: Any, name: str, value: Any, what: str) -> None:
-    """Sets a field; ctypes would not say which one has a wrong type."""
+    """Sets a field; ctypes would not say which one has a wrong type, and would take any text for True."""
+    if isinstance(getattr(struct, name), bool) and not isinstance(value, (bool, np.bool_)) and value not in (0, 1):
+        raise TypeError(f"{what}: it is True or False, not {value!r}")
     try:
         setattr(struct, name, value)
     except TypeError as why:
@@ -120,13 +126,13 @@ def _set(struct: Any, name: str, value: Any, what: str) -> None:
 def _unknown(what: str, name: str, names: Sequence[str]) -> TypeError:
     """There is no such name; says which ones there are, and which one was probably meant."""
     meant = difflib.get_close_matches(name, names, 1, 0.5)
-    return TypeError(f"{what}there is no {name!r}; " + (f"did you mean {meant[0]}? " if meant else "") +
-                     f"There are {', '.join(names)}")
+    return TypeError(f"{what}there is no {name!r}" + (f"; did you mean {meant[0]}?" if meant else ".") +
+                     f" There are {', '.join(names)}")
 
 
-def _fill(struct: Any, values: Mapping[str, Any], what: str) -> None:
-    """Sets fields of a struct by name."""
-    names = {name for name, *_ in struct._fields_}
+def _fill(struct: Any, values: Mapping[str, Any], what: str, names: Sequence[str] = ()) -> None:
+    """Sets fields of a struct by name: these, or any."""
+    names = names or [name for name, *_ in struct._fields_]
     for name, value in values.items():
         if name not in names:
             raise _unknown(f"{what}: ", name, sorted(names))
@@ -154,9 +160,9 @@ def _color(values: Sequence[int], what: str) -> tuple[int, int, int]:
     return red, green, blue
 
 
-def _choice(table: Mapping[str, Any], value: str, what: str) -> Any:
+def _choice(table: Mapping[str, Any], value: str, what: str, other: str = "") -> Any:
     if value not in table:
-        raise ValueError(f"{what}: {value!r} is none of {', '.join(table)}")
+        raise ValueError(f"{what}: {value!r} is unknown; it can be {', '.join(table)}{other}")
     return table[value]
 
 
@@ -244,6 +250,8 @@ class Scene:
     vertices    (n, 3) numbers, model units; read in place if they are float64 and contiguous, else converted
     faces       (m, k) vertex numbers, read in place if they are uint32 and contiguous, else converted; or a sequence
                 of m sequences of any lengths
+    colors      (m, 3) or (m, 4) numbers, for fill="model": red, green, blue and opacity of each face; whole numbers
+                from 0 to 255, others from 0 to 1; None: none
     hull        what is no convex solid is replaced by its hull
     solids      what is no convex solid is refused
     tolerance   how far a corner may lie off its face's plane, as a part of the solid's size; 0: 1e-5
@@ -253,15 +261,18 @@ class Scene:
     Raises Error, MemoryError, ValueError.
     """
 
-    def __init__(self, vertices: Any, faces: Any, *, hull: bool = False, solids: bool = False, tolerance: float = 0.0,
-                 even_odd: bool = False, rounded: bool = False) -> None:
+    def __init__(self, vertices: Any, faces: Any, *, colors: Any = None, hull: bool = False, solids: bool = False,
+                 tolerance: float = 0.0, even_odd: bool = False, rounded: bool = False) -> None:
         points = np.require(vertices, np.float64, "CA")
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
         start, corners = _pack(faces)
         mesh = c.mesh(vertex_count=len(points), face_count=len(start) - 1, corner_count=len(corners),
                       vertex=points.ctypes.data, face_start=start.ctypes.data, corner=corners.ctypes.data)
-        mesh.arrays = points, start, corners  # they live as long as the mesh
+        mesh.arrays = [points, start, corners]  # they live as long as the mesh
+        if colors is not None:
+            mesh.arrays.append(_face_colors(colors, mesh.face_count))
+            mesh.face_color = mesh.arrays[-1].ctypes.data
         c.check("mesh_check", ctypes.byref(mesh))
         self._build(mesh, c.scene_options(tolerance=tolerance, hull=hull, solids=solids, even_odd=even_odd,
                                           rounded=rounded), _Warned())
@@ -338,7 +349,11 @@ class Scene:
         return Sheet(self, _choice(_ANGLES, angle, "sheet"), options)
 
     def regions(self, where: ViewLike = None, **options: Any) -> Regions:
-        """What is seen of each face. options: merge_regions, unite, epsilon, threads. Raises Error, MemoryError."""
+        """What is seen of each face.
+
+        options  merge_regions (coplanar neighbours of one colour are one), slopes, unite, epsilon, grid, threads
+        Raises Error, MemoryError, TypeError.
+        """
         return Regions(self, _camera(where), options)
 
     def project(self, points: Any, where: ViewLike = None) -> np.ndarray:
@@ -360,6 +375,19 @@ class Scene:
     def __repr__(self) -> str:
         return (f"<roberts.Scene {self.name!r}: {self.body_count} bodies, {self._mesh.vertex_count} vertices, "
                 f"{self._mesh.face_count} faces>")
+
+
+def _face_colors(colors: Any, count: int) -> np.ndarray:
+    """Colours as the library has them."""
+    given = np.asarray(colors)
+    if given.ndim != 2 or len(given) != count or given.shape[1] not in (3, 4) or given.dtype.kind not in "uif":
+        raise ValueError(f"Scene: colors have the shape {given.shape}, not ({count}, 3) or ({count}, 4)")
+    values = given / 255.0 if given.dtype.kind in "ui" else given
+    if not np.all((values >= 0.0) & (values <= 1.0)):
+        raise ValueError("Scene: colors are whole numbers from 0 to 255, or others from 0 to 1")
+    packed = np.zeros(count, _COLOR)
+    packed["count"], packed["value"][:, :given.shape[1]] = given.shape[1], values
+    return packed
 
 
 def _pack(faces: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -415,11 +443,18 @@ def read(what: PathOrBytes, *, name: Optional[str] = None, hull: bool = False, s
 # ---- what is seen ---------------------------------------------------------------------------------------------------
 
 
-def _hide_options(values: Mapping[str, Any]) -> c.hide_options:
+_REGION_OPTIONS = ("epsilon", "grid", "merge_regions", "slopes", "threads", "unite")
+_HIDE_OPTIONS = [name for name, *_ in c.hide_options._fields_ if name not in ("merge_regions", "slopes")]
+
+
+def _hide_options(values: Mapping[str, Any], what: str, names: Sequence[str]) -> c.hide_options:
     options = c.lib.roberts_hide_options_default()
     if "crease_degrees" in values:
         options.crease_auto = False
-    _fill(options, values, "hide")
+    for name in values:
+        if name in (view.__kwdefaults__ or {}):
+            raise TypeError(f"{what}: {name} belongs to the view: {what}(roberts.view({name}=...))")
+    _fill(options, values, what, names)
     return options
 
 
@@ -436,7 +471,7 @@ class Regions:
     def __init__(self, scene: Scene, camera: c.camera, options: Mapping[str, Any]) -> None:
         self._list = c.region_list()
         weakref.finalize(self, c.lib.roberts_regions_free, ctypes.byref(self._list))
-        choice = _hide_options(options)
+        choice = _hide_options(options, "regions", _REGION_OPTIONS)
         c.check("regions", scene._handle, ctypes.byref(camera), ctypes.byref(choice), ctypes.byref(self._list))
 
     @property
@@ -485,13 +520,14 @@ class _Drawable:
         options  see svg()
         Raises Error, MemoryError, ValueError.
         """
-        path, number = os.fspath(path), ctypes.c_int()
-        if not (c.lib.roberts_format_by_name(format.encode(), ctypes.byref(number)) if format is not None
-                else c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(number))):
+        path, ending = os.fspath(path), ctypes.c_int()
+        named = c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(ending))
+        number = _format(format) if format is not None else ending.value if named else None
+        if number is None:
             raise ValueError(f"save: no format is called {format!r}" if format is not None
                              else f"save: {path!r} does not end in the name of a format")
-        page, ending = _Page(self, number.value, options), ctypes.c_int()
-        if c.lib.roberts_format_by_path(os.fsencode(path), ctypes.byref(ending)) and ending.value != number.value:
+        page = _Page(self, number, options)
+        if named and ending.value != number:
             page.warned.said.append(f"{os.fsdecode(path)}: its ending names another format, but it is {format}")
         self._call("save", page, os.fsencode(path))
         page.warned.issue()
@@ -519,7 +555,18 @@ class _Drawable:
         crop, dpi, real_dashes, number_layers  as in roberts_draw_options
         Raises Error, MemoryError, TypeError, ValueError.
         """
-        page, parts = _Page(self, 0, options), []
+        return self._text("svg", options)
+
+    def csv(self, **options: Any) -> str:
+        """The table of the segments: what save() writes as CSV. pandas.read_csv(io.StringIO(...)) reads it.
+
+        options  columns and hidden; see svg()
+        Raises Error, MemoryError, TypeError, ValueError.
+        """
+        return self._text("csv", options)
+
+    def _text(self, format: str, options: Mapping[str, Any]) -> str:
+        page, parts = _Page(self, _format(format), options), []
 
         def write(_context: Any, data: int, size: int) -> bool:
             parts.append(ctypes.string_at(data, size))
@@ -541,7 +588,7 @@ class Drawing(_Drawable):
         self._drawing = c.drawing()
         self._keeps_hidden = bool(options.get("keep_hidden", False))
         weakref.finalize(self, c.lib.roberts_drawing_free, ctypes.byref(self._drawing))
-        choice = _hide_options(options)
+        choice = _hide_options(options, "hide", _HIDE_OPTIONS)
         c.check("hide", scene._handle, ctypes.byref(camera), ctypes.byref(choice), ctypes.byref(self._drawing))
 
     @property
@@ -609,6 +656,11 @@ class Sheet(_Drawable):
         return f"<roberts.Sheet {self._scene.name!r}: {', '.join(self.views)}>"
 
 
+def _format(name: str) -> Optional[int]:
+    number = ctypes.c_int()
+    return number.value if c.lib.roberts_format_by_name(name.encode(), ctypes.byref(number)) else None
+
+
 class _Page:
     """The options of one page, and what they borrow."""
 
@@ -620,6 +672,7 @@ class _Page:
         self.drawings = [c.drawing.from_buffer_copy(one._drawing) for one in drawings]  # these share the segments
         self.regions = []
         o.format, o.scene, o.lettering.warnings = format, of._scene._handle, self.warned.struct
+        self._tell(format, given)
         o.hidden = _choice(_HIDDEN, given.pop("hidden", "dashed" if of._keeps_hidden else "none"), "hidden")
         if o.hidden != _HIDDEN["none"] and not any(one._keeps_hidden for one in drawings):
             raise ValueError("hidden: these lines were not kept; hide(..., keep_hidden=True) keeps them")
@@ -627,8 +680,7 @@ class _Page:
         self._texts(of, given)
         self._paper(given)
         if self._paint(given):
-            regions = {name: of._options[name] for name in ("unite", "epsilon", "threads", "grid")
-                       if name in of._options}
+            regions = {name: of._options[name] for name in _REGION_OPTIONS if name in of._options}
             self.regions = [Regions(one._scene, one._camera, regions) for one in drawings]
             for drawing, seen in zip(self.drawings, self.regions):
                 drawing.regions = ctypes.addressof(seen._list)
@@ -644,9 +696,21 @@ class _Page:
         if given:
             raise _unknown("", next(iter(given)), _OPTIONS)
 
+    def _tell(self, format: int, given: dict) -> None:
+        """Warns of options that have no effect in a format."""
+        table = format in map(_format, _TABLES)
+        for name in given:
+            formats = _ONLY_IN.get(name, ())
+            if formats and format not in map(_format, formats):
+                self.warned.said.append(f"{name} has no effect: it is for {' and '.join(formats)}")
+            elif table and not formats and name != "hidden":
+                self.warned.said.append(f"{name} has no effect: tables have no page")
+
     def _texts(self, of: Drawing, given: dict) -> None:
         for name, default in (("title", of._scene.name or None), ("description", None), ("id_prefix", None)):
             value = given.pop(name, default)
+            if value is not None and not isinstance(value, str):
+                raise TypeError(f"{name}: it is a str, not {value!r}")
             if name == "id_prefix" and value is not None and not re.fullmatch(r"[A-Za-z_][-.\w]*", value, re.ASCII):
                 raise ValueError(f"{name}: {value!r} cannot begin an id: it needs a letter or _, then letters, digits, "
                                  "- . or _")
@@ -668,11 +732,14 @@ class _Page:
             _set(o.placement, "scale", given.pop("scale"), "scale")
         for name, values in given.pop("pens", {}).items():
             pen = getattr(o, _choice(_PENS, name, "pens"))
-            values = {{"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm"}.get(k, k): v for k, v in values.items()}
             pen.off = False
-            if "color" in values:
-                pen.red, pen.green, pen.blue = _color(values.pop("color"), "pens: color")
-            _fill(pen, values, "pens")
+            for key, value in values.items():
+                if key == "color":
+                    pen.red, pen.green, pen.blue = _color(value, "pens: color")
+                elif key in _PEN:
+                    _fill(pen, {_PEN[key]: value}, "pens")
+                else:
+                    raise _unknown("pens: ", key, ("color", *_PEN))
         if "background" in given:
             o.background = c.background(True, *_color(given.pop("background"), "background"))
 
@@ -682,11 +749,13 @@ class _Page:
         if fill is not None and not isinstance(fill, str):
             o.fill, o.fill_color = 1, (ctypes.c_ubyte * 3)(*_color(fill, "fill"))
         elif fill is not None:
-            o.fill, shaded = _choice(_FILLS, fill, "fill")
+            o.fill, shaded = _choice(_FILLS, fill, "fill", ", or (red, green, blue)")
         o.shaded = given.pop("shaded", False) or shaded
-        if hatch:
+        if isinstance(hatch, Mapping):
             o.hatching.on = True
-            _fill(o.hatching, hatch if isinstance(hatch, Mapping) else {}, "hatch")
+            _fill(o.hatching, hatch, "hatch")
+        elif hatch is not None:
+            _set(o.hatching, "on", hatch, "hatch, unless it is a dict")
         if o.shaded and not o.fill:
             self.warned.said.append("shaded has no effect: nothing is filled without fill")
         if "light" in given:
