@@ -984,7 +984,7 @@ typedef struct roberts_lettering {
     bool zones;                /**< with a frame: zones and centring marks (ISO 5457), in margins of at least 7 mm */
     const char *unit;          /**< printed after the numbers of dimensions; NULL: none */
     roberts_warnings warnings; /**< of characters that the fonts lack, labels and distances without room, a tiny
-                                    drawing */
+                                    drawing, hatching that is all too short, lines beyond a plotter's origin */
 } roberts_lettering;
 
 /** In which order the pen draws the lines of a class. */

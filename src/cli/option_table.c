@@ -825,8 +825,9 @@ static const option rows[] = {
                "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
                "svg, pdf, tikz and dxf have the text itself, which can be searched, copied, and set in the "
                "document's fonts (in svg in the layers letters and hidden-letters). In pdf the fonts are Helvetica and "
-               "Symbol, which are not part of the file. A warning tells of characters that these fonts, or in tikz "
-               "LaTeX itself, lack. Other formats have strokes all the same, and a warning says so."},
+               "Symbol, which are not part of the file. In tikz, text between two dollar signs, as $v_1$, is a "
+               "formula. A warning tells of characters that the fonts of pdf, or LaTeX itself, lack. Other formats "
+               "have strokes all the same, and a warning says so."},
 
     /* ---- view ---- */
     {.group = GROUP_VIEW,

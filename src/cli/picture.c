@@ -484,7 +484,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
         warn_no_colors(options, run->missing);
     if (page && hint_idle_hatch(options, v->drawing, v->count))
         warn_of_inputs(options, options->draw.hatching.sections
-                                    ? "--hatch has no effect: the near plane cuts no closed body"
+                                    ? "--hatch has no effect: no closed body is cut"
                                     : "--hatch has no effect: the light falls straight on all faces that are seen");
     if (page && hint_idle_pens(options, v->drawing, v->count, text, sizeof text))
         warn_of_inputs(options, text);

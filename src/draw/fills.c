@@ -415,7 +415,7 @@ static plate plate_of(const strokes *s, size_t i)
 {
     const text_line line = notes_line(&s->notes, i);
     const roberts_vec2 along = line.along, up = text_upward(along);
-    const double width = letters_width(line.text, line.height_mm), rim = plate_rim * line.height_mm;
+    const double width = strokes_text_width(s->options, line.text, line.height_mm), rim = plate_rim * line.height_mm;
     const double x[2] = {-line.align * width - rim, (1.0 - line.align) * width + rim};
     const double y[2] = {-rim, line.height_mm + rim};
     plate p = {.is_back = s->notes.item[i].is_back};

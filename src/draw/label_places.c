@@ -146,8 +146,8 @@ size_t labels_make(const placing *p, const strokes *s, const targets *t, label *
         if (!l->text || !*l->text)
             continue;
         const double depth = label_has_descender(l->text) ? LETTERS_DEPTH : 0.0;
-        l->half =
-            (roberts_vec2){letters_width(l->text, height) / 2.0 + gap * 0.5, height * (1.0 + depth) / 2.0 + gap * 0.5};
+        l->half = (roberts_vec2){strokes_text_width(s->options, l->text, height) / 2.0 + gap * 0.5,
+                                 height * (1.0 + depth) / 2.0 + gap * 0.5};
         count++;
     }
     qsort(list, count, sizeof *list, by_freedom);

@@ -317,6 +317,7 @@ typedef struct writer {
     double before; /* mm of the text that lie before line->at */
     double pen;    /* x of the next character, units of the fonts */
     polylines *out;
+    bool formulas; /* in dollar signs */
     bool failed;
 } writer;
 
@@ -391,11 +392,51 @@ static void add_character(writer *w, const char *strokes, char letter, const com
     w->pen += right - left;
 }
 
+size_t letters_formula(const char *text)
+{
+    size_t end = 1;
+    int open = 0;
+    if (text[0] != '$')
+        return 0;
+    for (; (unsigned char)text[end] >= ' ' && text[end] != '$' && open >= 0; end++) {
+        if (text[end] == '\\' && text[end + 1] > ' ')
+            end++; /* what stands behind it is neither a brace nor the end */
+        else
+            open += (text[end] == '{') - (text[end] == '}');
+    }
+    return end > 1 && open == 0 && text[end] == '$' ? end + 1 : 0;
+}
+
+/* A letter for each sign of a formula; a command is one sign. */
+static void write_formula(writer *w, const char *text, size_t bytes)
+{
+    static const char name[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    for (size_t i = 1, length; i + 1 < bytes; i += length) {
+        const size_t named = text[i] == '\\' ? strspn(text + i + 1, name) : 0;
+        const char *letter = "x";
+        composed c;
+        uint32_t code;
+        letters_decode(text + i, &length);
+        if (text[i] == '\\')
+            length = 1 + (named ? named : 1);
+        if (strchr("{}^_ ", text[i]))
+            continue;
+        next_character(&letter, &c, &code);
+        add_character(w, letters_latin['x' - FIRST], 'x', &c);
+    }
+}
+
 static void write_line(writer *w, const char *text)
 {
     while (*text && !w->failed) {
         composed c;
         uint32_t code;
+        const size_t formula = w->formulas ? letters_formula(text) : 0;
+        if (formula) {
+            write_formula(w, text, formula);
+            text += formula;
+            continue;
+        }
         next_character(&text, &c, &code);
         if (c.sign)
             add_character(w, c.sign, 0, &c);
@@ -407,6 +448,13 @@ static void write_line(writer *w, const char *text)
 double letters_width(const char *text, double height_mm)
 {
     writer w = {.scale = height_mm / capital};
+    write_line(&w, text);
+    return w.pen * w.scale;
+}
+
+double letters_tex_width(const char *text, double height_mm)
+{
+    writer w = {.scale = height_mm / capital, .formulas = true};
     write_line(&w, text);
     return w.pen * w.scale;
 }

@@ -33,6 +33,13 @@ double text_degrees(const text_line *line);
 /* Width in mm. */
 double letters_width(const char *text, double height_mm);
 
+/* About the width in LaTeX, where a formula has one letter for each of its signs. */
+double letters_tex_width(const char *text, double height_mm);
+
+/* The bytes of the formula that the text begins with, from one dollar sign to the next; 0: there is none. In a formula
+ * the braces match. */
+size_t letters_formula(const char *text);
+
 /* Appends the strokes. A character that the fonts lack becomes a box, and so does a byte that is not UTF-8. False: no
  * memory. */
 bool letters_draw(const text_line *line, double units_per_mm, polylines *out);

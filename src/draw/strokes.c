@@ -248,6 +248,12 @@ bool strokes_text_is_native(const roberts_draw_options *options)
     return options->lettering.native && roberts_format_has_text(options->format);
 }
 
+double strokes_text_width(const roberts_draw_options *options, const char *text, double height_mm)
+{
+    return options->lettering.native && options->format == ROBERTS_TIKZ ? letters_tex_width(text, height_mm)
+                                                                        : letters_width(text, height_mm);
+}
+
 static bool add_text(const strokes *s, roberts_line line, polylines *out)
 {
     return notes_draw(&s->notes, line == LINE_HIDDEN_TEXT, strokes_text_is_native(s->options), s->units_per_mm, out);
@@ -283,9 +289,11 @@ static roberts_status place_text(strokes *s, const pieces *p, roberts_error *err
     return status;
 }
 
-/* Drops the polylines from `first` on that are shorter than `least`, in units of the page. */
-static void drop_short(polylines *out, size_t first, double least)
+/* Drops the strokes of hatching, from `first` on, that are too short; warns if none is left. */
+static void drop_short(const strokes *s, polylines *out, size_t first)
 {
+    const double least = s->options->hatching.shortest_mm * s->units_per_mm;
+    const roberts_warnings *to = &s->options->lettering.warnings;
     size_t kept = first;
     for (size_t i = first; i < out->count; i++) {
         const page_point *p = out->point + out->item[i].first;
@@ -294,6 +302,12 @@ static void drop_short(polylines *out, size_t first, double least)
             length += page_distance(p[k - 1], p[k]);
         if (length >= least)
             out->item[kept++] = out->item[i];
+    }
+    if (kept == first && out->count > first && to->warn) {
+        char text[80];
+        snprintf(text, sizeof text, "all strokes of hatching are shorter than %g mm, and left out",
+                 s->options->hatching.shortest_mm);
+        to->warn(to->context, "", 0, text);
     }
     out->count = kept;
 }
@@ -322,7 +336,7 @@ static roberts_status chain_class(const strokes *s, const pieces *p, roberts_lin
     else
         done = chain_pieces(p, line, out);
     if (done && line == LINE_HATCH)
-        drop_short(out, first, s->options->hatching.shortest_mm * s->units_per_mm);
+        drop_short(s, out, first);
     if (!done || (ordered && !in_place && !travel_order(out, first, pen)))
         return error_no_memory(error);
     if (!s->options->real_dashes || !is_broken(s->options, line))

@@ -102,6 +102,9 @@ double strokes_text_height(const roberts_draw_options *options);
 /* Whether letters are text of the file's reader, and no strokes. */
 bool strokes_text_is_native(const roberts_draw_options *options);
 
+/* The width of text in mm. */
+double strokes_text_width(const roberts_draw_options *options, const char *text, double height_mm);
+
 /* Whether line `i` of the text is of this class, which is LINE_TEXT or LINE_HIDDEN_TEXT. */
 static inline bool strokes_text_is_of(const strokes *s, size_t i, roberts_line class)
 {

@@ -5,6 +5,8 @@
  * them. 40 units are a mm. The origin is the lower left corner of the page, or its middle, or lies at some distance
  * from there, and the page may be turned, as the plotter needs it. Coordinates are whole numbers, because many plotters
  * and cutters read no others. So they are accurate to half a unit, 0.0125 mm. */
+#include <stdio.h>
+
 #include "write/formats.h"
 #include "write/plot.h"
 
@@ -116,11 +118,32 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
     output_text(p->out, ";\n");
 }
 
+/* Warns of lines beyond an origin in a corner: the pen of a plotter cannot go there. */
+static void warn_outside(const hpgl *p)
+{
+    const roberts_warnings *to = &p->s->options->lettering.warnings;
+    const polylines *lines = &p->s->lines;
+    int32_t least = 0;
+    char text[120];
+    for (size_t i = 0; i < lines->count && !p->s->options->plotter.centre; i++)
+        for (uint32_t k = 0; k < lines->item[i].count; k++) {
+            const page_point at = on_plotter(p, lines->point[lines->item[i].first + k]);
+            least = at.x < least ? at.x : least;
+            least = at.y < least ? at.y : least;
+        }
+    if (least == 0 || !to->warn)
+        return;
+    snprintf(text, sizeof text, "lines reach %.1f mm beyond the plotter's origin; its pen may not go there",
+             -(double)least / UNITS_PER_MM);
+    to->warn(to->context, "", 0, text);
+}
+
 roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
     hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .pen = pen_of, .context = &p};
+    warn_outside(&p);
     write_integer(out, "IN;NP", PENS, ";\n");
     roberts_status status = plot_strokes(s, &to, out, error);
     output_text(out, "PU;SP0;\n");

@@ -156,6 +156,11 @@ size_t tikz_text_missing(const char *text, uint32_t *first)
     size_t missing = 0, length;
     for (const char *at = text; *at; at += length) {
         const uint32_t code = letters_decode(at, &length);
+        const size_t formula = letters_formula(at);
+        if (formula) {
+            length = formula;
+            continue;
+        }
         if (is_defined(code) || (at > text && find_accent(at)))
             continue;
         if (missing++ == 0 && first)
@@ -169,7 +174,13 @@ void tikz_text_write(output *out, const char *text)
     size_t length, count;
     for (; *text; text += length) {
         const uint32_t code = letters_decode(text, &length);
+        const size_t formula = letters_formula(text);
         size_t marks = 0;
+        if (formula) {
+            output_bytes(out, text, formula);
+            length = formula;
+            continue;
+        }
         while (find_accent(text + length + 2 * marks))
             marks++;
         for (size_t i = marks; i > 0; i--) { /* the last one is the outermost */

@@ -643,7 +643,7 @@ static void sections_are_cut(void **state)
                      0);
     assert_string_equal(last.err, "");
     assert_int_equal(run("--section 0,-1,0 --view front --hatch faces=sections -o a.svg models/platonic/cube.off"), 0);
-    assert_non_null(strstr(last.err, "--hatch has no effect: the near plane cuts no closed body\n"));
+    assert_non_null(strstr(last.err, "--hatch has no effect: no closed body is cut\n"));
     assert_non_null(strstr(last.err, "--section has no effect: nothing of the scene is nearer to the viewer than its "
                                      "point\n"));
     assert_int_equal(run("--eye 0,-9,0 --near 8.5 --section 0,-5,0 -o a.svg models/platonic/cube.off"), 0);

@@ -140,6 +140,31 @@ static void signs_and_digits(void **state)
     assert_true(letters_width("₁", 3.5) < letters_width("1", 3.5));
 }
 
+/* In LaTeX, a formula is as wide as its signs. */
+static void formulas(void **state)
+{
+    static const struct {
+        const char *text, *like;
+        size_t bytes;
+    } cases[] = {{"$v_1$", "xx", 5},
+                 {"$\\alpha_{12}$", "xxx", 13},
+                 {"$\\{β\\,\\$\\}$", "xxxxx", 12},
+                 {"$ $", "", 3},
+                 {"a$b$c", "axc", 0},
+                 {"5 $", "5 $", 0},
+                 {"$$", "$$", 0},
+                 {"${$", "${$", 0},
+                 {"$}{$", "$}{$", 0},
+                 {"$a\\$", "$a\\$", 0},
+                 {"$a\\", "$a\\", 0},
+                 {"", "", 0}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        assert_int_equal(letters_formula(cases[i].text), cases[i].bytes);
+        assert_true(fabs(letters_tex_width(cases[i].text, 3.5) - letters_width(cases[i].like, 3.5)) < 1e-9);
+    }
+}
+
 /* Anything that is not UTF-8, or not in the fonts, becomes a box, and is never read beyond its end. */
 static void faults_of_text(void **state)
 {
@@ -182,9 +207,9 @@ static void all_pairs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(letter_by_hand), cmocka_unit_test(aligned_and_turned),
-                                       cmocka_unit_test(accents),        cmocka_unit_test(accents_in_place),
-                                       cmocka_unit_test(greek_letters),  cmocka_unit_test(signs_and_digits),
-                                       cmocka_unit_test(faults_of_text), cmocka_unit_test(all_pairs)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(letter_by_hand),   cmocka_unit_test(aligned_and_turned), cmocka_unit_test(accents),
+        cmocka_unit_test(accents_in_place), cmocka_unit_test(greek_letters),      cmocka_unit_test(signs_and_digits),
+        cmocka_unit_test(formulas),         cmocka_unit_test(faults_of_text),     cmocka_unit_test(all_pairs)};
     return cmocka_run_group_tests_name("letters", tests, NULL, NULL);
 }

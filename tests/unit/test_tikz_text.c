@@ -47,6 +47,14 @@ static void characters(void **state)
                  {"(11\u03050)e\u0301", "(1\\={1}0)\\'{e}"},
                  {"e\u0302\u0301a\u0328\u0300.", "\\'{\\^{e}}\\`{\\k{a}}."},
                  {"a\nb\x7f\xff.", "a?b??."},
+                 {"$v_1$", "$v_1$"},
+                 {"a_1 $\\beta^{2}$ & $c$", "a\\_1 $\\beta^{2}$ \\& $c$"},
+                 {"$\\{x\\$\\}$.", "$\\{x\\$\\}$."},
+                 {"5$", "5\\$"},
+                 {"$$", "\\$\\$"},
+                 {"$}{$", "\\$\\}\\{\\$"},
+                 {"${$", "\\$\\{\\$"},
+                 {"$a\nb$", "\\$a?b\\$"},
                  {"", ""}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         output out;
@@ -71,6 +79,7 @@ static void characters_that_latex_lacks(void **state)
         {"\u0438", 1, 0x438},
         {"\u0301e", 1, 0x301}, /* no letter before the accent */
         {"b\xff", 1, 0},
+        {"$\u4e00$", 0, MISSING_NOTHING}, /* what a formula means is up to the document */
         {"\t", 1, 9},
         {"", 0, MISSING_NOTHING}};
     (void)state;
