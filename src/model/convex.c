@@ -198,13 +198,13 @@ static double polygon_spread(const roberts_vec3 *corner, uint32_t count)
     return greatest;
 }
 
-/* ---- the vertex farthest out of a plane ------------------------------------------------------------------------ */
+/* ---- vertices outside a plane ---------------------------------------------------------------------------------- */
 
-/* A tree of boxes that finds the point farthest outside a plane.
+/* A tree of boxes that finds points outside a plane.
  *
  * The points are sorted along the Z-order curve and cut into leaves of eight. A complete binary tree of boxes is built
- * over the leaves. A box is skipped if its least possible F is no better than the best so far. Source: G. M. Morton, "A
- * computer oriented geodetic data base and a new technique in file sequencing", IBM 1966. */
+ * over the leaves. A box is skipped if its least possible F is allowed. Source: G. M. Morton, "A computer oriented
+ * geodetic data base and a new technique in file sequencing", IBM 1966. */
 
 typedef struct vertex_tree {
     const roberts_vec3 *point;
@@ -290,39 +290,14 @@ static double least_in_box(const box3 *box, plane F)
     return box->lo.x <= box->hi.x ? plane_at(F, corner) : INFINITY;
 }
 
-/* Returns the point with the least F, if that is below `bound`; otherwise ROBERTS_NONE. */
-static uint32_t vertex_tree_outermost(const vertex_tree *tree, plane F, double bound)
-{
-    uint32_t stack[34], depth = 0, found = ROBERTS_NONE; /* at most one pending box per level */
-    stack[depth++] = 1;
-    while (depth > 0) {
-        uint32_t i = stack[--depth];
-        if (!(least_in_box(&tree->box[i], F) < bound))
-            continue;
-        if (i < tree->leaves) {
-            bool left = least_in_box(&tree->box[2 * i], F) < least_in_box(&tree->box[2 * i + 1], F);
-            stack[depth++] = 2 * i + left; /* the better one is popped first */
-            stack[depth++] = 2 * i + !left;
-            continue;
-        }
-        for (uint32_t k = (i - tree->leaves) * LEAF; k < tree->count && k / LEAF == i - tree->leaves; k++) {
-            double value = plane_at(F, tree->point[tree->order[k]]);
-            if (value < bound) {
-                bound = value;
-                found = tree->order[k];
-            }
-        }
-    }
-    return found;
-}
-
 /* ---- is a solid convex? ---------------------------------------------------------------------------------------- */
 
 /* Is a closed component a convex solid, within the tolerance?
  *
  * A closed surface bounds a convex solid if every face is a convex polygon, every vertex lies behind every face's
  * plane, and the faces, seen from the barycentre, cover each direction once. A vertex may lie outside a plane by the
- * tolerance. The plane of a small face cannot be trusted far away from it; there the limit grows in proportion.
+ * tolerance. The plane of a small face cannot be trusted far away from it; there the limit grows in proportion to the
+ * distance. Near the face it does not, so that the dent of a rebate along a thin plank is found.
  *
  * Usually it is enough that no edge bends inward. The sum of the inward bends bounds how far anything can lie outside,
  * as a fraction of the size. If this sum is not far below the tolerance, because coordinates are rounded or the solid
@@ -383,10 +358,54 @@ static roberts_status check_face(const roberts_scene *scene, const solid_frame *
     return ROBERTS_OK;
 }
 
-/* Returns how far a vertex may lie outside this face's plane. */
-static double allowance(const solid_frame *frame, const local_face *face)
+/* Returns the distance of a point from the sides of a polygon of n corners. */
+static double distance_from_ring(const roberts_vec3 *ring, uint32_t n, roberts_vec3 P)
 {
-    return face->width < frame->size ? frame->allowed * (frame->size / face->width) : frame->allowed;
+    double least = INFINITY;
+    for (uint32_t i = 0; i < n; i++) {
+        const roberts_vec3 A = ring[i ? i - 1 : n - 1], AB = vec3_sub(ring[i], A), AP = vec3_sub(P, A);
+        const double squared = vec3_dot(AB, AB), t = squared > 0.0 ? vec3_dot(AP, AB) / squared : 0.0;
+        least = lesser(least, vec3_length(vec3_sub(AP, vec3_scale(greater(0.0, lesser(1.0, t)), AB))));
+    }
+    return least;
+}
+
+/* A face whose plane is compared with vertices, and how far outside these may lie: by `far` everywhere, and by `near`
+ * where they touch the face. */
+typedef struct judged_face {
+    const local_face *face;
+    const roberts_vec3 *ring; /* [corners] relative to `origin` */
+    roberts_vec3 origin;
+    uint32_t corners;
+    double near, far;
+} judged_face;
+
+static judged_face judge(const roberts_scene *scene, const solid_frame *frame, uint32_t f)
+{
+    const local_face *face = &frame->face[f];
+    return (judged_face){
+        .face = face,
+        .ring = frame->ring,
+        .origin = frame_origin(frame, scene, f),
+        .corners = frame_ring(frame, scene, f),
+        .near = 2.0 * frame->allowed,
+        .far = face->width < frame->size ? frame->allowed * (frame->size / face->width) : frame->allowed,
+    };
+}
+
+/* Returns how far a vertex may lie outside, given its distance from the face. Moving it and the corners of the face by
+ * the tolerance turns the plane by two tolerances over the width of the face. */
+static double allowance(const judged_face *j, double distance)
+{
+    return lesser(j->far, j->near * (1.0 + distance / j->face->width));
+}
+
+/* Does a point lie too far outside? */
+static bool is_outside(const judged_face *j, roberts_vec3 P)
+{
+    const double outside = -plane_at(j->face->F, P);
+    return outside > lesser(j->near, j->far) &&
+           outside > allowance(j, distance_from_ring(j->ring, j->corners, vec3_sub(P, j->origin)));
 }
 
 static roberts_status refuse_vertex(const roberts_scene *scene, const solid_frame *frame, uint32_t f, uint32_t v,
@@ -499,33 +518,101 @@ static roberts_status check_pairs(const roberts_scene *scene, solid_frame *frame
 {
     for (uint32_t f = 0; f < frame->face_count; f++) {
         local_face *face = &frame->face[f];
-        double outside = -least_distance(frame, face->F);
-        if (outside <= frame->allowed)
+        if (-least_distance(frame, face->F) <= frame->allowed)
             continue;
-        if (outside > allowance(frame, face))
-            return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
+        const judged_face j = judge(scene, frame, f);
+        for (uint32_t v = 0; v < frame->vertex_count; v++)
+            if (is_outside(&j, frame->point[v]))
+                return refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
         frame->any_lean = face->lean = true;
     }
     return ROBERTS_OK;
 }
 
-/* Compares every plane with the tree of vertices. */
+/* How far any point of a box may lie outside; `own` is the box of the face. */
+static double least_allowance(const judged_face *j, const box3 *own, const box3 *box)
+{
+    if (j->near == INFINITY)
+        return j->far;
+    const roberts_vec3 gap = {greater(0.0, greater(box->lo.x - own->hi.x, own->lo.x - box->hi.x)),
+                              greater(0.0, greater(box->lo.y - own->hi.y, own->lo.y - box->hi.y)),
+                              greater(0.0, greater(box->lo.z - own->hi.z, own->lo.z - box->hi.z))};
+    return allowance(j, vec3_length(gap));
+}
+
+/* Does any point of the tree lie too far outside? */
+static bool any_outside(const vertex_tree *tree, const judged_face *j)
+{
+    uint32_t stack[34], depth = 0; /* at most one pending box per level */
+    box3 own = box3_none;
+    for (uint32_t i = 0; i < j->corners && j->near < INFINITY; i++)
+        box3_add(&own, vec3_add(j->origin, j->ring[i]));
+    stack[depth++] = 1;
+    while (depth > 0) {
+        const uint32_t i = stack[--depth];
+        if (!(-least_in_box(&tree->box[i], j->face->F) > least_allowance(j, &own, &tree->box[i])))
+            continue;
+        if (i < tree->leaves) {
+            stack[depth++] = 2 * i;
+            stack[depth++] = 2 * i + 1;
+            continue;
+        }
+        for (uint32_t k = (i - tree->leaves) * LEAF; k < tree->count && k / LEAF == i - tree->leaves; k++)
+            if (is_outside(j, tree->point[tree->order[k]]))
+                return true;
+    }
+    return false;
+}
+
+/* Does a corner of face g lie outside face f by no small part of the tolerance? */
+static bool dents(const roberts_scene *scene, const solid_frame *frame, uint32_t g, uint32_t f)
+{
+    const uint32_t *start = scene->face_start + frame->face_first + g;
+    for (uint32_t i = start[0]; i < start[1]; i++)
+        if (-plane_at(frame->face[f].F, frame->point[scene->corner[i] - frame->vertex_first]) >
+            BEND_PART * frame->allowed)
+            return true;
+    return false;
+}
+
+/* Marks faces with a neighbour that dents the solid there. NULL: no memory. */
+static uint8_t *mark_dents(const roberts_scene *scene, const solid_frame *frame)
+{
+    uint8_t *dent = alloc_zeroed(frame->face_count, 1);
+    for (uint32_t e = 0; dent && e < frame->edge_count; e++) {
+        const scene_edge *edge = &frame->edge[e];
+        for (int k = 0; k < 2 && bend_of(frame, edge) > 0.0; k++)
+            dent[edge->f[k]] |= dents(scene, frame, edge->f[!k], edge->f[k]);
+    }
+    return dent;
+}
+
+/* Compares every plane with the tree of vertices; near their faces only those that a neighbour dents, since it takes
+ * long. */
 static roberts_status check_by_tree(const roberts_scene *scene, solid_frame *frame, roberts_error *error)
 {
     roberts_status status = ROBERTS_OK;
     vertex_tree tree;
     if (!vertex_tree_build(&tree, frame->point, frame->vertex_count))
         return error_no_memory(error);
+    uint8_t *dent = mark_dents(scene, frame);
+    if (!dent)
+        status = error_no_memory(error);
     for (uint32_t f = 0; f < frame->face_count && status == ROBERTS_OK; f++) {
         local_face *face = &frame->face[f];
-        double bound = face->width > frame->allowed ? allowance(frame, face) : frame->allowed;
-        uint32_t v = face->area > 0.0 ? vertex_tree_outermost(&tree, face->F, -bound) : ROBERTS_NONE;
-        if (v == ROBERTS_NONE)
+        if (!(face->area > 0.0))
+            continue;
+        const bool narrow = !(face->width > frame->allowed);
+        judged_face j = judge(scene, frame, f);
+        j.far = narrow ? frame->allowed : j.far;
+        j.near = dent[f] ? j.near : INFINITY;
+        if (!any_outside(&tree, &j))
             continue;
         frame->any_lean = face->lean = true;
-        if (-plane_at(face->F, frame->point[v]) > allowance(frame, face))
-            status = refuse_vertex(scene, frame, f, v, error);
+        if (!narrow)
+            status = refuse_vertex(scene, frame, f, outermost(frame, face->F), error);
     }
+    free(dent);
     vertex_tree_free(&tree);
     return status;
 }

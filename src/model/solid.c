@@ -253,7 +253,7 @@ roberts_status frame_enter(solid_frame *frame, const roberts_scene *scene, uint3
     frame->size = vec3_length(vec3_scale(scale, diagonal));
     frame->allowed = tolerance * frame->size;
     frame->loose = frame_loose(tolerance, largest * scale, frame->size);
-    frame->loose32 = frame->allowed + (double)FLT_EPSILON * largest * scale;
+    frame->loose32 = frame->allowed + lesser((double)FLT_EPSILON * largest * scale, FRAME_FAR * frame->allowed);
     frame->flat = FLAT_PART * frame->size;
     /* if any number is not finite, neither is the sum */
     return largest <= MESH_COORDINATE_MAX && isfinite(sum.x + sum.y + sum.z) ? ROBERTS_OK : ROBERTS_BAD_NUMBER;

@@ -928,6 +928,56 @@ static void a_dent_far_away_is_a_dent(void **state)
     }
 }
 
+/* A plank along y, in `parts` of triangles, with a rebate along one edge. Its profile has six corners. */
+static void add_plank(roberts_mesh *mesh, const double size[3], const double rebate[2], roberts_vec3 far,
+                      uint32_t parts)
+{
+    static const uint32_t end[4][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 5}, {3, 4, 5}};
+    const double w = size[0], h = size[2], a = rebate[0], b = rebate[1];
+    const double profile[6][2] = {{0, 0}, {w, 0}, {w, h - b}, {w - a, h - b}, {w - a, h}, {0, h}};
+    for (uint32_t i = 0; i <= parts; i++)
+        for (int k = 0; k < 6; k++)
+            add_vertex(mesh, far.x + profile[k][0], far.y + size[1] * i / parts, far.z + profile[k][1]);
+    for (uint32_t i = 0; i < parts; i++)
+        for (uint32_t k = 0; k < 6; k++) {
+            const uint32_t p = 6 * i + k, q = 6 * i + (k + 1) % 6;
+            add_face(mesh, (uint32_t[]){p, q, q + 6}, 3);
+            add_face(mesh, (uint32_t[]){p, q + 6, p + 6}, 3);
+        }
+    for (int k = 0; k < 4; k++) {
+        add_face(mesh, end[k], 3);
+        add_face(mesh, (uint32_t[]){6 * parts + end[k][0], 6 * parts + end[k][1], 6 * parts + end[k][2]}, 3);
+    }
+}
+
+/* Its narrow faces may lean, which must not excuse the rebate beside them. */
+static void a_rebate_along_a_plank_is_a_dent(void **state)
+{
+    static const struct {
+        double size[3], rebate[2];
+        roberts_vec3 far;
+        bool convex;
+    } cases[] = {
+        {{100, 6000, 50}, {15, 20}, {0, 0, 0}, false},      {{100, 6000, 50}, {3, 3}, {0, 0, 0}, false},
+        {{100, 1000, 50}, {0.5, 0.5}, {0, 0, 0}, false},    {{100, 1000, 50}, {0.001, 0.001}, {0, 0, 0}, true},
+        {{40, 100, 6}, {8, 3}, {345678, 123456, 0}, false}, {{8, 12, 4}, {3, 2}, {500000, 5400000, 0}, false},
+        {{2, 2, 1}, {1, 0.5}, {2097152, 0, 0}, false},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (uint32_t parts = 1; parts <= 50; parts += 49) { /* a small solid, and one with a tree */
+            roberts_mesh mesh = {0};
+            roberts_scene *scene;
+            roberts_error error = {0};
+            add_plank(&mesh, cases[i].size, cases[i].rebate, cases[i].far, parts);
+            roberts_status status = roberts_scene_build(&mesh, &only_solids, &scene, &error);
+            if (status != (cases[i].convex ? ROBERTS_OK : ROBERTS_NOT_CONVEX))
+                fail_msg("case %zu, %u parts: status %d, %s", i, parts, status, error.message);
+            roberts_scene_free(scene);
+            roberts_mesh_free(&mesh);
+        }
+}
+
 /* A shallow dish: each edge bends inward by far less than any noise, the whole of it by much more than the tolerance.
  * Under it the half of a ball, so that nothing else is wrong. The bottom of the dish lies `depth` below the rim. */
 static void a_shallow_dish_is_not_convex(void **state)
@@ -1064,6 +1114,7 @@ int main(void)
         cmocka_unit_test(a_face_may_have_many_corners),
         cmocka_unit_test(large_solids_are_checked),
         cmocka_unit_test(a_dent_far_away_is_a_dent),
+        cmocka_unit_test(a_rebate_along_a_plank_is_a_dent),
         cmocka_unit_test(a_shallow_dish_is_not_convex),
         cmocka_unit_test(models_of_others),
     };
