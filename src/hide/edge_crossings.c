@@ -49,7 +49,7 @@ static bool first_across(edge_finder *e, uint32_t body, uint32_t edge, crossing_
     uint32_t room[2], least = ROBERTS_NONE;
     const uint32_t *face;
     const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
-    bool over = false, under = false;
+    bool over = false, under = false, any = false; /* the faces of a hull have no number */
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t f = face[k] & ~MANY_TURNED;
         if (e->fronts->seen->facing[f] == VIEW_EDGE_ON)
@@ -62,8 +62,9 @@ static bool first_across(edge_finder *e, uint32_t body, uint32_t edge, crossing_
         crossing_lie lie = crossing_lie_of(e->rules, &F, g);
         over = over || lie.over;
         under = under || lie.under;
-        if ((!lie.over && !lie.under) || scene_face_number(scene, f) >= least)
+        if ((!lie.over && !lie.under) || (any && scene_face_number(scene, f) >= least))
             continue;
+        any = true;
         least = scene_face_number(scene, f);
         *out = F;
     }
