@@ -53,6 +53,7 @@ typedef struct finder {
     point_list found;
     size_t odd_count, vertex_count, half_count, odd_edge_count, stop_count;
     size_t odd_room, half_room, odd_edge_room, stop_room;
+    bool merged; /* vertices, in this round */
 } finder;
 
 static uint32_t lower(const surface_side *side)
@@ -282,6 +283,12 @@ static int compare_stops(const void *pa, const void *pb)
     return (a->vertex > b->vertex) - (a->vertex < b->vertex);
 }
 
+static void merge(finder *f, uint32_t a, uint32_t b)
+{
+    f->merged = f->merged || sets_root(f->parent, a) != sets_root(f->parent, b);
+    sets_join(f->parent, a, b);
+}
+
 /* Merges stops whose places along the side, which has this length, are within the touching distance of one another.
  * Otherwise the side would have a part between them, or would end a part at one of them where another side ends at the
  * other. */
@@ -291,15 +298,17 @@ static void merge_stops(finder *f, double length)
         qsort(f->stop, f->stop_count, sizeof *f->stop, compare_stops);
     for (size_t k = 1; k < f->stop_count; k++)
         if ((f->stop[k].t - f->stop[k - 1].t) * length <= f->touching)
-            sets_join(f->parent, f->stop[k - 1].vertex, f->stop[k].vertex);
+            merge(f, f->stop[k - 1].vertex, f->stop[k].vertex);
 }
 
 /* Finds the vertices on a side and adds them as stops; merges vertices at its ends with these, and stops in one place.
- * All sides between the same vertices get the same stops. False: no memory. */
+ * The side runs between the vertices with which its ends are merged, so that all sides between the same ones get the
+ * same stops. False: no memory. */
 static bool find_stops(finder *f, const point_grid *grid, const surface_side *side)
 {
     const roberts_vec3 *point = f->s->point;
-    uint32_t a = lower(side), b = upper(side);
+    const uint32_t v0 = sets_root(f->parent, side->v[0]), v1 = sets_root(f->parent, side->v[1]);
+    const uint32_t a = v0 < v1 ? v0 : v1, b = v0 < v1 ? v1 : v0;
     f->stop_count = f->found.count = 0;
     if (!point_grid_near(grid, point[a], point[b], f->touching, &f->found))
         return false;
@@ -310,9 +319,9 @@ static bool find_stops(finder *f, const point_grid *grid, const surface_side *si
         double t;
         surface_touch touch = surface_touches(point[a], point[b], point[v], f->touching, &t);
         if (touch == TOUCHES_START) {
-            sets_join(f->parent, a, v);
+            merge(f, a, v);
         } else if (touch == TOUCHES_END) {
-            sets_join(f->parent, b, v);
+            merge(f, b, v);
         } else if (touch == TOUCHES_BETWEEN) {
             if (!array_reserve(&f->stop, &f->stop_room, f->stop_count + 1, sizeof *f->stop))
                 return false;
@@ -412,18 +421,23 @@ static bool divide(finder *f, uint32_t i)
     return enough && add_half(f, &d, end[!d.turned], t[!d.turned]);
 }
 
+/* Rounds of merging vertices: few merge after the second, and no file may take longer. */
+enum { MERGE_ROUNDS = 8 };
+
+/* Merges vertices until those that are left are apart, then divides all sides. False: no memory. */
 static bool divide_all(finder *f)
 {
     point_grid grid;
-    surface *s = f->s;
+    const surface *s = f->s;
     bool enough = point_grid_build(&grid, s->point, f->vertex, f->vertex_count);
-    for (int pass = 0; enough && pass < 2; pass++) /* the first pass finds all coincident vertices */
-        for (size_t i = 0; enough && i < f->odd_count; i++) {
-            const surface_side *side = &s->side[f->odd[i]];
-            enough = find_stops(f, &grid, side);
-            if (enough && pass == 1)
-                enough = divide(f, f->odd[i]);
-        }
+    f->merged = true;
+    for (int round = 0; enough && f->merged && round < MERGE_ROUNDS; round++) {
+        f->merged = false;
+        for (size_t i = 0; enough && i < f->odd_count; i++)
+            enough = find_stops(f, &grid, &s->side[f->odd[i]]);
+    }
+    for (size_t i = 0; enough && i < f->odd_count; i++)
+        enough = find_stops(f, &grid, &s->side[f->odd[i]]) && divide(f, f->odd[i]);
     point_grid_free(&grid);
     return enough;
 }
