@@ -38,7 +38,7 @@ VISIBLE, HIDDEN, CLIPPED = 0, 1, 2
 """The values of segments["state"]."""
 
 LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_outline")
-"""The names of the values of segments["line"]."""
+"""The names of the values of segments["line"]. Tables call back "crease" and back_outline "outline"."""
 
 _KINDS = ("convex", "closed", "open")
 # pens by the program's names; roberts.h calls that of hidden lines back
@@ -332,7 +332,7 @@ class Scene:
         """Removes the hidden lines, as seen by `where`: a View, or the name of a preset.
 
         options  fields of roberts_hide_options: keep_hidden (give hidden segments, too), unite (draw all closed bodies
-                 as one), crease_degrees, crease_auto, all_edges, levels, nameless, epsilon, threads. If
+                 as one), crease_degrees, crease_auto, all_edges, levels, nameless (no `by`), epsilon, threads. If
                  crease_degrees is given, it holds for curved bodies, too.
         Raises Error, MemoryError.
         """

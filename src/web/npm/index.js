@@ -70,7 +70,7 @@ export function toArguments(options = {}) {
 function inOptions(message) {
   return message.replace(/--([\w-]+) needs a value, but .*/, (_, long) => {
     const name = long.replace(/-./g, (part) => part[1].toUpperCase());
-    return `${name} needs a value, and true is none`;
+    return `${name} needs a value other than true`;
   });
 }
 
