@@ -928,9 +928,14 @@ typedef struct roberts_placement {
 typedef enum roberts_label_kind {
     ROBERTS_LABEL_VERTICES = 1,
     ROBERTS_LABEL_EDGES = 2,
-    ROBERTS_LABEL_FACES = 4,  /**< it needs `regions` in each drawing */
-    ROBERTS_LABEL_BODIES = 8, /**< it needs `regions`, too */
+    ROBERTS_LABEL_FACES = 4,
+    ROBERTS_LABEL_BODIES = 8,
+    ROBERTS_LABEL_NAMES = 16, /**< bodies, by the names of their groups in the input, from `scene`; one without a name has
+                                   no label, or its number with ROBERTS_LABEL_BODIES */
 } roberts_label_kind;
+
+/** Those that need `regions` in each drawing. */
+#define ROBERTS_LABEL_AREAS (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES | ROBERTS_LABEL_NAMES)
 
 /** A name that a label shows instead of numbers. */
 typedef struct roberts_name {

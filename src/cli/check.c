@@ -200,7 +200,7 @@ static int check_parts(const cli_options *options, const options_given *given)
     for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++)
         if (options_is_given(given, whole[i]))
             return message_misuse("--%s: --%s needs the whole scene: draw it in one run", name, whole[i]);
-    if (options->draw.lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES))
+    if (options->draw.lettering.labels & ROBERTS_LABEL_AREAS)
         return message_misuse("--%s: labels of faces and bodies need the whole scene: draw it in one run", name);
     if (options->join && strcmp(options->input[0], "-") == 0)
         return message_misuse("--join needs the names of all parts: --join -o drawing.svg part-*");
@@ -450,7 +450,7 @@ static void warn_regions(const cli_options *options)
 static void warn_merged(const cli_options *options)
 {
     const roberts_draw_options *draw = &options->draw;
-    const bool labels = options->names || (draw->lettering.labels & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES));
+    const bool labels = options->names || (draw->lettering.labels & ROBERTS_LABEL_AREAS);
     const bool fills = values_has_page(draw->format) && draw->fill != ROBERTS_FILL_NONE;
     const bool grouped = draw->format == ROBERTS_SVG && draw->grouping != ROBERTS_GROUP_CLASS;
     const bool bodies = options->hide.unite && draw->fill == ROBERTS_FILL_BODY;

@@ -534,6 +534,15 @@ bool hint_idle_union(const roberts_scene *scene)
     return true;
 }
 
+bool hint_no_names(const roberts_scene *scene)
+{
+    const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);
+    for (uint32_t s = 0; s < bodies; s++)
+        if (*roberts_scene_name(scene, s))
+            return false;
+    return true;
+}
+
 bool hint_idle_hull(const roberts_scene *scene, size_t faces)
 {
     const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);

@@ -75,6 +75,9 @@ bool hint_flat(const cli_options *options, const roberts_scene *scene, const rob
 /* Is no body closed, so that --union changes nothing? */
 bool hint_idle_union(const roberts_scene *scene);
 
+/* Has no body a name, so that --label names changes nothing? */
+bool hint_no_names(const roberts_scene *scene);
+
 /* Is no body a hull, and none left out, so that --hull changes nothing? `faces`: of the mesh. */
 bool hint_idle_hull(const roberts_scene *scene, size_t faces);
 

@@ -719,11 +719,13 @@ static const option rows[] = {
      .set = values_set_label,
      .brief = "numbers at vertices or edges or faces or bodies",
      .help = "write the numbers of the file: vertices, edges (as 4-17), faces or bodies; several with commas, "
-             "then as v4, f4 and b4",
+             "then as v4, f4 and b4; names: the names of bodies in the file",
      .manual =
          "Writes the numbers that the file gives to vertices, edges (by their vertices, as 4-17), faces or bodies; "
          "several with commas. Where there are vertices, faces and bodies, or two of them, their numbers are written "
-         "as v4, f4 and b4. A label is beside its vertex or the middle of the edge's longest visible part, in the "
+         "as v4, f4 and b4. names: bodies have the names of their groups in the file (OBJ, STL); bodies without a name "
+         "have no label, or with bodies,names their numbers. A label is beside its vertex or the middle of the edge's "
+         "longest visible part, in the "
          "middle of what is seen of its face, or in the largest face that is seen of its body; where another place "
          "has much more room, such as the middle of a round body whose edges are left out, there. It keeps off lines "
          "and other labels where there is room. If a face or body is too narrow, its label stands near by, with a "

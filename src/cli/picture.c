@@ -233,6 +233,15 @@ static void warn_names(const cli_options *options, const roberts_mesh *mesh, siz
         warn_of_inputs(options, text);
 }
 
+/* What has labels. */
+static unsigned label_kinds(const roberts_draw_options *page)
+{
+    unsigned kinds = page->lettering.labels;
+    for (size_t i = 0; i < page->lettering.name_count; i++)
+        kinds |= (unsigned)page->lettering.name[i].of;
+    return values_has_page(page->format) ? kinds : 0;
+}
+
 /* Options without effect on these bodies. With --batch they may be for other models. `faces`: of the mesh. */
 static void warn_idle_bodies(const cli_options *options, const roberts_scene *scene, size_t faces)
 {
@@ -242,6 +251,8 @@ static void warn_idle_bodies(const cli_options *options, const roberts_scene *sc
         warn_of_inputs(options, "--hull has no effect: all bodies are convex solids");
     if (options->scene.even_odd && hint_idle_rule(scene))
         warn_of_inputs(options, "--fill-rule has no effect: no face crosses itself");
+    if (label_kinds(&options->draw) & ROBERTS_LABEL_NAMES && hint_no_names(scene))
+        warn_of_inputs(options, "--label names has no effect: no body has a name in the file");
 }
 
 /* Reads the inputs and builds the scene. The mesh is released. */
@@ -302,22 +313,13 @@ static bool is_counted_only(const cli_options *options)
            !page->crease.off && !page->intersection.off && !page->wire.off && !page->back.off;
 }
 
-/* What has labels. */
-static unsigned label_kinds(const roberts_draw_options *page)
-{
-    unsigned kinds = page->lettering.labels;
-    for (size_t i = 0; i < page->lettering.name_count; i++)
-        kinds |= (unsigned)page->lettering.name[i].of;
-    return values_has_page(page->format) ? kinds : 0;
-}
-
 /* Whether the drawing needs the visible regions of faces. */
 static bool needs_regions(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
     const bool fills = page->format == ROBERTS_SVG || page->format == ROBERTS_PDF || page->format == ROBERTS_PS ||
                        page->format == ROBERTS_EPS || page->format == ROBERTS_PNG || page->format == ROBERTS_TIKZ;
-    const bool labels = label_kinds(page) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    const bool labels = label_kinds(page) & ROBERTS_LABEL_AREAS;
     return labels || (fills && page->fill != ROBERTS_FILL_NONE) ||
            (values_has_page(page->format) && values_hatches(page));
 }
@@ -395,6 +397,7 @@ static roberts_status hide_all(const cli_options *options, const roberts_scene *
 static bool needs_scene(const cli_options *options)
 {
     return values_is_table(options->draw.format) || options->distance_count > 0 ||
+           options->draw.lettering.labels & ROBERTS_LABEL_NAMES ||
            (options->draw.format == ROBERTS_SVG && options->draw.grouping != ROBERTS_GROUP_CLASS);
 }
 

@@ -675,7 +675,7 @@ int values_set_id_prefix(const option *o, const char *value, cli_options *option
 
 /* ---- text ---- */
 
-const char *const values_labels[] = {"vertices", "edges", "faces", "bodies", NULL};
+const char *const values_labels[] = {"vertices", "edges", "faces", "bodies", "names", NULL};
 
 int values_set_label(const option *o, const char *value, cli_options *options)
 {

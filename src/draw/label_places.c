@@ -142,7 +142,7 @@ size_t labels_make(const placing *p, const strokes *s, const targets *t, label *
     for (size_t i = 0; i < t->count; i++) {
         label *l = &list[count];
         *l = (label){.of = &t->item[i]};
-        l->text = target_text(l->of, &s->options->lettering, l->number);
+        l->text = target_text(l->of, s->options, l->number);
         if (!l->text || !*l->text)
             continue;
         const double depth = label_has_descender(l->text) ? LETTERS_DEPTH : 0.0;
@@ -152,7 +152,7 @@ size_t labels_make(const placing *p, const strokes *s, const targets *t, label *
     }
     qsort(list, count, sizeof *list, by_freedom);
     for (size_t i = 0; i < count; i++) /* sorting has moved the numbers */
-        list[i].text = target_text(list[i].of, &s->options->lettering, list[i].number);
+        list[i].text = target_text(list[i].of, s->options, list[i].number);
     return count;
 }
 

@@ -15,7 +15,7 @@ unsigned targets_kinds(const roberts_lettering *lettering)
     unsigned kinds = lettering->labels;
     for (size_t i = 0; i < lettering->name_count; i++)
         kinds |= (unsigned)lettering->name[i].of;
-    return kinds;
+    return kinds & ROBERTS_LABEL_NAMES ? kinds | ROBERTS_LABEL_BODIES : kinds;
 }
 
 static bool add_target(targets *t, const target *one)
@@ -327,7 +327,7 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t)
             if (strokes_has_place(s->options, &drawing->segment[i], &line) &&
                 !add_segment(s, v, &drawing->segment[i], kinds, t))
                 return false;
-        if (drawing->regions && (kinds & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES)) && !add_regions(s, v, kinds, t))
+        if (drawing->regions && (kinds & ROBERTS_LABEL_AREAS) && !add_regions(s, v, kinds, t))
             return false;
     }
     unite(t);
@@ -359,15 +359,20 @@ static const char *find_name(const roberts_lettering *lettering, const target *o
  * numbers. */
 static const char *number_prefix(unsigned kinds, roberts_label_kind kind)
 {
-    const unsigned alike = kinds & ~(unsigned)ROBERTS_LABEL_EDGES;
+    const unsigned alike = kinds & ~(unsigned)(ROBERTS_LABEL_EDGES | ROBERTS_LABEL_NAMES);
     if ((alike & (alike - 1)) == 0)
         return "";
     return kind == ROBERTS_LABEL_VERTICES ? "v" : kind == ROBERTS_LABEL_FACES ? "f" : "b";
 }
 
-const char *target_text(const target *of, const roberts_lettering *lettering, char number[NUMBER_SIZE])
+const char *target_text(const target *of, const roberts_draw_options *options, char number[NUMBER_SIZE])
 {
+    const roberts_lettering *lettering = &options->lettering;
     const char *name = find_name(lettering, of);
+    if (!name && of->kind == ROBERTS_LABEL_BODIES && lettering->labels & ROBERTS_LABEL_NAMES && options->scene) {
+        name = roberts_scene_name(options->scene, of->number);
+        name = *name ? name : NULL;
+    }
     if (name || !(lettering->labels & (unsigned)of->kind))
         return name;
     if (of->kind == ROBERTS_LABEL_EDGES)

@@ -31,6 +31,6 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t);
 enum { NUMBER_SIZE = 32 };
 
 /* What the label says: a name, or else a number, which is written to `number`. NULL: there is none. */
-const char *target_text(const target *of, const roberts_lettering *lettering, char number[NUMBER_SIZE]);
+const char *target_text(const target *of, const roberts_draw_options *options, char number[NUMBER_SIZE]);
 
 #endif

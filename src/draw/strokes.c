@@ -526,7 +526,7 @@ static bool lacks_regions(const strokes *s)
     const roberts_draw_options *options = s->options;
     const bool filled =
         options->fill != ROBERTS_FILL_NONE && options->format != ROBERTS_DXF && options->format != ROBERTS_HPGL;
-    const unsigned labels = targets_kinds(&options->lettering) & (ROBERTS_LABEL_FACES | ROBERTS_LABEL_BODIES);
+    const unsigned labels = targets_kinds(&options->lettering) & ROBERTS_LABEL_AREAS;
     bool lacks = false;
     for (size_t i = 0; i < s->views; i++)
         lacks |= !s->view[i].drawing->regions;

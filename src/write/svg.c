@@ -275,6 +275,7 @@ static void write_subject(output *out, const roberts_name *of)
         svg_attribute_integer(out, "data-face", of->number);
         return;
     case ROBERTS_LABEL_BODIES:
+    case ROBERTS_LABEL_NAMES:
         svg_attribute_integer(out, "data-body", of->number);
         return;
     }

@@ -686,6 +686,23 @@ static void bodies_are_named(void **state)
     assert_int_equal(count(",\"by_name\":\"lid\"}"), 3);
 }
 
+/* Labels from the file: of bodies that are seen and have a name; with `bodies`, the others have their numbers. */
+static void bodies_are_labelled_by_name(void **state)
+{
+    (void)state;
+    put("in/labels.csv", "body,0,cover\n");
+    assert_int_equal(run("--view bottom --text native in/two.obj --label names"), 0);
+    assert_int_equal(count("<text "), 2);
+    assert_int_equal(count(">lid</text>") + count(">crumb</text>"), 2);
+    assert_string_equal(last.err, "");
+    assert_int_equal(run("--view bottom --text native in/two.obj --labels in/labels.csv --label names"), 0);
+    assert_int_equal(count(">cover</text>") + count(">crumb</text>"), 2);
+    assert_int_equal(run("--view top --text native models/table.off --label bodies,names"), 0);
+    assert_int_equal(count(">0</text>"), 1);
+    assert_int_equal(run("--view top models/table.off --label names"), 0);
+    assert_non_null(strstr(last.err, "--label names has no effect: no body has a name in the file\n"));
+}
+
 /* Lines where faces cross are no edges: rays check the others. */
 static void crossing_bodies_are_verified(void **state)
 {
@@ -1405,6 +1422,7 @@ int main(void)
         IN_FOLDER(sections_are_cut),
         IN_FOLDER(levels_are_counted),
         IN_FOLDER(bodies_are_named),
+        IN_FOLDER(bodies_are_labelled_by_name),
         IN_FOLDER(crossing_bodies_are_verified),
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),

@@ -317,6 +317,8 @@ class Pages(unittest.TestCase):
         drawing = roberts.read(CUBE).hide()
         self.same(drawing, CUBE, "--label", "vertices", labels="vertices")
         self.same(drawing, CUBE, "--label", "vertices,faces", labels="vertices,faces")
+        house = roberts.read("tests/fuzz/seeds/house.obj").hide()
+        self.same(house, "tests/fuzz/seeds/house.obj", "--label", "names", labels="names")
         self.same(drawing, CUBE, "--label", "vertices,faces", labels=["vertices", "faces"])
 
     def test_shade(self):

@@ -49,7 +49,7 @@ _FILLS = {"none": (0, False), "white": (1, False), "model": (2, False), "body": 
           "shade:white": (1, True), "shade:body": (3, True)}
 _HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
 _GROUPS = {"class": 0, "body": 1, "element": 2}
-_LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8}
+_LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8, "names": 16}
 _COLUMNS = {"ends": 0, "depth": 1, "level": 2, "name": 3, "by": 4}
 _ANGLES = {"first": 0, "third": 1}
 _SHEET_VIEWS = ("front", "top", "side", "iso")
@@ -548,7 +548,7 @@ class _Drawable:
         shaded            fills are darker where less light falls
         hatch             True, or a dict with fields of roberts_hatching
         light             toward the light, as the viewer sees it: three numbers
-        labels            vertices, edges, faces or bodies, or a sequence of them
+        labels            vertices, edges, faces, bodies or names (of bodies, from the file), or a sequence
         columns           tables: further columns: ends, depth, level (needs hide(levels=True)), name, by; or a sequence
         group             class, body or element: the structure of the SVG
         id_prefix, title, description    strings
@@ -764,4 +764,4 @@ class _Page:
                 self.warned.said.append("light has no effect: nothing is shaded without a shaded fill or hatch")
         for name in _names(given.pop("labels", ())):
             o.lettering.labels |= _choice(_LABELS, name, "labels")
-        return bool(o.fill or o.hatching.on or o.lettering.labels & 12)
+        return bool(o.fill or o.hatching.on or o.lettering.labels & 28)
