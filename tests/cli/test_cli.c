@@ -672,11 +672,16 @@ static void levels_are_counted(void **state)
     assert_int_equal(strncmp(last.err, "roberts: --columns: \"level\" is unknown; did you mean +level?", 60), 0);
 }
 
+static void put_lid_and_crumb(void)
+{
+    put("in/two.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 -1\nv 2 1 -1\nv 1 2 -1\no lid\nf 1 2 3\no crumb\nf 4 5 6\n");
+}
+
 /* A body and what hides it, by their names. */
 static void bodies_are_named(void **state)
 {
     (void)state;
-    put("in/two.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 1 1 -1\nv 2 1 -1\nv 1 2 -1\no lid\nf 1 2 3\no crumb\nf 4 5 6\n");
+    put_lid_and_crumb();
     assert_int_equal(run("--view top in/two.obj -f csv --hidden dashed --columns +by,+name"), 0);
     assert_int_equal(count(",f1,by_name,name\n"), 1);
     assert_int_equal(count(",,,lid\n"), 3);
@@ -690,6 +695,7 @@ static void bodies_are_named(void **state)
 static void bodies_are_labelled_by_name(void **state)
 {
     (void)state;
+    put_lid_and_crumb();
     put("in/labels.csv", "body,0,cover\n");
     assert_int_equal(run("--view bottom --text native in/two.obj --label names"), 0);
     assert_int_equal(count("<text "), 2);
