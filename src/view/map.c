@@ -125,6 +125,13 @@ BITS_PER_PROCESSOR void view_points(const view *v, const roberts_vec3 *P, size_t
         out[i] = view_point(v, P[i]);
 }
 
+roberts_vec3 view_point_at(const view *v, roberts_vec3 P, double distance)
+{
+    const roberts_vec3 q = vec3_scale(v->per_unit, vec3_sub(P, v->viewpoint));
+    const double w = distance * v->per_unit * v->inverse_distance;
+    return (roberts_vec3){vec3_dot(v->right, q) / w, vec3_dot(v->up, q) / w, (1.0 - w) / (w * v->inverse_distance)};
+}
+
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch)
 {
     return view_plane_of(v, scene->centre, scene_plane(scene, face), stretch);

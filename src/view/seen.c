@@ -1,6 +1,7 @@
 /* seen.c - a scene as one camera sees it. See seen.h. */
 #include "view/seen.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "base/angle.h"
@@ -31,6 +32,15 @@ bool seen_begin_points(seen *s)
     if (s->scene->surface)
         s->turned = alloc_sparse(s->scene->face_start[s->scene->face_count], sizeof *s->turned);
     return s->P && s->facing && (s->turned || !s->scene->surface);
+}
+
+void seen_map_cuts(seen *s, uint32_t first, uint32_t end)
+{
+    const double touching = s->view.epsilon * s->view.unit;
+    for (uint32_t v = first; v < end; v++)
+        if (scene_vertex_number(s->scene, v) == ROBERTS_NONE &&
+            fabs(view_clip_depth(&s->clip, s->scene->point[v]) - s->clip.near) <= touching)
+            s->P[v] = view_point_at(&s->view, s->scene->point[v], s->clip.near);
 }
 
 void seen_end(seen *s)

@@ -84,11 +84,16 @@ typedef struct seen_face {
     uint32_t count;
 } seen_face;
 
+/* Maps the vertices of first .. end - 1 that lie where the near plane of a perspective has cut the scene. */
+void seen_map_cuts(seen *s, uint32_t first, uint32_t end);
+
 /* Maps the points of a body. */
 static inline void seen_map_body(seen *s, uint32_t body)
 {
     uint32_t first = s->scene->solid[body].vertex, end = s->scene->solid[body + 1].vertex;
     view_points(&s->view, s->scene->point + first, end - first, s->P + first);
+    if (s->clip.clipped && s->view.perspective)
+        seen_map_cuts(s, first, end);
 }
 
 /* Returns the facing of a face of a convex body that is mapped. Fills `out` if it is VIEW_FRONT. */

@@ -70,6 +70,10 @@ roberts_vec3 view_point(const view *v, roberts_vec3 P);
 /* Maps `count` points. */
 void view_points(const view *v, const roberts_vec3 *P, size_t count, roberts_vec3 *out);
 
+/* Maps a point in the plane at this distance from the eye, model units: near the eye, the rounding of its own distance
+ * would be seen. */
+roberts_vec3 view_point_at(const view *v, roberts_vec3 P, double distance);
+
 /* Returns a face's plane in view space (view units, unit normal). `*stretch`, unless NULL, becomes the factor by which
  * distances from the plane grow per unit of 1 + z / D; in the orthographic view it is 1. */
 plane view_plane(const view *v, const roberts_scene *scene, uint32_t face, double *stretch);

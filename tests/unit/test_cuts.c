@@ -630,6 +630,30 @@ static void rounded_stars_are_cut(void **state)
     }
 }
 
+/* Near an eye amid the scene, the picture is large, and so is the rounding of the vertices that are cut. A sheet within
+ * another one changes nothing of what both cover. */
+static void sheets_near_the_eye_are_cut_in_one_line(void **state)
+{
+    static const char one[] = "OFF\n4 1 0\n0 2 0\n3 2 0\n3 4 0\n0 4 0\n4 0 1 2 3\n",
+                      two[] = "OFF\n8 2 0\n0 2 0\n3 2 0\n3 4 0\n0 4 0\n1 2 0\n3 2.5 0\n3 3.5 0\n1 4 0\n"
+                              "4 0 1 2 3\n4 4 5 6 7\n";
+    const roberts_camera camera = {
+        .projection = ROBERTS_PERSPECTIVE, .eye = {3.5, 2.5, 5.5}, .look_at = {5, 3, 5}, .has_look_at = true};
+    double area[2] = {0, 0};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        roberts_scene *scene = scene_of_text(i ? two : one);
+        roberts_region_list l;
+        assert_int_equal(roberts_regions(scene, &camera, NULL, &l, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < l.count; k++)
+            area[i] += l.region[k].area;
+        roberts_regions_free(&l);
+        roberts_scene_free(scene);
+    }
+    assert_true(area[0] > 1e6);
+    assert_true(fabs(area[1] - area[0]) < 1e-9 * area[0]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -649,6 +673,7 @@ int main(void)
         cmocka_unit_test(rounded_joints_are_cut),
         cmocka_unit_test(one_sided_stars_are_cut),
         cmocka_unit_test(rounded_stars_are_cut),
+        cmocka_unit_test(sheets_near_the_eye_are_cut_in_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
