@@ -171,6 +171,20 @@ static uint32_t add_corner(const hide_fronts *fronts, uint32_t *chain, uint32_t 
     return count + 1;
 }
 
+/* Moves to the front the lowest of the vertices that may come first in order of x, whatever the rounding: it is a
+ * corner. The first one may lie in the middle of an upright side. */
+static void begin_with_corner(const hide_fronts *fronts, uint32_t *order, uint32_t size)
+{
+    const roberts_vec3 *P = fronts->P;
+    const double most = P[order[0]].x + TURN_ROUNDINGS * fronts->seen->view.across_rounding;
+    uint32_t lowest = 0;
+    for (uint32_t i = 1; i < size && P[order[i]].x <= most; i++)
+        lowest = P[order[i]].y < P[order[lowest]].y ? i : lowest;
+    const uint32_t moved = order[0];
+    order[0] = order[lowest];
+    order[lowest] = moved;
+}
+
 /* Andrew's monotone chain: from the first point to the last and back, along the corners below and above the line
  * between them. A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", Information Processing
  * Letters 9(5), 1979. */
@@ -181,6 +195,7 @@ static uint32_t outline_hull(const hide_fronts *fronts, uint32_t solid, uint32_t
     for (uint32_t v = 0; v < size; v++)
         order[v] = own->vertex + v;
     sort(fronts, order, size);
+    begin_with_corner(fronts, order, size);
     const uint32_t first = outline[0] = order[0];
     for (uint32_t i = 1; i < size; i++)
         count = add_corner(fronts, outline, count, 1, size, order[i]);
