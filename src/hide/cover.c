@@ -17,6 +17,9 @@
 #define FILL 1024
 #define FILLED_BY_ONE 500000
 
+/* In piles of at least this many cells, those whose covers are nearer already are passed over. */
+#define LONG_PILE 4
+
 /* How far beside a box its cells may be read and written. */
 enum { CELLS_BESIDE = 4 };
 
@@ -132,10 +135,37 @@ static inline void enter_level(float *cell, uint32_t *cell_by, uint32_t count, f
         raise_cell(&cell[k], &cell_by[k], bound, by);
 }
 
+/* Passes four cells at once if all are nearer than the front is anywhere in the pile: none of them is raised. */
+static inline bool pass_nearer(cell_pile *p, const float *cell, float nearest)
+{
+    if (p->end - p->row < 4 || four_signs(four_below(four_load(cell + p->row), four_all(nearest))))
+        return false;
+    p->row += 4;
+    p->lower = scan_lower(p->f, p->row);
+    return true;
+}
+
+/* Returns the greatest depth that pass_two() can find in the pile. As each of its steps rounds, what is greater stays
+ * greater. */
+static float nearest_in(const cell_pile *p, const cover_front *front)
+{
+    const double upper = scan_lower(p->f, p->end);
+    double nearest = INFINITY;
+    for (uint32_t k = 0; k < front->face_count; k++) {
+        const plane F = front->face[k].F;
+        const double x = F.a * (F.a > 0.0 ? p->right : p->left), y = F.b * (F.b > 0.0 ? upper : p->lower);
+        nearest = lesser(nearest, (x + y + F.d) / -F.c);
+    }
+    return hide_float_below(greater(front->depth, nearest) - front->slack);
+}
+
 static inline void enter_pile(cell_pile p, float *cell, uint32_t *cell_by, const cover_front *front)
 {
     float z[2];
+    const float nearest = p.end - p.row < LONG_PILE ? INFINITY : nearest_in(&p, front);
     for (uint32_t j = p.row; j < p.end; j = p.row) {
+        if (nearest < INFINITY && pass_nearer(&p, cell, nearest))
+            continue;
         pass_two(&p, front, z);
         raise_cell(&cell[j], &cell_by[j], z[0], front->by);
         if (j + 1 < p.end)
@@ -518,6 +548,8 @@ bool cover_hides_solid(const struct hide_fronts *fronts, const hide_box *box, ui
     if (!c->depth ||
         !cover_nearer(c, 0.5 * ((double)box->x0 + (double)box->x1), 0.5 * ((double)box->y0 + (double)box->y1), box->z1))
         return false;
+    if (fronts->convex_count == 0) /* the cells name no fronts to ask */
+        return cover_hides(c, box);
     hide_box inner = without_border(&c->frame, box);
     if (inner.x0 > inner.x1 || inner.y0 > inner.y1)
         return cover_hides(c, box);
