@@ -265,8 +265,10 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
         return true;
     if (is_any_in_pieces(t, body, piece))
         return leave_pair(t, body, piece);
-    if (filter_share_side(fronts->scene, f->piece, g->piece) || filter_pieces(t->filter, f->piece, g->piece))
+    if (body[0] == body[1] &&
+        (filter_share_side(fronts->scene, f->piece, g->piece) || filter_pieces(t->filter, f->piece, g->piece)))
         return true;
+    /* Faces of different bodies have no corner in common, and crossing_find() finds the same as quickly. */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
 }
 
