@@ -303,12 +303,13 @@ void layers_end_late(const layers *l)
 
 /* ---- all of it ------------------------------------------------------------------------------------------------- */
 
+/* If each body is one face, a sheet is one face as well: then covers find what it hides, and no sheets are sought. */
 bool layers_begin(layers *l, objet *grid, const hide_fronts *fronts, uint32_t threads)
 {
     const roberts_scene *scene = fronts->scene;
     size_t cells = scan_cells(&grid->frame);
     *l = (layers){.grid = grid, .fronts = fronts};
-    if (!scene || !scene->surface)
+    if (!scene || !scene->surface || (scene->solid_count == scene->face_count && fronts->cover.depth))
         return true;
     l->threads = threads_for(threads, 1 + scene->edge_count / WORTH_A_THREAD);
     l->fold = alloc_zeroed(cells, sizeof *l->fold);
