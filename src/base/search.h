@@ -13,15 +13,8 @@
 /* Finds the things near a box or a segment.
  *
  * Several trees share one pair of arrays. A tree is identified by its root. Nodes are in depth-first order, and each
- * stores the node that follows its subtree, so a search needs no stack:
- *
- *     for (uint32_t i = root, end = tree->node[root].skip; i < end;)
- *         if (the box of node i is missed)
- *             i = tree->node[i].skip;
- *         else {
- *             look at the items of node i; // inner nodes have none
- *             i++;
- *         } */
+ * stores the node that follows its subtree, so a search needs no stack: after a node whose box is missed, it goes on
+ * with that one, and otherwise with the next one. */
 
 typedef struct box_tree_node {
     box3 box;
@@ -40,6 +33,38 @@ typedef struct box_tree {
 bool box_tree_add(box_tree *tree, const box3 *box, uint32_t count, uint32_t base, uint32_t *root);
 
 void box_tree_free(box_tree *tree);
+
+/* A search in one tree for what is near a box. */
+typedef struct box_search {
+    const box_tree *tree;
+    const box3 *box;
+    uint32_t node, nodes_end; /* the next node */
+    uint32_t item, items_end; /* the next item of the last node */
+} box_search;
+
+/* Begins a search. A tree without nodes has no items. */
+static inline box_search box_search_begin(const box_tree *of, uint32_t root, const box3 *box)
+{
+    return (box_search){
+        .tree = of, .box = box, .node = root, .nodes_end = of->node_count > 0 ? of->node[root].skip : root};
+}
+
+/* Finds the next item of a leaf whose box meets the box of the search; the item's own box may miss it. False: there is
+ * none. */
+static inline bool box_search_next(box_search *s, uint32_t *item)
+{
+    while (s->item == s->items_end) {
+        if (s->node == s->nodes_end)
+            return false;
+        const box_tree_node *node = &s->tree->node[s->node];
+        const bool met = box3_meet(&node->box, s->box);
+        s->node = met ? s->node + 1 : node->skip;
+        s->item = node->first;
+        s->items_end = met ? node->first + node->count : node->first;
+    }
+    *item = s->tree->item[s->item++];
+    return true;
+}
 
 /* Returns the axis on which the centres of the boxes item[0 .. count - 1] are spread farthest: 0, 1 or 2. */
 int box_longest_axis(const box3 *box, const uint32_t *item, uint32_t count);

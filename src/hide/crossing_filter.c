@@ -192,18 +192,10 @@ typedef bool met_unit_fn(void *context, uint32_t a, uint32_t b);
  */
 static bool each_met(const pair_search *s, uint32_t a, met_unit_fn *met, void *context)
 {
-    const box_tree *tree = &s->tree;
-    for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
-        const box_tree_node *node = &tree->node[i];
-        if (!box3_meet(&node->box, &s->box[a])) {
-            i = node->skip;
-            continue;
-        }
-        for (uint32_t k = node->first; k < node->first + node->count; k++)
-            if (box3_meet(&s->box[a], &s->box[tree->item[k]]) && !met(context, a, tree->item[k]))
-                return false;
-        i++;
-    }
+    box_search near = box_search_begin(&s->tree, 0, &s->box[a]);
+    for (uint32_t b; box_search_next(&near, &b);)
+        if (box3_meet(&s->box[a], &s->box[b]) && !met(context, a, b))
+            return false;
     return true;
 }
 
@@ -266,22 +258,17 @@ static bool list_faces(const pair_search *s, uint32_t a, uint32_t b, face_list *
 {
     const unit *of = &s->unit[a], *other = &s->unit[b];
     const scene_solid *own = &s->filter->fronts->scene->solid[of->body];
-    const bool one = of->piece != ROBERTS_NONE, planted = of->root != ROBERTS_NONE;
-    const box_tree_node *node = s->tree.node;
+    const bool one = of->piece != ROBERTS_NONE;
     bool enough = true;
     to->count = 0;
-    for (uint32_t f = one ? of->piece : own->face, last = one ? f + 1 : own[1].face; !planted && enough && f < last;
-         f++)
-        enough = list_face(s->filter->fronts, of, f, other, to);
-    for (uint32_t i = of->root, end = planted ? node[of->root].skip : i; enough && i < end;) {
-        if (!box3_meet(&node[i].box, &s->box[b])) {
-            i = node[i].skip;
-            continue;
-        }
-        for (uint32_t k = node[i].first; enough && k < node[i].first + node[i].count; k++)
-            enough = list_face(s->filter->fronts, of, s->tree.item[k], other, to);
-        i++;
+    if (of->root != ROBERTS_NONE) {
+        box_search near = box_search_begin(&s->tree, of->root, &s->box[b]);
+        for (uint32_t f; enough && box_search_next(&near, &f);)
+            enough = list_face(s->filter->fronts, of, f, other, to);
+        return enough;
     }
+    for (uint32_t f = one ? of->piece : own->face, end = one ? f + 1 : own[1].face; enough && f < end; f++)
+        enough = list_face(s->filter->fronts, of, f, other, to);
     return enough;
 }
 

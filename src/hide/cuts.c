@@ -279,22 +279,15 @@ static bool find_parts(const hide_fronts *fronts, const cap_pieces *caps, uint32
 {
     const roberts_vec2 ends[2] = {in_picture(fronts, line->v[0]), in_picture(fronts, line->v[1])};
     const box3 box = picture_box(fronts, line->v, 2);
-    const box_tree_node *node = caps->tree.node;
+    box_search near = box_search_begin(&caps->tree, caps->root, &box);
     to->parts = 0;
-    for (uint32_t i = caps->root, end = caps->count > 0 ? node[caps->root].skip : 0; i < end;) {
-        if (!box3_meet(&node[i].box, &box)) {
-            i = node[i].skip;
+    for (uint32_t piece; box_search_next(&near, &piece);) {
+        const uint32_t other = caps->body[piece];
+        if (other == body || !box3_meet(&caps->box[piece], &box))
             continue;
-        }
-        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
-            const uint32_t piece = caps->tree.item[k], other = caps->body[piece];
-            if (other == body || !box3_meet(&caps->box[piece], &box))
-                continue;
-            if (!array_reserve(&to->part, &to->part_room, to->parts + 1, sizeof *to->part))
-                return false;
-            to->parts += part_beside(fronts, ends, caps->face[piece], other < body, to->part[to->parts]);
-        }
-        i++;
+        if (!array_reserve(&to->part, &to->part_room, to->parts + 1, sizeof *to->part))
+            return false;
+        to->parts += part_beside(fronts, ends, caps->face[piece], other < body, to->part[to->parts]);
     }
     if (to->parts > 1)
         qsort(to->part, to->parts, sizeof *to->part, compare_doubles);

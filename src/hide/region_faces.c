@@ -351,19 +351,12 @@ bool region_depths_along(const region_depths *d, uint32_t first, const roberts_v
     const roberts_vec2 P = side[0], Q = side[1];
     const box3 box = {{lesser(P.x, Q.x), lesser(P.y, Q.y), 0.0}, {greater(P.x, Q.x), greater(P.y, Q.y), 0.0}};
     const double length = hypot(Q.x - P.x, Q.y - P.y);
-    const box_tree_node *node = d->tree.node;
+    box_search near = box_search_begin(&d->tree, d->root[first], &box);
     parts->count = 0;
-    for (uint32_t i = d->root[first], end = node[i].skip; i < end;) {
-        if (!box3_meet(&node[i].box, &box)) {
-            i = node[i].skip;
-            continue;
-        }
-        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
-            if (!array_reserve(&parts->part, &parts->room, parts->count + 1, sizeof *parts->part))
-                return false;
-            parts->count += cut_side(d, side, d->tree.item[k], &parts->part[parts->count]);
-        }
-        i++;
+    for (uint32_t piece; box_search_next(&near, &piece);) {
+        if (!array_reserve(&parts->part, &parts->room, parts->count + 1, sizeof *parts->part))
+            return false;
+        parts->count += cut_side(d, side, piece, &parts->part[parts->count]);
     }
     if (parts->count > 1)
         qsort(parts->part, parts->count, sizeof *parts->part, compare_parts);

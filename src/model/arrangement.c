@@ -162,18 +162,10 @@ static bool stop_near_lines(const face_pieces *f, border *b, const box_tree *tre
 {
     const roberts_vec2 P = f->node[node].at;
     const box3 at = {{P.x, P.y, 0.0}, {P.x, P.y, 0.0}};
-    for (uint32_t i = 0, end = tree->node[0].skip; i < end;) {
-        const box_tree_node *own = &tree->node[i];
-        if (!box3_meet(&own->box, &at)) {
-            i = own->skip;
-            continue;
-        }
-        for (uint32_t k = own->first; k < own->first + own->count; k++)
-            if (lies_on(f, &b->item[tree->item[k]], node, touching) &&
-                !border_add_stop(b, (border_stop){tree->item[k], node, 0.0}))
-                return false;
-        i++;
-    }
+    box_search near = box_search_begin(tree, 0, &at);
+    for (uint32_t i; box_search_next(&near, &i);)
+        if (lies_on(f, &b->item[i], node, touching) && !border_add_stop(b, (border_stop){i, node, 0.0}))
+            return false;
     return true;
 }
 

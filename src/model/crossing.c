@@ -732,23 +732,17 @@ bool crossing_limit(crossing_kept *kept, const crossing_rules *rules, const cros
 {
     const roberts_scene *scene = rules->scene;
     crossing_face *f = &kept->face;
-    const box_tree *tree = &kept->tree;
     if (f->end - f->first < MANY_PIECES)
         return true;
-    if (tree->node_count == 0 && !add_tree(kept, scene))
+    if (kept->tree.node_count == 0 && !add_tree(kept, scene))
         return false;
     const box3 box = box_of_pieces(scene, other->first, other->end, near_margin(rules, f, other));
     f->near_count = 0;
-    for (uint32_t i = 0; i < tree->node_count;) {
-        const box_tree_node *node = &tree->node[i];
-        const bool met = box3_meet(&node->box, &box);
-        for (uint32_t k = 0; met && k < node->count; k++) {
-            const uint32_t piece = tree->item[node->first + k];
-            const box3 own = box_of_pieces(scene, piece, piece + 1, 0.0);
-            if (box3_meet(&own, &box))
-                kept->near[f->near_count++] = piece;
-        }
-        i = met ? i + 1 : node->skip;
+    box_search near = box_search_begin(&kept->tree, 0, &box);
+    for (uint32_t piece; box_search_next(&near, &piece);) {
+        const box3 own = box_of_pieces(scene, piece, piece + 1, 0.0);
+        if (box3_meet(&own, &box))
+            kept->near[f->near_count++] = piece;
     }
     if (f->near_count > 1)
         qsort(kept->near, f->near_count, sizeof *kept->near, compare_u32);

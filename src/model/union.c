@@ -373,17 +373,10 @@ static bool meet_body(union_cutter *c, uint32_t body, union_span span, const box
             }
         }
     } else {
-        const box_tree_node *node = all->tree.node;
-        for (uint32_t i = all->root[body], end = node[i].skip; i < end;) {
-            if (!box3_meet(&node[i].box, box)) {
-                i = node[i].skip;
-                continue;
-            }
-            for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++)
-                if (!meet_face(c, &of, all->tree.item[k], &beyond))
-                    return false;
-            i++;
-        }
+        box_search near = box_search_begin(&all->tree, all->root[body], box);
+        for (uint32_t f; box_search_next(&near, &f);)
+            if (!meet_face(c, &of, f, &beyond))
+                return false;
     }
     for (size_t i = contacts; i < work->contacts_count; i++) { /* by rounding, they may reach farther than its box */
         of.span.t0 = lesser(of.span.t0, work->contacts[i].span.t0);
@@ -412,25 +405,17 @@ static bool passes(const union_cutter *c, uint32_t body, union_span *span)
 static bool meet_bodies(union_cutter *c)
 {
     const union_bodies *all = c->all;
-    const box_tree_node *node = all->tree.node;
     const union_span whole = {0.0, 1.0, 0};
     roberts_vec3 B = vec3_add(c->A, c->U), m = {c->touch, c->touch, c->touch};
     box3 box = {c->A, c->A};
     box3_add(&box, B);
     box.lo = vec3_sub(box.lo, m);
     box.hi = vec3_add(box.hi, m);
-    for (uint32_t i = all->bodies, end = node[i].skip; i < end;) {
-        if (!box3_meet(&node[i].box, &box)) {
-            i = node[i].skip;
-            continue;
-        }
-        for (uint32_t k = node[i].first; k < node[i].first + node[i].count; k++) {
-            const uint32_t body = all->tree.item[k];
-            union_span span;
-            if (!passes(c, body, &span) && !meet_body(c, body, union_is_own(c, body) ? whole : span, &box))
-                return false;
-        }
-        i++;
+    box_search near = box_search_begin(&all->tree, all->bodies, &box);
+    for (uint32_t body; box_search_next(&near, &body);) {
+        union_span span;
+        if (!passes(c, body, &span) && !meet_body(c, body, union_is_own(c, body) ? whole : span, &box))
+            return false;
     }
     return true;
 }
