@@ -120,7 +120,7 @@ void scene_turn_back(roberts_scene *scene)
             scene_turn_face(scene, f);
 }
 
-void scene_surface_free(scene_surface *s)
+static void free_surface(scene_surface *s)
 {
     if (!s)
         return;
@@ -156,7 +156,7 @@ void scene_clear(roberts_scene *scene)
     free(scene->face_number);
     free(scene->edge);
     free(scene->low);
-    scene_surface_free(scene->surface);
+    free_surface(scene->surface);
     free(scene->vertex_color);
     free(scene->face_color);
     mesh_groups_free(scene->group, scene->group_count);

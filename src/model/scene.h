@@ -167,8 +167,6 @@ uint32_t scene_faces_at(const roberts_scene *scene, uint32_t s, uint32_t e, uint
 /* Returns the entry of an edge that is EDGE_PART. */
 const scene_part *scene_part_at(const roberts_scene *scene, uint32_t edge);
 
-void scene_surface_free(scene_surface *s);
-
 /* Returns the number of the vertex in the input; for welded vertices, the smallest. */
 static inline uint32_t scene_vertex_number(const roberts_scene *scene, uint32_t v)
 {

@@ -831,18 +831,7 @@ roberts_status view_clip_scene(view_clip *clip, const roberts_scene *scene, cons
 
 void view_clip_free(view_clip *clip)
 {
-    free(clip->scene.solid);
-    free(clip->scene.point);
-    free(clip->scene.low);
-    free(clip->scene.number);
-    free(clip->scene.face_start);
-    free(clip->scene.corner);
-    free(clip->scene.face_plane);
-    free(clip->scene.face_deviation);
-    free(clip->scene.face_width);
-    free(clip->scene.face_number);
-    free(clip->scene.edge);
-    scene_surface_free(clip->scene.surface);
+    scene_clear(&clip->scene);
     free(clip->origin);
     free(clip->cap);
     free(clip->sheet);
