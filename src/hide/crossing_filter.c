@@ -548,7 +548,7 @@ static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, c
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
-    double loose = LOOSE * fronts->space.rounding;
+    double loose = LOOSE * fronts->space.across_rounding;
     roberts_vec3 A = P[f->corner[f->count - 1]];
     for (uint32_t i = 0; i < f->count; i++) {
         roberts_vec3 B = P[f->corner[i]];
@@ -684,7 +684,7 @@ static ray ray_of(const hide_fronts *fronts, uint32_t from, uint32_t to)
 {
     const roberts_vec3 *P = fronts->P;
     double x = P[to].x - P[from].x, y = P[to].y - P[from].y;
-    return (ray){x, y, LOOSE * fronts->space.rounding * (fabs(x) + fabs(y))};
+    return (ray){x, y, LOOSE * fronts->space.across_rounding * (fabs(x) + fabs(y))};
 }
 
 static double turn_of_rays(const ray *a, const ray *b)

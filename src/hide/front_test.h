@@ -56,7 +56,7 @@ BITS_INLINE bool hide_are_deep(const hide_fronts *fronts, const uint32_t corner[
     const roberts_vec3 A = space->P[corner[0]], B = space->P[corner[1]], C = space->P[corner[2]];
     const double area = (B.x - A.x) * (C.y - A.y) - (B.y - A.y) * (C.x - A.x);
     const double size = (double)((own->x1 - own->x0) + (own->y1 - own->y0) + (own->z1 - own->z0));
-    return area > size * (NORMAL_DEPTH * size + 8.0 * space->rounding);
+    return area > size * (NORMAL_DEPTH * size + 8.0 * space->across_rounding);
 }
 
 /* The same for a front. If so, its outline is set in place of its plane. */

@@ -491,8 +491,8 @@ static void set_space(hide_fronts *fronts)
     fronts->P = fronts->seen->P;
     fronts->space = (hide_space){.P = fronts->P,
                                  .epsilon = v->epsilon,
-                                 .rounding = v->across_rounding,
-                                 .depth_rounding = v->rounding,
+                                 .across_rounding = v->across_rounding,
+                                 .rounding = v->rounding,
                                  .plain = hide_plain(4.0 * v->across, v->epsilon, v->across_rounding),
                                  .scene = fronts->scene,
                                  .view = v};

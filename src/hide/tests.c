@@ -192,7 +192,7 @@ static inline int sign_within(double value, double tolerance)
  * point from them. */
 static double line_error(const hide_space *space, double reach, double length)
 {
-    return 2.0 * space->rounding * (1.0 + reach / length);
+    return 2.0 * space->across_rounding * (1.0 + reach / length);
 }
 
 /* TEST 1. Visible: both ends are in front of the face's plane or on it. `limit` is smaller than epsilon for a face so
@@ -263,8 +263,8 @@ static side_line measure_chord(const hide_space *space, const hide_face *F, hide
     s.length = sqrt(dx * dx + dy * dy);
     s.a = dx * ay - dy * ax;
     s.b = dx * by - dy * bx;
-    s.error_a = 2.0 * space->rounding * (s.length + fabs(ax) + fabs(ay));
-    s.error_b = 2.0 * space->rounding * (s.length + fabs(bx) + fabs(by));
+    s.error_a = 2.0 * space->across_rounding * (s.length + fabs(ax) + fabs(ay));
+    s.error_b = 2.0 * space->across_rounding * (s.length + fabs(bx) + fabs(by));
     return s;
 }
 
@@ -469,7 +469,7 @@ bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e
     if (sign0 >= 0 && sign1 >= 0)
         return true;
     double t = inside->t0 + width * (f0 / (f0 - f1));
-    if (!hide_accurate(space, e, width * PLANE_ROUNDINGS * space->depth_rounding / slope) && space->scene) {
+    if (!hide_accurate(space, e, width * PLANE_ROUNDINGS * space->rounding / slope) && space->scene) {
         t = fmin(fmax(refine_pierce(space, F, e), inside->t0), inside->t1);
         sides->refined++;
     }
@@ -592,7 +592,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
             continue;
         }
         double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), on = space->epsilon * length;
-        double error = 2.0 * space->rounding * (length + fabs(X.x - o->ox[i]) + fabs(X.y - o->oy[i]));
+        double error = 2.0 * space->across_rounding * (length + fabs(X.x - o->ox[i]) + fabs(X.y - o->oy[i]));
         if (length <= space->epsilon)
             continue;
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
@@ -638,8 +638,8 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
         int i = bits_trailing_zeros(out);
         double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
         double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
-        double error_a = 2.0 * space->rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
-        double error_b = 2.0 * space->rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
+        double error_a = 2.0 * space->across_rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
+        double error_b = 2.0 * space->across_rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
         double t = a / (a - b), error = (error_a + error_b) / apart;
         if (!hide_accurate(space, e, error)) {
             error =

@@ -123,7 +123,7 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
             out = i;
         }
     }
-    if (!hide_accurate(space, e, 8.0 * space->rounding * span / apart))
+    if (!hide_accurate(space, e, 8.0 * space->across_rounding * span / apart))
         return fast_cut_closely(o, space, e, H, part);
     if (t0 >= t1 || !((t1 - t0) * e->length3 > space->epsilon))
         return FAST_EMPTY;
@@ -163,7 +163,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
 BITS_INLINE fast_verdict fast_test(const fast_outline *o, const hide_space *space, const hide_edge *e, double span,
                                    const hide_interval *hidden, hide_interval *part)
 {
-    const double plain = hide_plain(span, space->epsilon, space->rounding);
+    const double plain = hide_plain(span, space->epsilon, space->across_rounding);
     fast_sides H;
     if (!fast_signs(o, plain, e, &H)) {
         fast_verdict verdict = fast_settle(o, space, e, plain, &H);

@@ -92,9 +92,9 @@ static runs_node frame_run(const hide_space *space, const uint32_t *corner, uint
 static bool lift_over(const hide_space *space, runs_node *n, roberts_vec3 P, roberts_vec3 Q)
 {
     double dx = Q.x - P.x, dy = Q.y - P.y, run = n->ux * dx + n->uy * dy, rise = n->ux * dy - n->uy * dx;
-    if (!(run > RUNS_SIDE_ROUNDINGS * space->rounding) || !(run > space->epsilon))
+    if (!(run > RUNS_SIDE_ROUNDINGS * space->across_rounding) || !(run > space->epsilon))
         return false;
-    double slope = rise / run, error = RUNS_SLOPE_ROUNDINGS * space->rounding / run, low = slope - error;
+    double slope = rise / run, error = RUNS_SLOPE_ROUNDINGS * space->across_rounding / run, low = slope - error;
     double high = slope + error, px = P.x - n->x, py = P.y - n->y;
     double x = n->ux * px + n->uy * py, y = n->ux * py - n->uy * px;
     if (low < -1.0 || high > 1.0)
@@ -113,7 +113,7 @@ static runs_node make_run(const hide_space *space, const uint32_t *corner, uint3
     for (uint32_t i = first; i < end && n.over < INFINITY; i++)
         if (!lift_over(space, &n, run_corner(space, corner, count, i), run_corner(space, corner, count, i + 1)))
             n.over = INFINITY;
-    n.over += RUNS_CLEAR * space->epsilon + RUNS_CLEAR_ROUNDINGS * space->rounding;
+    n.over += RUNS_CLEAR * space->epsilon + RUNS_CLEAR_ROUNDINGS * space->across_rounding;
     return n;
 }
 
@@ -204,7 +204,7 @@ static int run_side(const hide_space *space, const runs_node *n, const hide_edge
     double along = dx * n->uy - dy * n->ux, across = dx * n->ux + dy * n->uy;
     double a0 = along * n->x0, a1 = along * n->x1, b0 = across * n->y0, b1 = across * n->y1;
     double reach = fabs(px) + fabs(py) + 2.0 * (n->x1 - n->x0 + n->y1 - n->y0);
-    double near = space->epsilon * e->length + 8.0 * space->rounding * (e->length + reach);
+    double near = space->epsilon * e->length + 8.0 * space->across_rounding * (e->length + reach);
     if (Q + lesser(a0, a1) + lesser(b0, b1) > near)
         return 1;
     return Q + greater(a0, a1) + greater(b0, b1) < -near ? -1 : 0;
@@ -520,8 +520,7 @@ static void add_to_node(const node_faces *s, bundle_node *n, const hide_face *F)
         n->y1 = greater(n->y1, y + m);
     }
     box_add(&n->least, &n->most, (roberts_vec3){F->F.a, F->F.b, F->F.c});
-    n->behind =
-        greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BUNDLE_ROUNDINGS * s->space->depth_rounding);
+    n->behind = greater(n->behind, plane_at(F->F, n->M) + F->touch + uncertain + BUNDLE_ROUNDINGS * s->space->rounding);
 }
 
 static bundle_node make_node(const node_faces *s)

@@ -1,9 +1,9 @@
 /* tolerance.h - every tolerance and bound of hidden-line removal: name, value, unit, reason.
  *
  * Three lengths depend on the scene and come from the view, in view units (see map.c). `epsilon` is the touching
- * distance. `rounding` bounds the error of any view coordinate. `across_rounding` bounds the error of an x or y. A
- * hide_space holds them as `epsilon`, `depth_rounding` and `rounding`. The numbers below are multiples of these, or
- * have no unit. Numbers that affect only time and memory are in the files that use them. */
+ * distance. `rounding` bounds the error of any view coordinate. `across_rounding` bounds the error of an x or y. The
+ * numbers below are multiples of these, or have no unit. Numbers that affect only time and memory are in the files that
+ * use them. */
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
@@ -48,18 +48,18 @@ static inline bool hide_accurate(const hide_space *space, const hide_edge *e, do
  * the distance |dx| + |dy| of any two of their points; 4 extents hold for the whole picture.
  *
  * |u x v| is the distance of a point from the line through two others, times their distance l. The distance certainly
- * exceeds epsilon if |u x v| > epsilon l + 2 rounding (l + reach). Here l and the reach, |dx| + |dy| of the point from
- * one end, are at most the span. The rounding of the products adds less than 2 span rounding. One bound serves all
- * sides of a front and an edge. A sign that it does not decide is computed with its own error. */
-static inline double hide_plain(double span, double epsilon, double rounding)
+ * exceeds epsilon if |u x v| > epsilon l + 2 r (l + reach), r being `across_rounding`. Here l and the reach, |dx| +
+ * |dy| of the point from one end, are at most the span. The rounding of the products adds less than 2 r span. One bound
+ * serves all sides of a front and an edge. A sign that it does not decide is computed with its own error. */
+static inline double hide_plain(double span, double epsilon, double across_rounding)
 {
-    return span * (epsilon + 8.0 * rounding);
+    return span * (epsilon + 8.0 * across_rounding);
 }
 
 /* View units: cells and boxes are widened by this, so that an edge and a face that touch are never separated. */
 static inline double hide_margin(const hide_space *space)
 {
-    return 4.0 * (space->epsilon + space->depth_rounding);
+    return 4.0 * (space->epsilon + space->rounding);
 }
 
 /* No unit: bounds the error of the parameter t at which AB crosses the line through P along `side`, the vector from one
@@ -68,17 +68,17 @@ static inline double hide_margin(const hide_space *space)
  *
  * This bound is sharper than the errors of a and b if the crossing lies near a short side, or far from the ends of AB.
  * If a and b are off by da and db, t is off by ((1 - t) da + t db) / (a - b). That is the error that the distance of
- * the crossing X itself would have. If P, Q and X move by `rounding` in each coordinate, the cross product changes by
- * at most 2 rounding (|PQ| + |PX|), with both norms as sums of coordinates. The rounding of the products adds less than
- * 2 rounding |PQ|. X is taken as computed. It may be off by t's error times |AB|, which at most doubles the bound as
- * long as 4 rounding |AB| <= apart. */
+ * the crossing X itself would have. If P, Q and X move by r, the `across_rounding`, in each coordinate, the cross
+ * product changes by at most 2 r (|PQ| + |PX|), with both norms as sums of coordinates. The rounding of the products
+ * adds less than 2 r |PQ|. X is taken as computed. It may be off by t's error times |AB|, which at most doubles the
+ * bound as long as 4 r |AB| <= apart. */
 static inline double hide_crossing_error(const hide_space *space, const hide_edge *e, double t, roberts_vec2 P,
                                          roberts_vec2 side, double apart)
 {
     roberts_vec3 X = hide_edge_at(e, t);
     double length = fabs(side.x) + fabs(side.y), reach = fabs(X.x - P.x) + fabs(X.y - P.y);
-    double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y);
-    return 4.0 * space->rounding * run <= apart ? 4.0 * space->rounding * (2.0 * length + reach) / apart : INFINITY;
+    double run = fabs(e->B.x - e->A.x) + fabs(e->B.y - e->A.y), r = space->across_rounding;
+    return 4.0 * r * run <= apart ? 4.0 * r * (2.0 * length + reach) / apart : INFINITY;
 }
 
 /* ---- the planes of faces ---- */

@@ -7,11 +7,9 @@
 #include "view/seen.h"
 
 typedef struct hide_space {
-    const roberts_vec3 *P; /* view points of all vertices, by compact number */
-    double epsilon;        /* touching distance, view units */
-    double rounding;       /* bounds the error of an x or y of P, view units */
-    double depth_rounding; /* bounds the error of any coordinate of P; at least `rounding` */
-    double plain;          /* any cross product of two picture vectors has a plain sign if it is larger: hide_plain() */
+    const roberts_vec3 *P;                     /* view points of all vertices, by compact number */
+    double epsilon, rounding, across_rounding; /* as in `view` */
+    double plain; /* any cross product of two picture vectors has a plain sign if it is larger: hide_plain() */
     const roberts_scene *scene; /* the model as read, for double-double numbers; */
     const view *view;           /* NULL both: never refine (tests on bare points) */
 } hide_space;

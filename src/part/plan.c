@@ -470,7 +470,7 @@ static roberts_status describe_view(planner *pl, const roberts_scene *scene, rob
     if (status != ROBERTS_OK)
         return status;
     facts->margin = MARGIN * (v.epsilon + v.rounding);
-    const hide_space space = {.epsilon = v.epsilon, .depth_rounding = v.rounding};
+    const hide_space space = {.epsilon = v.epsilon, .rounding = v.rounding};
     if (!count_cells(pl, hide_margin(&space)))
         return error_no_memory(error);
     facts->unit = v.unit;

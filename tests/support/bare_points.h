@@ -11,7 +11,7 @@
 static inline hide_space bare_space(const roberts_vec3 *P, double epsilon, double rounding, double extent)
 {
     return (hide_space){
-        .P = P, .epsilon = epsilon, .rounding = rounding, .plain = hide_plain(4.0 * extent, epsilon, rounding)};
+        .P = P, .epsilon = epsilon, .across_rounding = rounding, .plain = hide_plain(4.0 * extent, epsilon, rounding)};
 }
 
 /* Makes the edge from P[a] to P[b]. */

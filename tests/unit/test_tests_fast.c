@@ -334,7 +334,7 @@ static void contact_is_unclear(void **state)
         fast_outline outline;
         f.edge = (hide_edge){.A = cases[i].A, .B = cases[i].B, .a = 4, .b = 5, .length = 1.0, .length3 = 1.0};
         f.space = (hide_space){
-            .P = f.P, .epsilon = EPSILON, .rounding = ROUNDING, .plain = hide_plain(20.0, EPSILON, ROUNDING)};
+            .P = f.P, .epsilon = EPSILON, .across_rounding = ROUNDING, .plain = hide_plain(20.0, EPSILON, ROUNDING)};
         fast_take(&outline, f.P, f.corner, 4);
         if (fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &part) != cases[i].verdict)
             fail_msg("%s", cases[i].name);
