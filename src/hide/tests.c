@@ -263,8 +263,8 @@ static side_line measure_chord(const hide_space *space, const hide_face *F, hide
     s.length = sqrt(dx * dx + dy * dy);
     s.a = dx * ay - dy * ax;
     s.b = dx * by - dy * bx;
-    s.error_a = 2.0 * space->across_rounding * (s.length + fabs(ax) + fabs(ay));
-    s.error_b = 2.0 * space->across_rounding * (s.length + fabs(bx) + fabs(by));
+    s.error_a = hide_product_error(space, s.length, ax, ay);
+    s.error_b = hide_product_error(space, s.length, bx, by);
     return s;
 }
 
@@ -412,7 +412,8 @@ bool hide_cut_end(const hide_cutting *c, hide_cut *cut, hide_interval *part)
 {
     refine_if_needed(c, &cut->in);
     refine_if_needed(c, &cut->out);
-    if (!((cut->out.t - cut->in.t) * c->e->length3 > c->space->epsilon))
+    *part = (hide_interval){.t0 = cut->in.t, .t1 = cut->out.t};
+    if (!hide_is_left(c->space, c->e, part))
         return false;
     double r0 = reach_of(c, &cut->in, false), r1 = reach_of(c, &cut->out, true);
     *part = (hide_interval){cut->in.t, cut->out.t, r0, r1};
@@ -592,7 +593,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
             continue;
         }
         double length = sqrt(o->dx[i] * o->dx[i] + o->dy[i] * o->dy[i]), on = space->epsilon * length;
-        double error = 2.0 * space->across_rounding * (length + fabs(X.x - o->ox[i]) + fabs(X.y - o->oy[i]));
+        double error = hide_product_error(space, length, X.x - o->ox[i], X.y - o->oy[i]);
         if (length <= space->epsilon)
             continue;
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
@@ -638,8 +639,8 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
         int i = bits_trailing_zeros(out);
         double a = H->a[i], b = H->b[i], dx = o->dx[i], dy = o->dy[i], ox = o->ox[i], oy = o->oy[i];
         double length = sqrt(dx * dx + dy * dy), apart = fabs(a - b);
-        double error_a = 2.0 * space->across_rounding * (length + fabs(e->A.x - ox) + fabs(e->A.y - oy));
-        double error_b = 2.0 * space->across_rounding * (length + fabs(e->B.x - ox) + fabs(e->B.y - oy));
+        double error_a = hide_product_error(space, length, e->A.x - ox, e->A.y - oy);
+        double error_b = hide_product_error(space, length, e->B.x - ox, e->B.y - oy);
         double t = a / (a - b), error = (error_a + error_b) / apart;
         if (!hide_accurate(space, e, error)) {
             error =
@@ -661,9 +662,9 @@ fast_verdict fast_cut_closely(const fast_outline *o, const hide_space *space, co
         if (part->t0 >= part->t1)
             return FAST_EMPTY;
     }
-    if (!((part->t1 - part->t0) * e->length3 > space->epsilon))
+    if (!hide_is_left(space, e, part))
         return FAST_EMPTY;
     part->r0 = fast_reach(o, space, e, H, inward, &part->t0);
     part->r1 = fast_reach(o, space, e, H, outward, &part->t1);
-    return (part->t1 - part->t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
+    return hide_is_left(space, e, part) ? FAST_CUT : FAST_EMPTY;
 }

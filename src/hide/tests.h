@@ -131,12 +131,6 @@ static const hide_cut hide_uncut = {.out = {.t = 1.0}};
 bool hide_pierce(const hide_space *space, const hide_face *F, const hide_edge *e, const hide_interval *inside,
                  hide_sides *sides, hide_interval *part);
 
-/* Is the rest longer than epsilon? */
-static inline bool hide_is_left(const hide_space *space, const hide_edge *e, const hide_interval *part)
-{
-    return (part->t1 - part->t0) * e->length3 > space->epsilon;
-}
-
 /* Tests 3 and 4, counted in `sides`. Finds the part of e inside all sides; false if there is none. */
 bool hide_by_sides(const hide_space *space, const hide_face *F, const hide_edge *e, hide_sides *sides,
                    hide_interval *part);

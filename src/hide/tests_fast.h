@@ -129,7 +129,7 @@ BITS_INLINE fast_verdict fast_cut(const fast_outline *o, const hide_space *space
         return FAST_EMPTY;
     double r0 = fast_reach(o, space, e, H, in, &t0), r1 = fast_reach(o, space, e, H, out, &t1);
     *part = (hide_interval){t0, t1, r0, r1};
-    return (t1 - t0) * e->length3 > space->epsilon ? FAST_CUT : FAST_EMPTY;
+    return hide_is_left(space, e, part) ? FAST_CUT : FAST_EMPTY;
 }
 
 /* Does the part inside, with everything it touches, lie plainly within the part known to be hidden? It does under three

@@ -44,6 +44,19 @@ static inline bool hide_accurate(const hide_space *space, const hide_edge *e, do
     return error <= HIDE_T_ACCURACY && error * e->length3 <= HIDE_TRUSTED * space->epsilon;
 }
 
+/* Is this part of an edge longer than epsilon, so that something is left of it? */
+static inline bool hide_is_left(const hide_space *space, const hide_edge *e, const hide_interval *part)
+{
+    return (part->t1 - part->t0) * e->length3 > space->epsilon;
+}
+
+/* View units squared: bounds the error of the cross product of a side of this length and the vector (dx, dy) from one
+ * of its ends to a point: the distance of the point from the side's line, times the length. */
+static inline double hide_product_error(const hide_space *space, double length, double dx, double dy)
+{
+    return 2.0 * space->across_rounding * (length + fabs(dx) + fabs(dy));
+}
+
 /* View units squared: a cross product of two picture vectors has a plain sign if it is larger than this. span: bounds
  * the distance |dx| + |dy| of any two of their points; 4 extents hold for the whole picture.
  *
