@@ -44,14 +44,14 @@ bool hide_worker_init(hide_worker *w, const hide_fronts *fronts, const objet *gr
         .fronts = fronts, .grid = grid, .margin = hide_margin(&fronts->space), .all = all, .named = named};
     w->least[0] = w->least[2] = -INFINITY;
     w->most[1] = w->most[3] = INFINITY;
-    w->seen = alloc_zeroed(fronts->front_count, sizeof *w->seen);
+    w->stamped = alloc_zeroed(fronts->front_count, sizeof *w->stamped);
     w->single_mask = fronts->front_count > fronts->whole_count ? KEPT_SINGLES - 1 : 0;
     w->single = alloc_array(w->single_mask + 1, sizeof *w->single);
     for (uint32_t i = 0; w->single && i <= w->single_mask; i++)
         w->single[i].front = ROBERTS_NONE;
     /* Padding keeps the array apart from data that other threads write. At least one line is allocated, so the array
      * always exists. */
-    return w->seen && w->single && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) &&
+    return w->stamped && w->single && hide_sides_reserve(&w->sides, fronts->most_corners + THREADS_APART) &&
            hide_worker_reserve(w, 1);
 }
 
@@ -90,7 +90,7 @@ void hide_worker_free(hide_worker *w)
     free(w->line);
     free(w->sides.H);
     free(w->walk.item);
-    free(w->seen);
+    free(w->stamped);
     free(w->single);
     free(w->level.item);
     *w = (hide_worker){0};
@@ -352,9 +352,9 @@ typedef struct line_set {
 /* Tests the lines against one front that may be nearer somewhere, unless they have already met it. False: no memory. */
 BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
 {
-    if (w->seen[front] == w->stamp)
+    if (w->stamped[front] == w->stamp)
         return true;
-    w->seen[front] = w->stamp;
+    w->stamped[front] = w->stamp;
     /* The parts hidden by the faces of one solid are joined. So a face counts even if everything it hides is already
      * hidden. */
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
@@ -526,7 +526,7 @@ static void set_reach(hide_worker *w, const hide_box *box)
 static void next_stamp(hide_worker *w)
 {
     if (++w->stamp == 0) {
-        memset(w->seen, 0, w->fronts->front_count * sizeof *w->seen);
+        memset(w->stamped, 0, w->fronts->front_count * sizeof *w->stamped);
         w->stamp = 1;
     }
 }

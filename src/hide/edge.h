@@ -50,7 +50,7 @@ typedef struct hide_worker {
     hide_lanes whole;        /* the same before shrinking, needed if some solids are entered face by face */
     float least[4], most[4]; /* limits on x0, x1, y0, y1 of a front that meets the box of the current lines */
     float place[4];          /* objet_place() of the box */
-    bool all;                /* some lines may be hidden by their own body */
+    bool all;                /* hidden parts are wanted too: some lines may be hidden by their own body */
     bool named;              /* also find which solid hides each part */
     bool shrinks;            /* the boxes of the current lines shrink as lines are hidden */
     uint32_t met;            /* fronts met by the current group, if boxes shrink */
@@ -59,7 +59,7 @@ typedef struct hide_worker {
                      its own keys */
     /* [front_count] Stamp of the last group of edges that met the front. It is short so that more stamps fit into the
      * cache. */
-    uint16_t *seen;
+    uint16_t *stamped;
     hide_single *single; /* [single_mask + 1] faces of fronts, each at its number & single_mask */
     uint32_t single_mask;
     uint16_t stamp;          /* of the current group */
