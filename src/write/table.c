@@ -326,11 +326,16 @@ static void write_field(const row *r, int column, const char *empty, output *out
     switch (kinds[column]) {
     case WHOLE:
         whole = whole_number(r, column);
-        whole == ROBERTS_NONE &&column != BODY ? output_text(out, empty) : output_integer(out, whole);
+        if (whole == ROBERTS_NONE && column != BODY)
+            output_text(out, empty);
+        else
+            output_integer(out, whole);
         break;
     case NUMBER:
-        column >= END_X0 &&column <= END_Z1 && !r->has_ends ? output_text(out, empty)
-                                                            : output_number(out, number(r, column));
+        if (column >= END_X0 && column <= END_Z1 && !r->has_ends)
+            output_text(out, empty);
+        else
+            output_number(out, number(r, column));
         break;
     default:
         output_text(out, word(r, column));
