@@ -15,11 +15,12 @@
 #include "base/error.h"
 #include "write/formats.h"
 
-static const double mm_per_inch = 25.4, points_per_inch = 72.0;
+static const double points_per_inch = 72.0;
 
-/* ---- strokes ---- */
+/* ---- fills and strokes ---- */
 
-void surface_set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line)
+/* Sets width, dashes, caps and colour for a class of lines. */
+static void set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line)
 {
     const roberts_pen *pen = strokes_pen(options, line);
     double dash[2];
@@ -42,7 +43,8 @@ static void trace_polyline(cairo_t *cairo, const polylines *lines, const polylin
         cairo_close_path(cairo);
 }
 
-void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end)
+/* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
+static void draw_some(cairo_t *cairo, const strokes *s, size_t first, size_t end)
 {
     while (first < end) {
         size_t next = strokes_part_end(s, first, end);
@@ -52,7 +54,7 @@ void surface_draw(cairo_t *cairo, const strokes *s, size_t first, size_t end)
     }
 }
 
-void surface_paint_fills(cairo_t *cairo, const strokes *s)
+static void paint_fills(cairo_t *cairo, const strokes *s)
 {
     const fills *f = &s->fills;
     cairo_set_dash(cairo, NULL, 0, 0.0);
@@ -70,6 +72,15 @@ void surface_paint_fills(cairo_t *cairo, const strokes *s)
         }
         if (!paint->seam)
             cairo_fill(cairo);
+    }
+}
+
+void surface_draw(cairo_t *cairo, const strokes *s)
+{
+    paint_fills(cairo, s);
+    for (int i = 0; i < LINE_CLASSES; i++) {
+        set_pen(cairo, s->options, line_order[i]);
+        draw_some(cairo, s, s->start[i], s->start[i + 1]);
     }
 }
 
@@ -147,18 +158,6 @@ static void paint_page(cairo_t *cairo, const roberts_page *page, double units_pe
     cairo_fill(cairo);
 }
 
-static void draw_page(cairo_t *cairo, const strokes *s, double units_per_mm)
-{
-    if (s->options->background.on)
-        paint_page(cairo, &s->page, units_per_mm, &s->options->background);
-    cairo_scale(cairo, units_per_mm, units_per_mm);
-    surface_paint_fills(cairo, s);
-    for (int i = 0; i < LINE_CLASSES; i++) {
-        surface_set_pen(cairo, s->options, line_order[i]);
-        surface_draw(cairo, s, s->start[i], s->start[i + 1]);
-    }
-}
-
 roberts_status surface_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
@@ -168,7 +167,10 @@ roberts_status surface_write(const strokes *s, output *out, roberts_error *error
                                                                   page->height_mm * points);
     cairo_ps_surface_set_eps(surface, s->options->format == ROBERTS_EPS);
     cairo_t *cairo = cairo_create(surface);
-    draw_page(cairo, s, points);
+    if (s->options->background.on)
+        paint_page(cairo, page, points, &s->options->background);
+    cairo_scale(cairo, points, points);
+    surface_draw(cairo, s);
     cairo_show_page(cairo);
     return finish(cairo, surface, error);
 }

@@ -5,6 +5,8 @@
 #include "base/output.h"
 #include "draw/strokes.h"
 
+static const double mm_per_inch = 25.4;
+
 /* Each writes the page. The caller finishes `out`, which records failed writes. Each returns ROBERTS_OK, _NO_MEMORY or
  * _IO; all but svg_write(), dxf_write() and hpgl_write() also _BAD_ARGUMENT. */
 typedef roberts_status page_writer(const strokes *s, output *out, roberts_error *error);

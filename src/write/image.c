@@ -26,8 +26,6 @@ enum {
     FILTER_UP = 2
 };
 
-static const double mm_per_inch = 25.4;
-
 typedef struct image {
     const strokes *s;
     output *out;
@@ -111,11 +109,7 @@ static cairo_status_t draw_surface(const image *m, int top)
     cairo_paint(cairo); /* includes the last row and column, which the page may cover in part */
     cairo_translate(cairo, 0.0, -top);
     cairo_scale(cairo, m->pixels_per_mm, m->pixels_per_mm);
-    surface_paint_fills(cairo, m->s);
-    for (int i = 0; i < LINE_CLASSES; i++) {
-        surface_set_pen(cairo, m->s->options, line_order[i]);
-        surface_draw(cairo, m->s, m->s->start[i], m->s->start[i + 1]);
-    }
+    surface_draw(cairo, m->s);
     cairo_status_t status = cairo_status(cairo);
     cairo_destroy(cairo);
     cairo_surface_flush(m->surface);

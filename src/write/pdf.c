@@ -242,7 +242,7 @@ static const uint64_t longest_file = 9999999999;
 
 enum { CATALOG = 1, PAGES, PAGE, CONTENT, CONTENT_LENGTH, LETTERS, GREEK, OBJECTS };
 
-static const double points_per_mm = 72.0 / 25.4;
+static const double points_per_mm = 72.0 / mm_per_inch;
 
 /* The stream while it is written. */
 typedef struct pdf_plot {

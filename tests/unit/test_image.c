@@ -32,10 +32,7 @@ static void expect_drawn_by_cairo(const strokes *s, const sink *file)
     cairo_set_source_rgb(cairo, 1, 1, 1);
     cairo_paint(cairo);
     cairo_scale(cairo, s->options->dpi / 25.4, s->options->dpi / 25.4);
-    for (int i = 0; i < LINE_CLASSES; i++) {
-        surface_set_pen(cairo, s->options, line_order[i]);
-        surface_draw(cairo, s, s->start[i], s->start[i + 1]);
-    }
+    surface_draw(cairo, s);
     cairo_destroy(cairo);
     cairo_surface_flush(drawn);
     for (int y = 0; y < height; y++) {
