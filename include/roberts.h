@@ -930,8 +930,8 @@ typedef enum roberts_label_kind {
     ROBERTS_LABEL_EDGES = 2,
     ROBERTS_LABEL_FACES = 4,
     ROBERTS_LABEL_BODIES = 8,
-    ROBERTS_LABEL_NAMES = 16, /**< bodies, by the names of their groups in the input, from `scene`; one without a name has
-                                   no label, or its number with ROBERTS_LABEL_BODIES */
+    ROBERTS_LABEL_NAMES = 16, /**< bodies, by the names of their groups in the input, from `scene`; one without a name
+                                 has no label, or its number with ROBERTS_LABEL_BODIES */
 } roberts_label_kind;
 
 /** Those that need `regions` in each drawing. */

@@ -24,8 +24,9 @@
 #define MANY_FRONTS 6
 /* How many hidden parts of a line are compared with the part that a node of a tree may hide. */
 #define KNOWN_PARTS 8
-/* Single faces that a worker caches, a power of two. The next lines mostly meet the same ones. */
+/* Single faces that a worker caches. The next lines mostly meet the same ones. */
 #define KEPT_SINGLES 512u
+_Static_assert((KEPT_SINGLES & (KEPT_SINGLES - 1)) == 0, "places in the cache are the last bits of numbers");
 
 bool hide_worker_reserve(hide_worker *w, size_t lines)
 {

@@ -7,8 +7,9 @@
 #include "hide/front_test.h"
 #include "hide/intervals.h"
 
-/* The largest group of lines that goes through the cells together. A multiple of 4. */
+/* The largest group of lines that goes through the cells together. */
 #define HIDE_GROUP 64
+_Static_assert(HIDE_GROUP % 4 == 0 && HIDE_GROUP <= 64, "four lines are compared at a time, and each has a bit");
 
 /* A line, and what is known to hide it. */
 typedef struct hide_line {

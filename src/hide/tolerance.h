@@ -167,8 +167,9 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* ---- sizes above which another method finds the same result ---- */
 
 /* Front faces of a solid: with more, each face is a front of its own. Otherwise an edge that passes the solid would be
- * compared with all of them. At most 32: hide_test1_of_all() gives each face a bit. */
+ * compared with all of them. */
 #define FACES_OF_ONE_FRONT 24
+_Static_assert(FACES_OF_ONE_FRONT <= 32, "hide_test1_of_all() gives each face a bit");
 
 /* Front faces of a solid: with more, it may be a bundle. Below this, a tree over the faces gains nothing. */
 #define BUNDLE_FACES 64
@@ -183,7 +184,8 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 /* Corners of a face or an outline: with more, its sides are grouped into runs. Below this, runs gain nothing. */
 #define RUNS_CORNERS 64
 
-/* Corners of an outline: with more, tests_fast.h leaves it to tests.c. Must be even. */
+/* Corners of an outline: with more, tests_fast.h leaves it to tests.c. */
 #define FAST_CORNERS 16
+_Static_assert(FAST_CORNERS % 2 == 0, "tests_fast.h takes two sides at a time");
 
 #endif

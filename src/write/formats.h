@@ -23,8 +23,8 @@ page_writer hpgl_write;
  * on it. */
 roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output *out, roberts_error *error);
 
-/* Writes UTF-8 as LaTeX source. A formula between dollar signs stays as it is. A control character becomes a question mark, and so does a byte that is not UTF-8.
- * (tikz.c) */
+/* Writes UTF-8 as LaTeX source. A formula between dollar signs stays as it is. A control character becomes a question
+ * mark, and so does a byte that is not UTF-8. (tikz.c) */
 void tikz_text_write(output *out, const char *text);
 
 /* How many characters of the text LaTeX does not define; control characters and bytes that are not UTF-8 count, too.
