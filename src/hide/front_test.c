@@ -3,10 +3,10 @@
 
 #include "base/sort.h"
 #include "hide/intervals.h"
+#include "hide/tests_wide.h"
 #include "model/face_pieces.h"
 
 _Static_assert(FAST_CORNERS >= PIECE_CORNERS, "tests_fast.h takes the pieces of faces");
-#include "hide/tests_wide.h"
 
 bool hide_within_reach(const hide_fronts *fronts, const hide_whole_front *whole, const hide_edge *e)
 {
