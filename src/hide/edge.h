@@ -1,11 +1,12 @@
-/* edge.h - lines through the grid: what hides them, and which solid the viewer sees there instead. */
+/* edge.h - lines through the grid: what hides them. */
 #ifndef ROBERTS_HIDE_EDGE_H
 #define ROBERTS_HIDE_EDGE_H
 
 #include "base/threads.h"
-#include "hide/objet.h"
 #include "hide/front_test.h"
 #include "hide/intervals.h"
+#include "hide/objet.h"
+#include "hide/point.h"
 
 /* The largest group of lines that goes through the cells together. */
 #define HIDE_GROUP 64
@@ -25,17 +26,6 @@ typedef struct hide_line {
 typedef struct hide_lanes {
     float x0[HIDE_GROUP], x1[HIDE_GROUP], y0[HIDE_GROUP], y1[HIDE_GROUP], z0[HIDE_GROUP], z1[HIDE_GROUP];
 } hide_lanes;
-
-/* A face in front of a point: see level_at() in segments.c. */
-typedef struct level_hit {
-    uint32_t body;
-    unsigned ways; /* bits of the directions in which the point can be moved into the face */
-} level_hit;
-
-typedef struct level_hits {
-    level_hit *item;
-    size_t count, room;
-} level_hits;
 
 /* Scratch memory of one thread, reused for solid after solid. */
 typedef struct hide_worker {
@@ -65,7 +55,7 @@ typedef struct hide_worker {
     uint32_t single_mask;
     uint16_t stamp;          /* of the current group */
     size_t surviving, drawn; /* edges, as counted in a roberts_drawing */
-    level_hits level;        /* scratch memory of level_at() */
+    level_hits level;        /* scratch memory of point_level() */
     char apart[THREADS_APART];
 } hide_worker;
 
@@ -137,13 +127,5 @@ void hide_worker_add_taken(hide_worker *w, hide_line *line);
 /* Finds what hides the added lines: all fronts except those of their own faces. The hidden parts ascend and are
  * disjoint. False: no memory. */
 bool hide_worker_run(hide_worker *w);
-
-/* Returns the solid seen at picture point (x, y). If several touch there, the smallest number counts. ROBERTS_NONE: no
- * front face is there. */
-uint32_t hide_seen_at(const hide_worker *w, double x, double y);
-
-/* The face seen there, as numbered in the scene: of the solid of smallest number that touches there, the smallest one;
- * *F: its plane. ROBERTS_NONE: there is none. */
-uint32_t hide_face_seen_at(const hide_fronts *fronts, const objet *grid, double x, double y, plane *F);
 
 #endif

@@ -25,7 +25,7 @@ typedef struct build {
     tiles tiles;
     front_scratch *scratch; /* [threads] */
     int threads;
-    bool looked_up; /* hide_seen_at() will be called */
+    bool looked_up; /* point_solid() will be called */
     bool cull;      /* what is hidden is left out */
     bool may_wait;  /* see hide_fronts.late */
 } build;

@@ -84,7 +84,7 @@ typedef struct hide_fronts {
 } hide_fronts;
 
 /* Maps what is seen and makes its fronts. Two of the options matter: the number of threads, and whether hidden lines
- * are kept. If they are not, bodies that are wholly hidden are culled. looked_up: hide_seen_at() will be called, even
+ * are kept. If they are not, bodies that are wholly hidden are culled. looked_up: point_solid() will be called, even
  * if hidden lines are not kept. False: no memory, and `fronts` is empty. */
 bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options *options, bool looked_up);
 void hide_fronts_free(hide_fronts *fronts);

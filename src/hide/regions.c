@@ -217,7 +217,7 @@ static bool look_into(const region_work *w, uint32_t cell, region_scratch *scrat
     if (!take_sides(w, cell, scratch))
         return false;
     const roberts_vec2 inside = point_inside(scratch);
-    uint32_t face = hide_face_seen_at(&w->job->fronts, &w->job->grid, inside.x, inside.y, &F);
+    uint32_t face = point_face(&w->job->fronts, &w->job->grid, inside, &F);
     if (face == ROBERTS_NONE)
         return true;
     sight->face = whole_face(w->job->fronts.scene, face);

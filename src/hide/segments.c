@@ -1,127 +1,9 @@
-/* segments.c - from a body's edges to lines, and from lines to visible and hidden segments; how many layers lie in
- * front of a hidden one. */
+/* segments.c - from a body's edges to lines, and from lines to visible and hidden segments. */
 #include "hide/segments.h"
 
 #include <stdlib.h>
 
 #include "base/array.h"
-
-/* ---- the layers in front of a point ------------------------------------------------------------------------------ */
-
-/* The number of layers in front of a hidden point: Appel's quantitative invisibility ("The notion of quantitative
- * invisibility and the machine rendering of solids", ACM 1967).
- *
- * Appel counts the faces toward the viewer. Winding would tell which these are, but winding is not trusted here. The
- * line of sight comes from outside: it enters a closed body through the first face it meets, leaves through the second,
- * and so on. So every other face is toward the viewer.
- *
- * In the picture, the point may lie on the border of faces, for instance where equal blocks are stacked. Then the point
- * is moved slightly in four directions, so that it lies in exactly one of two faces with a common side. Faces are
- * closed, so for each body the direction with the most layers counts. */
-
-enum { WAYS = 4 };
-
-/* Directions along which no side of a usual model runs. */
-static const roberts_vec2 way[WAYS] = {{0.842, 0.539}, {-0.539, 0.842}, {-0.842, -0.539}, {0.539, -0.842}};
-
-/* Finds the directions in which X can be moved slightly so that it lies in the face, as bits. */
-static unsigned ways_into(const hide_fronts *fronts, const hide_face *F, roberts_vec3 X)
-{
-    unsigned ways = (1u << WAYS) - 1;
-    for (uint32_t i = 0; i < F->count && ways; i++) {
-        roberts_vec3 P = fronts->P[F->corner[i]], Q = fronts->P[F->corner[i + 1 < F->count ? i + 1 : 0]];
-        double dx = Q.x - P.x, dy = Q.y - P.y, H = dx * (X.y - P.y) - dy * (X.x - P.x);
-        double band = fronts->space.epsilon * sqrt(dx * dx + dy * dy);
-        if (H > band)
-            continue;
-        for (int k = 0; k < WAYS; k++)
-            if (H < -band || !(dx * way[k].y - dy * way[k].x > 0.0))
-                ways &= ~(1u << k);
-    }
-    return ways;
-}
-
-/* Records a face if it lies in front of X. False: no memory. */
-static bool take_face(const hide_fronts *fronts, uint32_t body, const hide_face *F, roberts_vec3 X, level_hits *hits)
-{
-    if (plane_at(F->F, X) <= F->touch || !hide_polygon_holds(fronts, &fronts->face_runs, F->corner, F->count,
-                                                             (roberts_vec2){X.x, X.y}, fronts->space.epsilon))
-        return true;
-    if (!array_reserve(&hits->item, &hits->room, hits->count + 1, sizeof *hits->item))
-        return false;
-    hits->item[hits->count++] = (level_hit){body, ways_into(fronts, F, X)};
-    return true;
-}
-
-static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X, level_hits *hits)
-{
-    const hide_front *front = &fronts->front[index];
-    uint32_t count;
-    hide_single single = {.front = ROBERTS_NONE};
-    const hide_face *face = hide_faces(fronts, index, &count, &single);
-    const bundle *b = hide_bundle(fronts, index);
-    for (uint32_t i = 0; !b && i < count; i++)
-        if (!take_face(fronts, front->solid, &face[i], X, hits))
-            return false;
-    for (uint32_t i = 0, end; b && bundle_next(b, X.x, X.y, &i, &end);)
-        for (; i < end; i++)
-            if (!take_face(fronts, front->solid, &face[b->order[i]], X, hits))
-                return false;
-    return true;
-}
-
-static int by_body(const void *a, const void *b)
-{
-    const level_hit *p = a, *q = b;
-    return (p->body > q->body) - (p->body < q->body);
-}
-
-/* Returns the layers of one body. hit[0 .. count - 1] are its faces in front of the point. */
-static uint32_t layers(const roberts_scene *scene, const level_hit *hit, size_t count)
-{
-    uint32_t most = 0;
-    for (int k = 0; k < WAYS; k++) {
-        uint32_t met = 0;
-        for (size_t i = 0; i < count; i++)
-            met += hit[i].ways >> k & 1;
-        most = met > most ? met : most;
-    }
-    if (scene_is_convex(scene, hit->body))
-        return most > 0;
-    return scene->surface->kind[hit->body] == ROBERTS_CLOSED ? (most + 1) / 2 : most;
-}
-
-/* Counts the layers in front of X, a hidden point of the line; at least 1. A convex or closed body counts once each
- * time the line of sight enters it; an open body counts once for each face that the line of sight meets. Requires a
- * grid that lists every front or the first of its copies, as it does when hidden lines are wanted. False: no memory. */
-static BITS_RARE bool level_at(hide_worker *w, const seen_line *line, roberts_vec3 X, uint32_t *level)
-{
-    const hide_fronts *fronts = w->fronts;
-    level_hits *hits = &w->level;
-    size_t cell = scan_cell(&w->grid->frame, X.x, X.y);
-    *level = seen_is_back(line->class);
-    hits->count = 0;
-    for (uint32_t k = w->grid->start[cell]; k < w->grid->start[cell + 1]; k++) {
-        const uint32_t index = w->grid->entry[k].front;
-        const bool copied = fronts->next_copy && index < fronts->whole_count;
-        const hide_box *box = &fronts->front_box[index];
-        if (!hide_box_holds(box, X.x, X.y, fronts->space.epsilon) || (double)box->z1 < X.z)
-            continue;
-        for (uint32_t i = index; i != ROBERTS_NONE; i = copied ? fronts->next_copy[i] : ROBERTS_NONE)
-            if (!seen_owns(fronts->scene, &line->own, hide_key(fronts, &fronts->front[i])) &&
-                !take_front(fronts, i, X, hits))
-                return false;
-    }
-    if (hits->count > 1)
-        qsort(hits->item, hits->count, sizeof *hits->item, by_body);
-    for (size_t i = 0, next; i < hits->count; i = next) {
-        for (next = i + 1; next < hits->count && hits->item[next].body == hits->item[i].body;)
-            next++;
-        *level += layers(fronts->scene, &hits->item[i], next - i);
-    }
-    *level += *level == 0; /* rounding has put X beside what hides it */
-    return true;
-}
 
 /* ---- lines to segments ----------------------------------------------------------------------------------------- */
 
@@ -357,7 +239,7 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
         const roberts_vec3 B = vec3_scale(1.0 / v->unit, (roberts_vec3){s->p1.x, s->p1.y, s->z1});
         const double middle = view_from_space(v, A.z, B.z, 0.5);
         const roberts_vec3 X = vec3_add(A, vec3_scale(middle, vec3_sub(B, A)));
-        if (!level_at(w, line, X, &level))
+        if (!point_level(w->fronts, w->grid, line, X, &w->level, &level))
             return false;
         s->level = (uint16_t)(level < UINT16_MAX ? level : UINT16_MAX);
     }
@@ -458,7 +340,7 @@ static void name_hiders(const hide_job *job, hide_worker *w)
             double t0 = view_to_space(v, e->A.z, e->B.z, hidden->part.t0);
             double t1 = view_to_space(v, e->A.z, e->B.z, hidden->part.t1);
             roberts_vec3 middle = hide_edge_at(e, view_from_space(v, e->A.z, e->B.z, 0.5 * (t0 + t1)));
-            uint32_t body = hide_seen_at(w, middle.x, middle.y);
+            uint32_t body = point_solid(w->fronts, w->grid, (roberts_vec2){middle.x, middle.y});
             if (body != ROBERTS_NONE) /* otherwise the point lies on a border and rounding put it outside */
                 hidden->solid = body;
         }
