@@ -4,11 +4,7 @@
  * them are neighbours on one surface, or solids side by side. A crossing_filter decides quickly that two fronts do not
  * cross: their boxes along the axes of the model are apart, or they share a vertex about which all faces are one sheet
  * in the picture, or a side or the plane of one of them separates them, or both belong to a body that does not cross
- * itself.
- *
- * If hidden lines are kept, most faces are no fronts. Then face_pairs_find() finds pairs in space, whichever way the
- * faces look, through a tree of boxes along the axes of the model (base/search.h). Faces that are edge-on are left
- * out. A convex solid is first tested as a whole; a large one has a tree over its faces.
+ * itself. If hidden lines are kept, face_pairs.c finds pairs of faces in space instead.
  *
  * Two faces that are left out never cross; two that are not may still be apart. */
 #ifndef ROBERTS_HIDE_CROSSING_FILTER_H
@@ -18,47 +14,6 @@
 
 #include "hide/flat_patches.h"
 #include "hide/objet.h"
-
-/* ---- two bodies, and lists of their faces ------------------------------------------------------------------------ */
-
-/* A face with its box. */
-typedef struct boxed_face {
-    hide_box box;
-    uint32_t piece;
-} boxed_face;
-
-typedef struct face_list {
-    boxed_face *item;
-    size_t count, room;
-} face_list;
-
-/* Two bodies, and a face of each. */
-typedef struct face_pair {
-    uint32_t body[2], piece[2];
-} face_pair;
-
-/* Receives a pair of faces whose boxes meet; `thread` is the caller's number, from 0 on. False: no memory. */
-typedef bool face_pairs_fn(void *context, int thread, const face_pair *pair);
-
-typedef struct face_taker {
-    face_pairs_fn *take;
-    void *context;
-    int thread;
-} face_taker;
-
-/* Gives all pairs of a face of each list whose boxes meet. It may sort the lists. False: no memory. */
-bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker *to);
-
-/* Does a body lie outside the plane of some face of a convex solid? Then none of their faces cross. False: it is not
- * known. */
-bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body);
-
-static inline bool boxes_meet(const hide_box *a, const hide_box *b)
-{
-    return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
-}
-
-/* ---- two fronts -------------------------------------------------------------------------------------------------- */
 
 /* The box of a whole solid along the axes of the model. Many solids are such boxes themselves. */
 typedef struct model_box {
@@ -92,14 +47,14 @@ void filter_end(crossing_filter *p);
 bool filter_find_flat(const crossing_filter *p, uint32_t front);
 
 /* Is it certain that no two faces of a body cross? */
-static inline bool filter_simple(const crossing_filter *p, uint32_t body)
+static inline bool filter_is_simple(const crossing_filter *p, uint32_t body)
 {
     return p->simple && p->simple[body];
 }
 
 /* Is it certain that no two fronts of a cell's list cross? Then they belong to few bodies, which do not cross
  * themselves, and whose boxes in the model are apart. */
-bool filter_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);
+bool filter_apart_in_cell(const crossing_filter *p, const objet_entry *list, uint32_t count);
 
 /* Have two convex faces of few corners a side in common? Then they do not cross: both lie on one side of that line,
  * each in its plane. */
@@ -107,14 +62,14 @@ bool filter_share_side(const roberts_scene *scene, uint32_t f, uint32_t g);
 
 /* Does the plane of one of two faces of few corners, or a plane through a side of one, keep them apart in space? Call
  * it only if they have no side in common. */
-bool filter_pieces(const crossing_filter *p, uint32_t f, uint32_t g);
+bool filter_apart_in_space(const crossing_filter *p, uint32_t f, uint32_t g);
 
 /* Does a side of one of two faces of few corners keep them apart in the picture? */
-bool filter_faces(const hide_fronts *fronts, uint32_t a, uint32_t b);
+bool filter_apart_in_picture(const hide_fronts *fronts, uint32_t a, uint32_t b);
 
 /* Two triangles share corner f[i], and no other. Does a side at that corner separate them in the picture? For
  * nearly all neighbours, one does. */
-bool filter_fan(const hide_fronts *fronts, const uint32_t f[3], int i, const uint32_t g[3]);
+bool filter_apart_at_corner(const hide_fronts *fronts, const uint32_t f[3], int i, const uint32_t g[3]);
 
 static inline bool filter_flat(const crossing_filter *p, uint32_t front)
 {
@@ -131,24 +86,18 @@ static inline double filter_gap(const box3 *f, const box3 *g)
     return greater(greater(x, y), z);
 }
 
-/* The same as filter_apart() for two fronts of which one at least is no whole solid. In perspective, the boxes of faces
- * count too: the pictures of faces beside the eye are large, and overlap. */
-bool filter_singles_apart(const crossing_filter *p, uint32_t a, uint32_t b);
+/* The same as filter_boxes_apart() for two fronts of which one at least is no whole solid. In perspective, the boxes of
+ * faces count too: the pictures of faces beside the eye are large, and overlap. */
+bool filter_single_boxes_apart(const crossing_filter *p, uint32_t a, uint32_t b);
 
 /* Do boxes in the model keep two fronts apart? Boxes of whole solids that touch do, unless a flat edge of one solid may
  * lie in a face of the other. */
-static inline bool filter_apart(const crossing_filter *p, uint32_t a, uint32_t b)
+static inline bool filter_boxes_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 {
     if (a >= p->whole || b >= p->whole)
-        return filter_singles_apart(p, a, b);
+        return filter_single_boxes_apart(p, a, b);
     const double gap = filter_gap(&p->model[a].is, &p->model[b].is);
     return gap > p->touching || (gap >= 0.0 && !filter_flat(p, a) && !filter_flat(p, b));
 }
-
-/* ---- pairs of faces in space ------------------------------------------------------------------------------------- */
-
-/* Gives all pairs of faces, by their first pieces, except those of one convex body. All bodies must be mapped. threads:
- * exactly this many. False: no memory. */
-bool face_pairs_find(const crossing_filter *p, int threads, face_pairs_fn *take, void *context);
 
 #endif

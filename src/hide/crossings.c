@@ -10,6 +10,7 @@
 #include "base/threads.h"
 #include "hide/crossing_filter.h"
 #include "hide/edge_crossings.h"
+#include "hide/face_pairs.h"
 #include "hide/front.h"
 
 /* Cells that a thread takes at a time. With fewer entries than this, one more thread does not pay. */
@@ -186,7 +187,7 @@ static bool meet_pair(void *context, int thread, const face_pair *pair)
         return leave_pair(t, pair->body, pair->piece);
     return are_flat_apart(&t->filter->flat, pair->piece[0], pair->piece[1]) ||
            filter_share_side(scene, pair->piece[0], pair->piece[1]) ||
-           filter_pieces(t->filter, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
+           filter_apart_in_space(t->filter, pair->piece[0], pair->piece[1]) || meet_whole(t, pair->body, pair->piece);
 }
 
 /* ---- two fronts ------------------------------------------------------------------------------------------------ */
@@ -201,7 +202,7 @@ static bool list_faces(const hide_fronts *fronts, const hide_front *front, const
         if (!hide_is_face(front) && fronts->seen->facing[f] != VIEW_FRONT)
             continue;
         boxed_face item = {front_box_of_face(fronts, f), f};
-        if (!boxes_meet(&item.box, box))
+        if (!hide_boxes_meet(&item.box, box))
             continue;
         if (!array_reserve(&to->item, &to->room, to->count + 1, sizeof *to->item))
             return false;
@@ -261,12 +262,12 @@ static bool meet_entries(finder *t, const objet_entry *list, uint32_t i, uint32_
     if (!hide_is_face(f) || !hide_is_face(g))
         return meet_copies(t, list[i].front, list[k].front);
     if (seen_is_cap(fronts->scene, f->piece) || seen_is_cap(fronts->scene, g->piece) ||
-        filter_faces(fronts, list[i].front, list[k].front))
+        filter_apart_in_picture(fronts, list[i].front, list[k].front))
         return true;
     if (is_any_in_pieces(t, body, piece))
         return leave_pair(t, body, piece);
     if (body[0] == body[1] &&
-        (filter_share_side(fronts->scene, f->piece, g->piece) || filter_pieces(t->filter, f->piece, g->piece)))
+        (filter_share_side(fronts->scene, f->piece, g->piece) || filter_apart_in_space(t->filter, f->piece, g->piece)))
         return true;
     /* Faces of different bodies have no corner in common, and crossing_find() finds the same as quickly. */
     return meet_faces(t, face_at(t, f, i, &other[0]), face_at(t, g, k, &other[1]));
@@ -327,7 +328,7 @@ static void pack_entry(const finder *t, const hide_box *cell, uint32_t front, ui
     to->y1[lane] = box->y1 < cell->y1 ? box->y1 : cell->y1;
     to->z0[lane] = box->z0;
     to->z1[lane] = box->z1;
-    to->kin[lane] = filter_simple(t->filter, f->solid) ? seen_body_key(f->solid) : hide_key(fronts, f);
+    to->kin[lane] = filter_is_simple(t->filter, f->solid) ? seen_body_key(f->solid) : hide_key(fronts, f);
     const uint32_t *start = fronts->scene->face_start + f->piece, *corner = fronts->scene->corner;
     atomic_uchar *star = t->filter->star;
     const bool triangle = f->kind == HIDE_SURFACE_FACE && start[1] - start[0] == 3;
@@ -400,7 +401,7 @@ BITS_INLINE unsigned drop_neighbours(const finder *t, const four_entries *own, u
     for (unsigned one = (a | b | c) & near; one; one &= one - 1) {
         uint32_t at = (uint32_t)bits_trailing_zeros(one);
         const uint32_t g[3] = {e->v[0][at], e->v[1][at], e->v[2][at]};
-        if (filter_fan(t->fronts, v, a >> at & 1 ? 0 : b >> at & 1 ? 1 : 2, g))
+        if (filter_apart_at_corner(t->fronts, v, a >> at & 1 ? 0 : b >> at & 1 ? 1 : 2, g))
             near &= ~(1u << at);
     }
     return near;
@@ -437,7 +438,7 @@ static bool meet_those_behind(finder *t, const cell_list *c, uint32_t i)
             near = drop_neighbours(t, own, lane, e, near);
         for (; near; near &= near - 1) {
             const uint32_t at = (k & ~3u) + (uint32_t)bits_trailing_zeros(near);
-            if (!filter_apart(t->filter, c->list[i].front, c->list[at].front) && !meet_listed(t, c, i, at))
+            if (!filter_boxes_apart(t->filter, c->list[i].front, c->list[at].front) && !meet_listed(t, c, i, at))
                 return false;
         }
     }
@@ -454,8 +455,8 @@ static bool meet_solids_behind(finder *t, const cell_list *c, uint32_t i)
             const uint32_t at = k - c->first + (uint32_t)bits_trailing_zeros(near);
             if (box[c->list[at].front].z1 < own->z0)
                 return true;
-            if (!filter_apart(t->filter, c->list[i].front, c->list[at].front) &&
-                boxes_meet(own, &box[c->list[at].front]) && !meet_listed(t, c, i, at))
+            if (!filter_boxes_apart(t->filter, c->list[i].front, c->list[at].front) &&
+                hide_boxes_meet(own, &box[c->list[at].front]) && !meet_listed(t, c, i, at))
                 return false;
         }
     return true;
@@ -535,8 +536,8 @@ static bool meet_by_tree(finder *t, const cell_list *c, const front_tree *tree, 
             continue;
         }
         if (k <= i || k >= c->count || (packed && are_kin(t, i, k)) ||
-            !boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) || lies_beside(t, c, k, patch) ||
-            filter_apart(t->filter, c->list[i].front, c->list[k].front) ||
+            !hide_boxes_meet(&box[c->list[i].front], &box[c->list[k].front]) || lies_beside(t, c, k, patch) ||
+            filter_boxes_apart(t->filter, c->list[i].front, c->list[k].front) ||
             (packed && !drop_neighbours(t, &t->four[i / 4], i % 4, &t->four[k / 4], 1u << k % 4)))
             continue;
         if (!meet_listed(t, c, i, k))
@@ -557,7 +558,7 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     if (t->nearest)
         c.count = objet_count_nearer(t->fronts, c.list, c.count, t->nearest[cell]);
     const bool solids = t->fronts->front_count == t->fronts->whole_count;
-    if (t->filter->simple && filter_cell(t->filter, c.list, c.count))
+    if (t->filter->simple && filter_apart_in_cell(t->filter, c.list, c.count))
         return true;
     if (!solids) {
         memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
@@ -815,7 +816,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
     bool hidden = fronts->seen->rules.hidden;
     bool enough = finders && filter_begin(&filter, fronts, grid, count) &&
                   finders_init(finders, count, fronts, grid, &filter) &&
-                  (hidden ? face_pairs_find(&filter, count, meet_pair, finders) : meet_all(finders, grid, count)) &&
+                  (hidden ? face_pairs_find(fronts, filter.touching, count, meet_pair, finders)
+                          : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
     for (int i = 0; finders && i < count; i++) {

@@ -33,6 +33,11 @@ static inline bool hide_box_holds(const hide_box *box, double x, double y, doubl
     return x >= (double)box->x0 - m && x <= (double)box->x1 + m && y >= (double)box->y0 - m && y <= (double)box->y1 + m;
 }
 
+static inline bool hide_boxes_meet(const hide_box *a, const hide_box *b)
+{
+    return a->x0 <= b->x1 && b->x0 <= a->x1 && a->y0 <= b->y1 && b->y0 <= a->y1 && a->z0 <= b->z1 && b->z0 <= a->z1;
+}
+
 /* A front face, or the outline of several (F is not used then). Its sides run counter-clockwise in the picture. */
 typedef struct hide_face {
     plane F;                /* view space, inward: F(P) < 0 in front of it */
