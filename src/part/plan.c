@@ -25,6 +25,7 @@
 #include "view/clip.h"
 #include "view/view.h"
 #include "write/save.h"
+#include "write/whole_file.h"
 
 enum { PLAN_BUFFER = 1 << 20, ORDER_LEAF = 16 /* bodies whose order does not matter */ };
 
@@ -532,7 +533,7 @@ static roberts_status put_places(planner *pl, roberts_error *error)
 /* Creates a file without a name in the folder of `path`. Returns it, or -1 with errno. */
 static int open_nameless(const char *path)
 {
-    char *full = save_beside(path, ".roberts-plan-XXXXXX");
+    char *full = whole_file_beside(path, ".roberts-plan-XXXXXX");
     if (!full) {
         errno = ENOMEM;
         return -1;

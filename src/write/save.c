@@ -1,38 +1,21 @@
-/* save.c - a drawing or a sheet in any format: to a function, or into a file that appears whole or not at all.
- *
- * The bytes go into a new file beside the old one, which is then renamed over it: at every moment the name leads to
- * the old file or to the whole new one. Links are followed first, so that a link stays a link. A device or a pipe
- * cannot be replaced and is written in place. So are the names of open descriptors (/dev/stdout, /dev/fd/3); otherwise
- * a shell's `>>`, or what was written before, would be lost.
- *
- * The new file is locked while it is written. Its name depends only on the target's name. So a later run removes the
- * file that a killed run has left; if the file is locked, another run is still writing it, and the later run takes
- * another name.
- *
- * Nothing is forced to disk: this guards against failures and interruptions of the program, not against loss
- * of power. */
-#include <errno.h>
-#include <fcntl.h>
-#include <limits.h>
+/* save.c - a drawing or a sheet in any format: to a function or into a file. */
+#include "write/save.h"
+
 #include <math.h>
 #include <stdio.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/output.h"
 #include "base/vec.h"
 #include "draw/letters.h"
 #include "draw/page.h"
 #include "draw/sheet.h"
 #include "draw/strokes.h"
 #include "write/formats.h"
-#include "write/save.h"
 #include "write/table.h"
+#include "write/whole_file.h"
 
 /* ---- formats, and any of them to a function ---- */
 
@@ -347,213 +330,15 @@ roberts_status roberts_sheet_write(const roberts_sheet *sheet, const roberts_dra
 
 /* ---- to a file ---- */
 
-enum { LINKS_MAX = 40 /* as the kernel's own limit */, NAMES_TRIED = 100 };
-
-typedef struct target {
-    char *path;      /* links followed */
-    char *temporary; /* the file that will be renamed to `path`; NULL: written in place */
-    int descriptor;  /* -1: none */
-    struct stat old; /* of `path` if `replaces` */
-    bool replaces;
-} target;
-
-char *save_beside(const char *path, const char *name)
-{
-    const char *slash = strrchr(path, '/');
-    size_t head = slash ? (size_t)(slash - path) + 1 : 0, tail = strlen(name);
-    char *joined = malloc(head + tail + 1);
-    if (joined) {
-        memcpy(joined, path, head);
-        memcpy(joined + head, name, tail + 1);
-    }
-    return joined;
-}
-
-/* The number in /dev/fd/N or /proc/self/fd/N, or -1. */
-static int descriptor_named(const char *path)
-{
-    static const char *const folder[] = {"/dev/fd/", "/proc/self/fd/"};
-    for (size_t i = 0; i < sizeof folder / sizeof folder[0]; i++) {
-        size_t length = strlen(folder[i]);
-        if (strncmp(path, folder[i], length) != 0)
-            continue;
-        const char *digits = path + length;
-        size_t count = strspn(digits, "0123456789");
-        if (count >= 1 && count <= 6 && digits[count] == '\0')
-            return (int)strtol(digits, NULL, 10);
-    }
-    return -1;
-}
-
-/* Follows links until t->path is no link; the name of a descriptor is not followed. Returns 0 or errno. */
-static int follow_links(target *t)
-{
-    char link[PATH_MAX];
-    for (int i = 0; i < LINKS_MAX; i++) {
-        if (descriptor_named(t->path) >= 0)
-            return 0;
-        ssize_t length = readlink(t->path, link, sizeof link - 1);
-        if (length < 0)
-            return errno == EINVAL || errno == ENOENT ? 0 : errno; /* no link; nothing there yet */
-        link[length] = '\0';
-        char *next = save_beside(link[0] == '/' ? "" : t->path, link);
-        if (!next)
-            return ENOMEM;
-        free(t->path);
-        t->path = next;
-    }
-    return ELOOP;
-}
-
-/* The name of the new file, the same for a target in every run, so that a later run finds what a killed one has left.
- * Each `attempt` has another name. It is a hash, and so always short: FNV-1a (G. Fowler, L. C. Noll, P. Vo). */
-static char *temporary_name(const target *t, unsigned attempt)
-{
-    const char *slash = strrchr(t->path, '/');
-    uint64_t hash = 14695981039346656037u;
-    char name[64];
-    for (const char *c = slash ? slash + 1 : t->path; *c; c++)
-        hash = (hash ^ (unsigned char)*c) * 1099511628211u;
-    snprintf(name, sizeof name, ".roberts-%016llx-%x", (unsigned long long)hash, attempt);
-    return save_beside(t->path, name);
-}
-
-/* Whether an open file still has that name. */
-static bool is_named(int descriptor, const char *path)
-{
-    struct stat own, named;
-    return fstat(descriptor, &own) == 0 && lstat(path, &named) == 0 && own.st_dev == named.st_dev &&
-           own.st_ino == named.st_ino;
-}
-
-/* Removes the unfinished file of a run that was killed. A file stays if it is locked, because another run is writing
- * it, if it is not ours, or if it cannot be locked. */
-static void remove_left(const char *path)
-{
-    struct stat left;
-    int descriptor = open(path, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    if (fstat(descriptor, &left) == 0 && S_ISREG(left.st_mode) && left.st_uid == geteuid() &&
-        flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_named(descriptor, path))
-        unlink(path);
-    close(descriptor);
-}
-
-/* Locks a file that has just been created, so that no other run removes it. False: another run was faster. */
-static bool lock_new(int descriptor, const char *path)
-{
-    return (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) && is_named(descriptor, path);
-}
-
-static void announce(const roberts_draw_options *options, const char *path)
-{
-    if (options->temporary)
-        options->temporary(options->temporary_context, path);
-}
-
-/* Creates the unfinished file and locks it. It is announced before it is created, because an interrupted program
- * removes the announced file; so a name that is already taken is not announced. */
-static int open_beside(target *t, const roberts_draw_options *options)
-{
-    mode_t mode = t->replaces ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
-    struct stat other;
-    int reason = EEXIST;
-    for (unsigned i = 0; i < NAMES_TRIED && reason == EEXIST; i++) {
-        free(t->temporary);
-        t->temporary = temporary_name(t, i);
-        if (!t->temporary)
-            return ENOMEM;
-        remove_left(t->temporary);
-        if (lstat(t->temporary, &other) == 0)
-            continue;
-        announce(options, t->temporary);
-        t->descriptor = open(t->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        reason = t->descriptor < 0 ? errno : EEXIST;
-        if (t->descriptor >= 0 && lock_new(t->descriptor, t->temporary))
-            return 0;
-        announce(options, NULL);
-        if (t->descriptor >= 0)
-            close(t->descriptor);
-        t->descriptor = -1;
-    }
-    free(t->temporary);
-    t->temporary = NULL;
-    return reason;
-}
-
-/* Gives the new file the owner and mode of the old one. Only root can set the owner; where that fails, the set-user
- * and set-group bits are dropped. */
-static int take_mode(const target *t)
-{
-    mode_t mode = t->old.st_mode & (S_ISUID | S_ISGID | S_IRWXU | S_IRWXG | S_IRWXO);
-    if (fchown(t->descriptor, t->old.st_uid, t->old.st_gid) != 0)
-        mode &= S_IRWXU | S_IRWXG | S_IRWXO;
-    return fchmod(t->descriptor, mode) == 0 ? 0 : errno;
-}
-
-static int open_target(target *t, const roberts_draw_options *options)
-{
-    struct stat old;
-    int reason = follow_links(t), named = descriptor_named(t->path);
-    if (reason)
-        return reason;
-    if (named >= 0)
-        return (t->descriptor = dup(named)) >= 0 ? 0 : errno;
-    if (stat(t->path, &old) != 0) {
-        if (errno != ENOENT)
-            return errno;
-        return t->path[0] && t->path[strlen(t->path) - 1] == '/' ? EISDIR : open_beside(t, options);
-    }
-    if (S_ISDIR(old.st_mode))
-        return EISDIR;
-    if (!S_ISREG(old.st_mode))
-        return (t->descriptor = open(t->path, O_WRONLY | O_NOCTTY | O_CLOEXEC)) >= 0 ? 0 : errno;
-    if (faccessat(AT_FDCWD, t->path, W_OK, AT_EACCESS) != 0)
-        return errno; /* a file that is protected against writing is protected against replacing */
-    t->old = old;
-    t->replaces = true;
-    return open_beside(t, options);
-}
-
-/* Closes the file, and renames it where all went well. In every case the temporary file is gone. */
-static roberts_status close_target(target *t, const roberts_draw_options *options, roberts_status status,
-                                   roberts_error *error)
-{
-    int reason = 0;
-    if (status == ROBERTS_OK && t->replaces)
-        reason = take_mode(t);
-    int lock = t->temporary ? fcntl(t->descriptor, F_DUPFD_CLOEXEC, 0) : -1; /* the lock holds until the file has its
-                                                                                name */
-    if (close(t->descriptor) != 0 && !reason && errno != EINTR)
-        reason = errno; /* a network disk may report only now that it is full */
-    if (t->temporary) {
-        if (status == ROBERTS_OK && !reason && rename(t->temporary, t->path) != 0)
-            reason = errno;
-        if (status != ROBERTS_OK || reason)
-            unlink(t->temporary);
-        announce(options, NULL);
-    }
-    if (lock >= 0)
-        close(lock);
-    return status == ROBERTS_OK && reason ? output_error(error, "cannot write", reason) : status;
-}
-
 static roberts_status save_file(const subject *what, const roberts_draw_options *options, const char *path,
                                 roberts_error *error)
 {
-    target t = {.path = save_beside("", path), .descriptor = -1};
-    roberts_status status;
-    int reason = t.path ? open_target(&t, options) : ENOMEM;
-    if (reason) {
-        status = reason == ENOMEM ? error_no_memory(error) : output_error(error, "cannot write", reason);
-    } else {
-        status = write_subject(what, options, output_descriptor, &t.descriptor, error);
-        status = close_target(&t, options, status, error);
-    }
-    free(t.temporary);
-    free(t.path);
-    return status;
+    whole_file file = {.announce = options->temporary, .context = options->temporary_context};
+    roberts_status status = whole_file_open(&file, path, error);
+    if (status != ROBERTS_OK)
+        return status;
+    status = write_subject(what, options, output_descriptor, &file.descriptor, error);
+    return whole_file_close(&file, status, error);
 }
 
 static roberts_status save(const subject *what, const roberts_draw_options *options, const char *path,

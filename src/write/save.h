@@ -1,4 +1,4 @@
-/* save.h - files that appear whole or not at all, for anything that is not a drawing. */
+/* save.h - files that are no drawings, saved like drawings. */
 #ifndef ROBERTS_WRITE_SAVE_H
 #define ROBERTS_WRITE_SAVE_H
 
@@ -9,9 +9,6 @@ typedef struct save_source {
     roberts_status (*write)(void *context, output *out, roberts_error *error);
     void *context;
 } save_source;
-
-/* Returns the folder of `path` with its slash, then `name`, to be freed by the caller. NULL: no memory. */
-char *save_beside(const char *path, const char *name);
 
 /* Saves a file as roberts_drawing_save() does; "-" is standard output. temporary: as in roberts_draw_options. */
 roberts_status save_from(const save_source *source, roberts_temporary_fn *temporary, void *temporary_context,
