@@ -18,7 +18,7 @@ static const double farther = 0.3;     /* each ring */
 /* Space kept free round a label, and between a vertex and its label. */
 static double text_gap(const strokes *s, double height)
 {
-    return 0.25 * height + strokes_pen(s->options, LINE_TEXT)->width_mm / 2.0;
+    return 0.25 * height + pens_of(s->options, LINE_TEXT)->width_mm / 2.0;
 }
 
 void placing_set_height(placing *p, const strokes *s, double height)

@@ -37,75 +37,6 @@ static const double least_for_distances = 0.4, least_for_labels = 0.5;
 
 static const double from_frame_mm = 5.0; /* clearance inside a frame, so that no outline lies on it */
 
-const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line)
-{
-    switch ((int)line) {
-    case ROBERTS_OUTLINE:
-        return &options->outline;
-    case ROBERTS_CREASE:
-        return &options->crease;
-    case ROBERTS_BORDER:
-        return &options->border;
-    case ROBERTS_INTERSECTION:
-        return &options->intersection;
-    case ROBERTS_WIRE:
-        return &options->wire;
-    case LINE_FRAME:
-        return &options->frame;
-    case LINE_SYMBOL:
-        return &options->symbol;
-    case LINE_HATCH:
-        return &options->hatch;
-    case LINE_TEXT:
-        return &options->text;
-    case LINE_HIDDEN_TEXT:
-        return &options->hidden_text;
-    default:
-        return &options->back;
-    }
-}
-
-const char *strokes_class_name(roberts_line line)
-{
-    static const char *const name[] = {
-        [ROBERTS_OUTLINE] = "outline", [ROBERTS_CREASE] = "crease",       [ROBERTS_BACK] = "hidden",
-        [ROBERTS_BORDER] = "border",   [ROBERTS_WIRE] = "wire",           [ROBERTS_INTERSECTION] = "intersection",
-        [LINE_FRAME] = "frame",        [LINE_SYMBOL] = "symbol",          [LINE_HATCH] = "hatch",
-        [LINE_TEXT] = "text",          [LINE_HIDDEN_TEXT] = "hidden-text"};
-    return name[line];
-}
-
-uint32_t strokes_class_number(const roberts_draw_options *options, roberts_line line)
-{
-    static const uint8_t number[] = {
-        [ROBERTS_BACK] = 1,   [ROBERTS_WIRE] = 2,    [ROBERTS_INTERSECTION] = 3, [ROBERTS_CREASE] = 4,
-        [ROBERTS_BORDER] = 5, [ROBERTS_OUTLINE] = 6, [LINE_FRAME] = 7,           [LINE_SYMBOL] = 8,
-        [LINE_HATCH] = 9,     [LINE_TEXT] = 10,      [LINE_HIDDEN_TEXT] = 11};
-    const uint8_t own = strokes_pen(options, line)->number;
-    return own ? own : number[line];
-}
-
-static bool is_broken(const roberts_draw_options *options, roberts_line line)
-{
-    return strokes_pen(options, line)->dash_mm > 0.0 &&
-           !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_SOLID);
-}
-
-bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2])
-{
-    const roberts_pen *pen = strokes_pen(options, line);
-    dash[0] = fmax(pen->dash_mm - pen->width_mm, 0.0);
-    dash[1] = pen->gap_mm + pen->width_mm;
-    return is_broken(options, line) && !options->real_dashes;
-}
-
-/* A class has no place if it is that of hidden lines and they are not wanted, or that of a hatching that is not. */
-static bool has_place(const roberts_draw_options *options, roberts_line line)
-{
-    return !(line == ROBERTS_BACK && options->hidden == ROBERTS_HIDDEN_NONE) &&
-           (line != LINE_HATCH || options->hatching.on);
-}
-
 bool strokes_is_in_frame(const strokes *s, const page_view *view, roberts_vec2 mm)
 {
     return !view->drawing->framed || (mm.x >= s->frame_mm[0].x && mm.x <= s->frame_mm[1].x &&
@@ -121,7 +52,7 @@ bool strokes_has_place(const roberts_draw_options *options, const roberts_segmen
     else
         *line = segment->line == ROBERTS_BACK || segment->line == ROBERTS_BACK_OUTLINE ? ROBERTS_OUTLINE
                                                                                        : (roberts_line)segment->line;
-    return has_place(options, *line);
+    return pens_has_place(options, *line);
 }
 
 static void enlarge_box(roberts_vec2 *min, roberts_vec2 *max, roberts_vec2 p)
@@ -321,7 +252,7 @@ static roberts_status chain_class(const strokes *s, const pieces *p, roberts_lin
     const bool ordered = s->options->order == ROBERTS_ORDER_TRAVEL;
     const size_t first = out->count;
     bool done, in_place = line == LINE_FRAME || line == LINE_SYMBOL;
-    if (strokes_pen(s->options, line)->off)
+    if (pens_of(s->options, line)->off)
         return ROBERTS_OK;
     if (line == LINE_FRAME)
         done = add_frame(s, out);
@@ -339,9 +270,9 @@ static roberts_status chain_class(const strokes *s, const pieces *p, roberts_lin
         drop_short(s, out, first);
     if (!done || (ordered && !in_place && !travel_order(out, first, pen)))
         return error_no_memory(error);
-    if (!s->options->real_dashes || !is_broken(s->options, line))
+    if (!s->options->real_dashes || !pens_is_broken(s->options, line))
         return ROBERTS_OK;
-    const roberts_pen *with = strokes_pen(s->options, line);
+    const roberts_pen *with = pens_of(s->options, line);
     const dash_pattern pattern = {with->dash_mm * s->units_per_mm, with->gap_mm * s->units_per_mm,
                                   with->width_mm * s->units_per_mm};
     return dashes_cut(out, first, &pattern, error);
@@ -626,8 +557,8 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
     double widest = 0.0;
     for (int i = ROBERTS_OUTLINE; i <= ROBERTS_INTERSECTION; i++) {
         const roberts_line line = (roberts_line)i;
-        const double width = strokes_pen(options, line)->width_mm;
-        bool needed = has_place(options, line) && width > widest;
+        const double width = pens_of(options, line)->width_mm;
+        bool needed = pens_has_place(options, line) && width > widest;
         if (needed && i > ROBERTS_BACK) {
             needed = false;
             for (int k = 0; k < views && !needed; k++)
@@ -636,7 +567,7 @@ static double widest_pen(const roberts_drawing *const *view, int views, const ro
         if (needed)
             widest = width;
     }
-    return has_place(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
+    return pens_has_place(options, LINE_HATCH) ? fmax(widest, options->hatch.width_mm) : widest;
 }
 
 /* A line on the border of the margins has half of its width beyond it. So that small margins cut no line off, a fitted

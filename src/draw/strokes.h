@@ -7,20 +7,7 @@
 #include "draw/free_space.h"
 #include "draw/notes.h"
 #include "draw/page.h"
-
-/* Additional classes besides those of roberts_line: the border of the picture or of the area within the margins, the
- * symbol of a sheet, hatching, text and its lines, and labels of what is hidden. */
-#define LINE_FRAME ((roberts_line)(ROBERTS_BACK_OUTLINE + 1))
-#define LINE_SYMBOL ((roberts_line)(ROBERTS_BACK_OUTLINE + 2))
-#define LINE_HATCH ((roberts_line)(ROBERTS_BACK_OUTLINE + 3)) /* strokes on faces */
-#define LINE_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 4))
-#define LINE_HIDDEN_TEXT ((roberts_line)(ROBERTS_BACK_OUTLINE + 5))
-
-/* From the lowest class to the highest. */
-enum { LINE_CLASSES = 11 };
-static const roberts_line line_order[LINE_CLASSES] = {
-    LINE_HATCH, ROBERTS_BACK, ROBERTS_WIRE, ROBERTS_INTERSECTION, ROBERTS_CREASE, ROBERTS_BORDER, ROBERTS_OUTLINE,
-    LINE_FRAME, LINE_SYMBOL,  LINE_TEXT,    LINE_HIDDEN_TEXT};
+#include "draw/pens.h"
 
 /* The polylines of one class, of one body in one view. */
 typedef struct stroke_group {
@@ -110,21 +97,6 @@ static inline bool strokes_text_is_of(const strokes *s, size_t i, roberts_line c
 {
     return s->notes.item[i].is_back == (class == LINE_HIDDEN_TEXT);
 }
-
-/* The pen for a class of lines. Segments in state hidden are of class ROBERTS_BACK here, whatever their edge is. */
-const roberts_pen *strokes_pen(const roberts_draw_options *options, roberts_line line);
-
-/* Fills `dash` with the lengths in mm for which the pen is down and up along a line of class `line`. False: the line is
- * unbroken, or its dashes are strokes of their own. A round cap adds half of the width to each end of a dash. So the
- * pen is down for a dash less a width, and a dash no longer than the width is a dot. */
-bool strokes_dash(const roberts_draw_options *options, roberts_line line, double dash[2]);
-
-/* "outline", "hidden", ...: what a class is called in files. */
-const char *strokes_class_name(roberts_line line);
-
-/* The number of a class if layers and pens are numbered: that of its pen, or else the same in every drawing, from 1,
- * the lowest first, but hatching has 9. */
-uint32_t strokes_class_number(const roberts_draw_options *options, roberts_line line);
 
 /* Strokes go to Cairo, or into a file's path, in parts of this size: one by one they take several times as long, and
  * much larger parts take much memory. */

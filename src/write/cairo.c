@@ -22,9 +22,9 @@ static const double points_per_inch = 72.0;
 /* Sets width, dashes, caps and colour for a class of lines. */
 static void set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line)
 {
-    const roberts_pen *pen = strokes_pen(options, line);
+    const roberts_pen *pen = pens_of(options, line);
     double dash[2];
-    bool dashed = strokes_dash(options, line, dash);
+    bool dashed = pens_dash(options, line, dash);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(cairo, pen->width_mm);

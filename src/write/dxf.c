@@ -127,12 +127,12 @@ static void begin_table(output *out, const char *name, uint32_t rows)
 static void write_line_type_name(output *out, uint32_t code, const roberts_draw_options *options, roberts_line line)
 {
     double dash[2];
-    if (!strokes_dash(options, line, dash))
+    if (!pens_dash(options, line, dash))
         write_text(out, code, "CONTINUOUS");
     else if (line == ROBERTS_BACK)
         write_text(out, code, "DASHED");
     else
-        write_name(out, code, "DASHED_", strokes_class_name(line));
+        write_name(out, code, "DASHED_", pens_class_name(line));
 }
 
 static void begin_line_type(output *out, const char *description, uint32_t parts, double length_mm)
@@ -151,14 +151,14 @@ static void write_line_types(const dxf *p)
     uint32_t broken = 0;
     double dash[2];
     for (int i = 0; i < LINE_CLASSES; i++)
-        broken += strokes_dash(options, line_order[i], dash);
+        broken += pens_dash(options, line_order[i], dash);
     begin_table(p->out, "LTYPE", 1 + broken);
     write_text(p->out, 0, "LTYPE");
     write_text(p->out, 2, "CONTINUOUS");
     begin_line_type(p->out, "Solid line", 0, 0.0);
     for (int i = 0; i < LINE_CLASSES; i++) {
-        const roberts_pen *pen = strokes_pen(options, line_order[i]);
-        if (!strokes_dash(options, line_order[i], dash))
+        const roberts_pen *pen = pens_of(options, line_order[i]);
+        if (!pens_dash(options, line_order[i], dash))
             continue;
         write_text(p->out, 0, "LTYPE");
         write_line_type_name(p->out, 2, options, line_order[i]);
@@ -173,7 +173,7 @@ static void write_line_types(const dxf *p)
 static bool has_text(const strokes *s, roberts_line class)
 {
     const bool is_text = class == LINE_TEXT || class == LINE_HIDDEN_TEXT;
-    if (!is_text || !strokes_text_is_native(s->options) || strokes_pen(s->options, class)->off)
+    if (!is_text || !strokes_text_is_native(s->options) || pens_of(s->options, class)->off)
         return false;
     for (size_t i = 0; i < s->notes.count; i++)
         if (strokes_text_is_of(s, i, class))
@@ -203,9 +203,9 @@ static void write_layers(const dxf *p)
         if (!has_layer(p->s, i))
             continue;
         write_text(p->out, 0, "LAYER");
-        write_name(p->out, 2, "", strokes_class_name(line_order[i]));
+        write_name(p->out, 2, "", pens_class_name(line_order[i]));
         write_integer(p->out, 70, 0);
-        write_integer(p->out, 62, nearest_color(strokes_pen(p->s->options, line_order[i])));
+        write_integer(p->out, 62, nearest_color(pens_of(p->s->options, line_order[i])));
         write_line_type_name(p->out, 6, p->s->options, line_order[i]);
     }
     write_text(p->out, 0, "ENDTAB");
@@ -235,7 +235,7 @@ static void write_header(const dxf *p)
 static void begin_class(void *context, roberts_line line)
 {
     dxf *p = context;
-    p->layer = strokes_class_name(line);
+    p->layer = pens_class_name(line);
 }
 
 static void begin_entity(const dxf *p, const char *name)
@@ -305,7 +305,7 @@ static void write_texts(dxf *p, roberts_line class)
     const strokes *s = p->s;
     if (!has_text(s, class))
         return;
-    p->layer = strokes_class_name(class);
+    p->layer = pens_class_name(class);
     for (size_t i = 0; i < s->notes.count; i++) {
         const text_line line = notes_line(&s->notes, i);
         const page_point at = page_from_mm(line.at, s->units_per_mm);

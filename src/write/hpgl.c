@@ -48,8 +48,8 @@ static void write_dashes(output *out, const double dash[2])
 static void begin_class(void *context, roberts_line line)
 {
     const hpgl *p = context;
-    const roberts_pen *pen = strokes_pen(p->s->options, line);
-    const uint32_t number = strokes_class_number(p->s->options, line);
+    const roberts_pen *pen = pens_of(p->s->options, line);
+    const uint32_t number = pens_class_number(p->s->options, line);
     double dash[2];
     write_integer(p->out, "SP", number, ";PW");
     output_mm(p->out, pen->width_mm);
@@ -58,7 +58,7 @@ static void begin_class(void *context, roberts_line line)
     write_integer(p->out, "", pen->red, ",");
     write_integer(p->out, "", pen->green, ",");
     write_integer(p->out, "", pen->blue, ";");
-    if (strokes_dash(p->s->options, line, dash))
+    if (pens_dash(p->s->options, line, dash))
         write_dashes(p->out, dash);
     else
         output_text(p->out, "LT;\n");
@@ -67,7 +67,7 @@ static void begin_class(void *context, roberts_line line)
 static uint32_t pen_of(void *context, roberts_line line)
 {
     const hpgl *p = context;
-    return strokes_class_number(p->s->options, line);
+    return pens_class_number(p->s->options, line);
 }
 
 static page_point on_plotter(const hpgl *p, page_point at)

@@ -178,8 +178,8 @@ static double margin_rows(const strokes *s, double pixels_per_mm)
 {
     double longest = 0.0, dash[2];
     for (int i = 0; i < LINE_CLASSES; i++)
-        if (s->start[i] < s->start[i + 1] && strokes_dash(s->options, line_order[i], dash))
-            longest = fmax(longest, dash[0] + strokes_pen(s->options, line_order[i])->width_mm);
+        if (s->start[i] < s->start[i + 1] && pens_dash(s->options, line_order[i], dash))
+            longest = fmax(longest, dash[0] + pens_of(s->options, line_order[i])->width_mm);
     return ceil(longest * pixels_per_mm) + 2.0;
 }
 

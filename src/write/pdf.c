@@ -209,7 +209,7 @@ static void write_line(const strokes *s, const text_line *line, output *to)
 
 static void write_class(const strokes *s, roberts_line class, output *to)
 {
-    const roberts_pen *pen = strokes_pen(s->options, class);
+    const roberts_pen *pen = pens_of(s->options, class);
     if (pen->off)
         return;
     write_color(to, pen->red, pen->green, pen->blue, "rg\n");
@@ -264,12 +264,12 @@ static void write_alpha(output *text, int alpha)
 static void begin_class(void *context, roberts_line line)
 {
     pdf_plot *p = context;
-    const roberts_pen *pen = strokes_pen(p->s->options, line);
+    const roberts_pen *pen = pens_of(p->s->options, line);
     const double units = p->s->units_per_mm;
     double dash[2];
     write_color(&p->text, pen->red, pen->green, pen->blue, "RG ");
     write_numbers(&p->text, (const double[]){pen->width_mm * units}, 1, "w [");
-    if (strokes_dash(p->s->options, line, dash))
+    if (pens_dash(p->s->options, line, dash))
         write_numbers(&p->text, (const double[]){dash[0] * units, dash[1] * units}, 2, "");
     output_text(&p->text, "] 0 d\n");
 }

@@ -137,14 +137,14 @@ static void svg_layer(output *out, const roberts_draw_options *options, uint32_t
 /* Writes the pen of a class as attributes. */
 static void svg_pen(output *out, const roberts_draw_options *options, roberts_line line)
 {
-    const roberts_pen *pen = strokes_pen(options, line);
+    const roberts_pen *pen = pens_of(options, line);
     double dash[2];
     output_text(out, " fill=\"none\" stroke=\"");
     svg_color(out, pen->red, pen->green, pen->blue);
     output_text(out, "\" stroke-width=\"");
     output_mm(out, pen->width_mm);
     output_text(out, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
-    if (!strokes_dash(options, line, dash))
+    if (!pens_dash(options, line, dash))
         return;
     output_text(out, " stroke-dasharray=\"");
     output_mm(out, dash[0]);
@@ -199,19 +199,19 @@ static uint32_t count_bodies(const strokes *s)
  * these are layers. */
 static uint32_t layer_number(const strokes *s, roberts_line line)
 {
-    const bool own = strokes_pen(s->options, line)->number != 0;
+    const bool own = pens_of(s->options, line)->number != 0;
     const bool beside_bodies = s->options->grouping == ROBERTS_GROUP_BODY && !s->sheet;
-    return (beside_bodies && !own ? count_bodies(s) : 0) + strokes_class_number(s->options, line);
+    return (beside_bodies && !own ? count_bodies(s) : 0) + pens_class_number(s->options, line);
 }
 
 /* ---- layers of classes ------------------------------------------------------------------------------------------- */
 
 static void open_layer(output *out, const roberts_draw_options *options, roberts_line line)
 {
-    const char *name = strokes_class_name(line);
+    const char *name = pens_class_name(line);
     output_text(out, "<g");
     svg_id(out, options, name);
-    svg_layer(out, options, strokes_class_number(options, line), name);
+    svg_layer(out, options, pens_class_number(options, line), name);
     if (has_classes(options))
         svg_pen(out, options, line); /* here a style sheet can override it */
     output_text(out, ">\n<path");
@@ -312,7 +312,7 @@ static void write_text_line(output *out, const text_line *line, const roberts_na
 /* Writes the text of a class as text, unless it is strokes: a layer of its own above that of its lines. */
 static void write_text_layer(const strokes *s, roberts_line class, output *out)
 {
-    const roberts_pen *pen = strokes_pen(s->options, class);
+    const roberts_pen *pen = pens_of(s->options, class);
     const char *name = class == LINE_TEXT ? "letters" : "hidden-letters";
     size_t written = 0;
     for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {
@@ -506,7 +506,7 @@ static void open_view(const svg_groups *w, const stroke_group *g)
 /* Only layers have an id: on sheets and within bodies there are several groups of a class. */
 static void open_class(const svg_groups *w, const stroke_group *g, bool outermost)
 {
-    const char *name = strokes_class_name(g->line);
+    const char *name = pens_class_name(g->line);
     if (outermost)
         svg_id(w->out, w->s->options, name);
     svg_attribute(w->out, "class", name);

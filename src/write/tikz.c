@@ -274,15 +274,15 @@ static void begin_style(output *out, const char *name)
 
 static void write_style(const strokes *s, roberts_line line, output *out)
 {
-    const roberts_pen *pen = strokes_pen(s->options, line);
+    const roberts_pen *pen = pens_of(s->options, line);
     double dash[2];
-    begin_style(out, strokes_class_name(line));
+    begin_style(out, pens_class_name(line));
     output_text(out, "draw=");
     write_color(out, pen->red, pen->green, pen->blue);
     output_text(out, ",line width=");
     output_mm(out, pen->width_mm);
     output_text(out, "mm,line cap=round,line join=round");
-    if (strokes_dash(s->options, line, dash)) {
+    if (pens_dash(s->options, line, dash)) {
         output_text(out, ",dash pattern=on ");
         output_mm(out, dash[0]);
         output_text(out, "mm off ");
@@ -375,7 +375,7 @@ static void begin_class(void *context, roberts_line line)
     const tikz *p = context;
     write_style(p->s, line, p->out);
     output_text(p->out, "\\begin{scope}[every path/.style={roberts ");
-    output_text(p->out, strokes_class_name(line));
+    output_text(p->out, pens_class_name(line));
     output_text(p->out, "}]\n");
 }
 
@@ -448,7 +448,7 @@ static const char size_command[] = "\\providecommand\\robertssize[1]{\\fontsize{
 static void write_nodes(const tikz *p, roberts_line class)
 {
     const strokes *s = p->s;
-    const roberts_pen *pen = strokes_pen(s->options, class);
+    const roberts_pen *pen = pens_of(s->options, class);
     const char *style = class == LINE_TEXT ? "letters" : "hidden-letters";
     size_t written = 0;
     for (size_t i = 0; i < s->notes.count && strokes_text_is_native(s->options) && !pen->off; i++) {

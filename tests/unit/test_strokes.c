@@ -38,7 +38,7 @@ static void print_strokes(const strokes *s, char *text, size_t size)
         for (size_t k = s->start[i]; k < s->start[i + 1] && used < size; k++) {
             const polyline *line = &s->lines.item[k];
             used +=
-                (size_t)snprintf(text + used, size - used, "%s%s", used ? "; " : "", strokes_class_name(line_order[i]));
+                (size_t)snprintf(text + used, size - used, "%s%s", used ? "; " : "", pens_class_name(line_order[i]));
             for (uint32_t n = 0; n < line->count && used < size; n++) {
                 page_point p = s->lines.point[line->first + n];
                 used += (size_t)snprintf(text + used, size - used, " %g,%g", p.x / 1000.0, SIDE - p.y / 1000.0);
