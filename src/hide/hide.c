@@ -10,6 +10,8 @@
  *
  * Threads take solids in chunks. Each chunk keeps its segments until those of the earlier chunks are written
  * (schedule.c). The threads share nothing else, so the result does not depend on them. */
+#include "hide/hide.h"
+
 #include <stdlib.h>
 #include <time.h>
 
@@ -19,7 +21,7 @@
 #include "base/threads.h"
 #include "hide/cells.h"
 #include "hide/cuts.h"
-#include "hide/region_faces.h"
+#include "hide/regions.h"
 #include "hide/segments.h"
 
 #define SOLIDS_AHEAD 2 /* between the prefetch of one and its use */
@@ -299,7 +301,7 @@ static roberts_status find_regions(hide_job *job, const seen_further *cuts, cons
         job->to = NULL;
     }
     const bool enough = status == ROBERTS_OK && regions_find(job, &lines);
-    region_lines_free(&lines);
+    planar_map_free(&lines.map);
     return enough ? ROBERTS_OK : ROBERTS_NO_MEMORY;
 }
 

@@ -5,7 +5,7 @@
 
 #include "base/search.h"
 #include "hide/fronts.h"
-#include "hide/segments.h"
+#include "hide/hide.h"
 #include "view/seen.h"
 
 /* Faces are those of job->fronts.scene; of several pieces, the first. */

@@ -8,6 +8,8 @@
  *   3. Lines with the same face on both sides are removed. The remaining cycles bound the regions.
  *
  * Regions tile the picture because cells do, whatever the rounding. */
+#include "hide/regions.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,9 +17,7 @@
 #include "base/sets.h"
 #include "base/sort.h"
 #include "base/threads.h"
-#include "hide/planar_map.h"
 #include "hide/region_faces.h"
-#include "hide/segments.h"
 
 /* Where in a stretch a point is taken, as a fraction of it. */
 #define ASIDE 0.4557
@@ -85,11 +85,6 @@ static bool take_drawn(region_lines *lines, const roberts_segment *rest)
 bool region_lines_take(void *context, const roberts_segment *rest)
 {
     return take_drawn(context, rest) && take_line(context, rest);
-}
-
-void region_lines_free(region_lines *lines)
-{
-    planar_map_free(&lines->map);
 }
 
 /* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
