@@ -13,7 +13,8 @@ typedef struct line_writer {
     hide_chunk *out;
     uint32_t body;
     double unit;
-    bool all, nameless, perspective; /* all: hidden parts are wanted too; nameless: without the body seen there */
+    bool all, nameless, levels; /* hidden parts are wanted too; without the body seen there; with their levels */
+    bool perspective;
 } line_writer;
 
 BITS_INLINE line_writer writer_for(const hide_job *job, hide_chunk *out, uint32_t body)
@@ -25,6 +26,7 @@ BITS_INLINE line_writer writer_for(const hide_job *job, hide_chunk *out, uint32_
                          .unit = v->unit,
                          .all = job->options->keep_hidden,
                          .nameless = job->options->nameless,
+                         .levels = job->options->keep_hidden && job->options->levels,
                          .perspective = v->perspective};
 }
 
@@ -246,17 +248,21 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
     return true;
 }
 
+/* Adds all segments of a line. False: no memory. */
+BITS_INLINE bool add_segments(const hide_job *job, hide_worker *w, const line_writer *writer, const hide_line *line)
+{
+    const size_t first = writer->out->count;
+    if ((writer->all || !line->hidden) && !add_either(writer, line))
+        return false;
+    return !writer->levels || add_levels(job, w, writer->out, &line->is, first);
+}
+
 static bool add_body_segments(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_t body)
 {
     line_writer writer = writer_for(job, out, body);
-    bool levels = writer.all && job->options->levels;
-    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++) {
-        const size_t first = out->count;
-        if ((writer.all || !line->hidden) && !add_either(&writer, line))
+    for (const hide_line *line = w->line, *end = line + w->line_count; line < end; line++)
+        if (!add_segments(job, w, &writer, line))
             return false;
-        if (levels && !add_levels(job, w, out, &line->is, first))
-            return false;
-    }
     return true;
 }
 
@@ -288,6 +294,25 @@ BITS_INLINE bool is_covered(const line_covers *covers, roberts_vec3 A, roberts_v
     return false;
 }
 
+/* Takes the last line of the worker back if covers hide it, given the body to which it belongs. */
+static bool drop_covered(const hide_job *job, hide_worker *w, uint32_t body)
+{
+    const line_covers covers = covers_of(job, body);
+    const hide_edge *e = &w->line[w->line_count - 1].e;
+    if (!is_covered(&covers, e->A, e->B))
+        return false;
+    w->sides.tally.covered++;
+    w->line_count--;
+    return true;
+}
+
+/* Hides all of a line behind its own body. False: no memory. */
+static bool hide_wholly(hide_line *line, uint32_t body)
+{
+    hide_interval whole = hide_whole;
+    return hide_intervals_add(&line->intervals, body, &whole);
+}
+
 /* Takes the next lines of a walk, at most `most`. Lines behind covers are dropped at once; there are covers only if
  * hidden lines are not wanted. A line without a front face is hidden by its own body. False: no memory. */
 BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk, size_t most, bool slow)
@@ -311,7 +336,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
         }
         hide_worker_add(w, line);
         line->hidden = seen_is_back(is->class);
-        if (line->hidden && !hide_intervals_add(&line->intervals, walk->body, &(hide_interval){0.0, 1.0, 0.0, 1.0}))
+        if (line->hidden && !hide_wholly(line, walk->body))
             return false;
         line++;
     }
@@ -389,7 +414,6 @@ bool segments_hide(const hide_job *job, hide_worker *w, uint32_t body)
 static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uint32_t *next)
 {
     const uint32_t end = job->seen.further.first[body + 1];
-    const line_covers covers = covers_of(job, body);
     hide_worker_begin(w, ROBERTS_NONE);
     if (!hide_worker_reserve(w, HIDE_GROUP))
         return false;
@@ -398,10 +422,7 @@ static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uin
         line->is = job->seen.further.line[*next];
         w->drawn++;
         hide_worker_add(w, line);
-        if (is_covered(&covers, line->e.A, line->e.B)) {
-            w->sides.tally.covered++;
-            w->line_count--;
-        }
+        drop_covered(job, w, body);
     }
     return true;
 }
@@ -455,39 +476,35 @@ bool segments_find(const hide_job *job, hide_worker *w, hide_chunk *out, uint32_
 
 /* ---- where faces cross ----------------------------------------------------------------------------------------- */
 
-bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+/* Takes a group of lines in which faces cross, from *next on, and moves *next on. False: no memory. */
+static bool take_crossings(const hide_job *job, hide_worker *w, size_t *next, size_t end)
 {
     const crossings *c = &job->crossings;
-    line_writer writer = writer_for(job, out, 0);
-    bool levels = writer.all && job->options->levels;
-    for (size_t k = first; k < end;) {
-        hide_worker_begin(w, ROBERTS_NONE);
-        if (!hide_worker_reserve(w, HIDE_GROUP))
+    hide_worker_begin(w, ROBERTS_NONE);
+    if (!hide_worker_reserve(w, HIDE_GROUP))
+        return false;
+    for (; *next < end && w->line_count < HIDE_GROUP; ++*next) {
+        hide_line *line = &w->line[w->line_count];
+        const uint32_t body = c->item[*next].body[0];
+        line->is = crossings_line(c, &job->seen, *next);
+        if (!crossings_unite(c, &job->seen, *next, &line->is))
+            continue;
+        hide_worker_add(w, line);
+        if (!drop_covered(job, w, body) && crossings_is_back(c, &job->seen, *next) && !hide_wholly(line, body))
             return false;
-        for (; k < end && w->line_count < HIDE_GROUP; k++) {
-            hide_line *line = &w->line[w->line_count];
-            line->is = crossings_line(c, &job->seen, k);
-            if (!crossings_unite(c, &job->seen, k, &line->is))
-                continue;
-            hide_worker_add(w, line);
-            const line_covers covers = covers_of(job, c->item[k].body[0]);
-            if (is_covered(&covers, line->e.A, line->e.B)) {
-                w->sides.tally.covered++;
-                w->line_count--;
-            } else if (crossings_is_back(c, &job->seen, k) &&
-                       !hide_intervals_add(&line->intervals, c->item[k].body[0],
-                                           &(hide_interval){0.0, 1.0, 0.0, 1.0})) {
-                return false;
-            }
-        }
-        if (!hide_lines(job, w))
+    }
+    return true;
+}
+
+bool segments_cross(const hide_job *job, hide_worker *w, hide_chunk *out, size_t first, size_t end)
+{
+    line_writer writer = writer_for(job, out, 0);
+    while (first < end) {
+        if (!take_crossings(job, w, &first, end) || !hide_lines(job, w))
             return false;
         for (const hide_line *line = w->line; line < w->line + w->line_count; line++) {
-            const size_t from = out->count;
-            writer.body = c->item[line->is.edge].body[0];
-            if ((writer.all || !line->hidden) && !add_either(&writer, line))
-                return false;
-            if (levels && !add_levels(job, w, out, &line->is, from))
+            writer.body = job->crossings.item[line->is.edge].body[0];
+            if (!add_segments(job, w, &writer, line))
                 return false;
         }
     }
