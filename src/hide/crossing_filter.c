@@ -11,9 +11,6 @@
 
 /* ---- where bodies lie -------------------------------------------------------------------------------------------- */
 
-/* Solids this many touching distances apart do not touch. */
-#define WELL_APART 4.0
-
 /* A point touches a face if its distance is at most the touching distance plus the face's departure from its plane. */
 static double touching_distance(const hide_fronts *fronts)
 {
@@ -21,7 +18,7 @@ static double touching_distance(const hide_fronts *fronts)
     float departure = 0.0f;
     for (uint32_t f = 0; scene->face_deviation && f < scene->face_count; f++)
         departure = scene->face_deviation[f] > departure ? scene->face_deviation[f] : departure;
-    return WELL_APART * scene->unit * (fronts->space.epsilon + (double)departure);
+    return FILTER_APART * scene->unit * (fronts->space.epsilon + (double)departure);
 }
 
 /* ---- stars ------------------------------------------------------------------------------------------------------- */
@@ -228,9 +225,6 @@ bool filter_single_boxes_apart(const crossing_filter *p, uint32_t a, uint32_t b)
 
 /* Faces with more corners are not tested. */
 #define FEW_CORNERS 8
-/* In roundings of a picture coordinate: a corner that is no farther than this on the inner side of a line counts as
- * outside. */
-#define LOOSE 4.0
 
 /* Do all corners of a face lie on the right of the side A -> B in the picture, or beyond it by no more than `most`? */
 static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, const hide_face *f, double most)
@@ -248,7 +242,7 @@ static bool is_right_of(const roberts_vec3 *P, roberts_vec3 A, roberts_vec3 B, c
 static bool is_beside_a_side(const hide_fronts *fronts, const hide_face *f, const hide_face *g)
 {
     const roberts_vec3 *P = fronts->P;
-    double loose = LOOSE * fronts->space.across_rounding;
+    double loose = FILTER_BESIDE * fronts->space.across_rounding;
     roberts_vec3 A = P[f->corner[f->count - 1]];
     for (uint32_t i = 0; i < f->count; i++) {
         roberts_vec3 B = P[f->corner[i]];
@@ -384,7 +378,7 @@ static ray ray_of(const hide_fronts *fronts, uint32_t from, uint32_t to)
 {
     const roberts_vec3 *P = fronts->P;
     double x = P[to].x - P[from].x, y = P[to].y - P[from].y;
-    return (ray){x, y, LOOSE * fronts->space.across_rounding * (fabs(x) + fabs(y))};
+    return (ray){x, y, FILTER_BESIDE * fronts->space.across_rounding * (fabs(x) + fabs(y))};
 }
 
 static double turn_of_rays(const ray *a, const ray *b)

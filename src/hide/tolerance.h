@@ -1,9 +1,9 @@
-/* tolerance.h - every tolerance and bound of hidden-line removal: name, value, unit, reason.
+/* tolerance.h - the tolerances and bounds of hidden-line removal: name, value, unit, reason.
  *
  * Three lengths depend on the scene and come from the view, in view units (see map.c). `epsilon` is the touching
  * distance. `rounding` bounds the error of any view coordinate. `across_rounding` bounds the error of an x or y. The
  * numbers below are multiples of these, or have no unit. Numbers that affect only time and memory are in the files that
- * use them. */
+ * use them, and so are bounds that follow from a proof there (front_tree.c, star_bodies.c, crossings.c). */
 #ifndef ROBERTS_HIDE_TOLERANCE_H
 #define ROBERTS_HIDE_TOLERANCE_H
 
@@ -141,6 +141,15 @@ static inline double hide_crossing_error(const hide_space *space, const hide_edg
 
 /* Fraction of epsilon, in the picture: by how much the tested sides may leave more than was guessed. */
 #define RUNS_GUESS_ACCURACY 0.5
+
+/* ---- fronts that do not cross ---- */
+
+/* Touching distances: solids this many of them apart do not touch. */
+#define FILTER_APART 4.0
+
+/* Roundings of a picture coordinate, times a length: a corner that is no farther than this on the inner side of a line
+ * counts as outside. */
+#define FILTER_BESIDE 4.0
 
 /* ---- visible regions ---- */
 
