@@ -3,7 +3,6 @@
 
 #include "base/sort.h"
 #include "hide/intervals.h"
-#include "hide/tests_wide.h"
 #include "model/face_pieces.h"
 
 _Static_assert(FAST_CORNERS >= PIECE_CORNERS, "tests_fast.h takes the pieces of faces");

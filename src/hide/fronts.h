@@ -2,7 +2,7 @@
  *
  * A front is what can hide lines. A convex solid is one front: its front faces, within their common outline (the cycle
  * of its edges with one front face). Tests 2 to 4 use this outline once for all faces. If there are many front faces,
- * each of them is a front, or all of them are a bundle (see tests_wide.h). In other bodies each face is a front.
+ * each of them is a front, or all of them are a bundle (see bundle.h). In other bodies each face is a front.
  *
  * Bodies are taken nearest first. A body whose box lies behind the covers of earlier ones is culled: it is not mapped,
  * none of its edges is a line, and it has no front, since it hides nothing that the covers do not hide. */
@@ -10,13 +10,14 @@
 #define ROBERTS_HIDE_FRONTS_H
 
 #include "base/bits.h"
+#include "hide/bundle.h"
 #include "hide/cover.h"
-#include "hide/tests_wide.h"
+#include "hide/runs.h"
 
 /* The first two kinds are whole fronts, with an outline; the others are single faces. */
 typedef enum hide_kind {
     HIDE_CONVEX_SOLID, /* all front faces of a convex solid, tested together */
-    HIDE_BUNDLE,       /* all front faces of a convex solid, tested by a tree: tests_wide.h */
+    HIDE_BUNDLE,       /* all front faces of a convex solid, tested by a tree: bundle.h */
     HIDE_SOLID_FACE,   /* one face of a convex solid; the solid hides the hull of what its faces hide */
     HIDE_SURFACE_FACE, /* one face of a body that is not convex; it hides from both sides */
 } hide_kind;

@@ -1,5 +1,5 @@
 /* Polygons of very many corners: tests 2 to 4 by runs of sides give the same as testing every side, to the last bit. */
-#include "hide/tests_wide.h"
+#include "hide/runs.h"
 #include "bare_points.h"
 #include "scenes.h"
 
