@@ -263,6 +263,39 @@ static void agrees_with_the_tests(void **state)
 }
 
 /* A part inside a hidden part, widened by the touching distance, is dropped; any other is found as it is. */
+/* An edge from within a needle that ends beside its tip, within epsilon of both long sides. */
+static void agrees_beside_sharp_corners(void **state)
+{
+    rng r = {19};
+    size_t outcomes[FAST_EMPTY + 1] = {0};
+    hide_sides sides = {0};
+    (void)state;
+    assert_true(hide_sides_reserve(&sides, CORNERS));
+    for (int i = 0; i < 20000; i++) {
+        const double wide = EPSILON * rng_between(&r, 50.0, 1000.0);
+        fixture f = {.P = {{0, 0, 0},
+                           {-2, wide, 0},
+                           {-2, -wide, 0},
+                           {-1.5, 0, 0},
+                           {EPSILON * rng_between(&r, -30.0, 30.0), EPSILON * rng_between(&r, -4.0, 4.0), 0}},
+                     .corner = {0, 1, 2}};
+        hide_interval part = {0}, expected = {0};
+        fast_outline outline;
+        f.face = (hide_face){.corner = f.corner, .count = 3};
+        f.space = bare_space(f.P, EPSILON, ROUNDING, 12.0);
+        f.edge = bare_edge(f.P, 3, 4);
+        fast_take(&outline, f.P, f.corner, 3);
+        const fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 4.5, NULL, &part);
+        outcomes[verdict]++;
+        if (verdict == FAST_UNCLEAR)
+            continue;
+        assert_true(bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &expected));
+        assert_memory_equal(&part, &expected, sizeof part);
+    }
+    free(sides.H);
+    assert_true(outcomes[FAST_INSIDE] + outcomes[FAST_CUT] > 1000 && outcomes[FAST_UNCLEAR] > 1000);
+}
+
 static void within_the_hidden_is_none(void **state)
 {
     rng r = {18};
@@ -351,6 +384,7 @@ int main(void)
         cmocka_unit_test(four_numbers_are_compared_with_one),
         cmocka_unit_test(four_numbers_are_shifted_alike),
         cmocka_unit_test(agrees_with_the_tests),
+        cmocka_unit_test(agrees_beside_sharp_corners),
         cmocka_unit_test(within_the_hidden_is_none),
         cmocka_unit_test(contact_is_unclear),
     };
