@@ -272,12 +272,12 @@ static void agrees_beside_sharp_corners(void **state)
     (void)state;
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (int i = 0; i < 20000; i++) {
-        const double wide = EPSILON * rng_between(&r, 50.0, 1000.0);
+        const double wide = rng_between(&r, 1e-4, 1e-2), near = 2.0 * EPSILON / wide; /* both sides are that near */
         fixture f = {.P = {{0, 0, 0},
                            {-2, wide, 0},
                            {-2, -wide, 0},
                            {-1.5, 0, 0},
-                           {EPSILON * rng_between(&r, -30.0, 30.0), EPSILON * rng_between(&r, -4.0, 4.0), 0}},
+                           {near * rng_between(&r, -4.0, 4.0), EPSILON * rng_between(&r, -3.0, 3.0), 0}},
                      .corner = {0, 1, 2}};
         hide_interval part = {0}, expected = {0};
         fast_outline outline;
@@ -293,7 +293,8 @@ static void agrees_beside_sharp_corners(void **state)
         assert_memory_equal(&part, &expected, sizeof part);
     }
     free(sides.H);
-    assert_true(outcomes[FAST_INSIDE] + outcomes[FAST_CUT] > 1000 && outcomes[FAST_UNCLEAR] > 1000);
+    if (!(outcomes[FAST_UNCLEAR] > 500 && outcomes[FAST_INSIDE] > 500 && outcomes[FAST_CUT] > 500))
+        fail_msg("%zu unclear, %zu inside, %zu cut", outcomes[FAST_UNCLEAR], outcomes[FAST_INSIDE], outcomes[FAST_CUT]);
 }
 
 static void within_the_hidden_is_none(void **state)
