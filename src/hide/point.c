@@ -23,12 +23,11 @@ typedef struct face_walk {
     uint32_t next, end;
 } face_walk;
 
-/* single: room for a single face. */
+/* single: room for a single face, empty. */
 static face_walk face_walk_begin(const hide_fronts *fronts, uint32_t front, roberts_vec2 X, hide_single *single)
 {
     face_walk w = {.tree = hide_bundle(fronts, front), .X = X};
     uint32_t count;
-    single->front = ROBERTS_NONE;
     w.face = hide_faces(fronts, front, &count, single);
     w.end = w.tree ? 0 : count;
     return w;
@@ -112,7 +111,7 @@ static void look_at_face(const hide_fronts *fronts, const hide_front *front, con
 static void look_at_front(const hide_fronts *fronts, uint32_t index, double z1, look *l)
 {
     const hide_front *front = &fronts->front[index];
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     const bool held = hide_is_face(front); /* then its plane is computed only if the point is in it */
     if (held) {
         const hide_face outline = hide_outline(fronts, index, single.turned);
@@ -266,7 +265,7 @@ static bool take_face(const hide_fronts *fronts, uint32_t body, const hide_face 
 
 static bool take_front(const hide_fronts *fronts, uint32_t index, roberts_vec3 X, level_hits *hits)
 {
-    hide_single single;
+    hide_single single = {.front = ROBERTS_NONE};
     face_walk walk = face_walk_begin(fronts, index, (roberts_vec2){X.x, X.y}, &single);
     for (const hide_face *F; (F = face_walk_next(&walk));)
         if (!take_face(fronts, fronts->front[index].solid, F, X, hits))
