@@ -599,7 +599,7 @@ fast_verdict fast_settle(const fast_outline *o, const hide_space *space, const h
         if (error > HIDE_TRUSTED * on && fabs(h[i]) <= on + error)
             return FAST_UNCLEAR;
         out |= (h[i] < -on ? 1u : 0u) << i;
-        touched += fabs(h[i]) <= on && i < o->sides;
+        touched += i < o->sides && fabs(h[i]) <= on;
     }
     if (touched > 1)
         return FAST_UNCLEAR; /* perhaps beyond a sharp corner: see hide_by_sides() */
