@@ -581,7 +581,9 @@ static uint8_t *mark_dents(const roberts_scene *scene, const solid_frame *frame)
     uint8_t *dent = alloc_zeroed(frame->face_count, 1);
     for (uint32_t e = 0; dent && e < frame->edge_count; e++) {
         const scene_edge *edge = &frame->edge[e];
-        for (int k = 0; k < 2 && bend_of(frame, edge) > 0.0; k++)
+        if (!(bend_of(frame, edge) > 0.0))
+            continue;
+        for (int k = 0; k < 2; k++)
             dent[edge->f[k]] |= dents(scene, frame, edge->f[!k], edge->f[k]);
     }
     return dent;
