@@ -22,6 +22,7 @@ typedef struct hpgl {
     output *out;
     double units;         /* of HP-GL in a unit of the page */
     double width, height; /* of the page, in units of HP-GL */
+    int32_t least;        /* the least coordinate that was written, or 0 */
 } hpgl;
 
 /* Writes an instruction up to `value`, and what stands behind it. */
@@ -88,22 +89,24 @@ static page_point on_plotter(const hpgl *p, page_point at)
     return page_rounded((roberts_vec2){x - UNITS_PER_MM * axes->inside_mm.x, y - UNITS_PER_MM * axes->inside_mm.y});
 }
 
-static void write_point(output *out, page_point at)
+static void write_point(hpgl *p, page_point at)
 {
-    output_signed(out, at.x);
-    output_bytes(out, ",", 1);
-    output_signed(out, at.y);
+    output_signed(p->out, at.x);
+    output_bytes(p->out, ",", 1);
+    output_signed(p->out, at.y);
+    p->least = at.x < p->least ? at.x : p->least;
+    p->least = at.y < p->least ? at.y : p->least;
 }
 
 /* Points that coincide after rounding are written once. So a tiny stroke becomes a dot. */
 static void write_stroke(void *context, const page_point *point, size_t count, bool closed)
 {
-    const hpgl *p = context;
+    hpgl *p = context;
     const page_point first = on_plotter(p, point[0]);
     page_point last = first;
     size_t written = 0;
     output_text(p->out, "PU");
-    write_point(p->out, first);
+    write_point(p, first);
     output_text(p->out, ";PD");
     for (size_t i = 1; i < count + closed; i++) {
         page_point at = i < count ? on_plotter(p, point[i]) : first;
@@ -112,7 +115,7 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
             continue;
         if (written++)
             output_text(p->out, written % POINTS_A_LINE == 0 ? ",\n" : ",");
-        write_point(p->out, at);
+        write_point(p, at);
         last = at;
     }
     output_text(p->out, ";\n");
@@ -122,30 +125,22 @@ static void write_stroke(void *context, const page_point *point, size_t count, b
 static void warn_outside(const hpgl *p)
 {
     const roberts_warnings *to = &p->s->options->lettering.warnings;
-    const polylines *lines = &p->s->lines;
-    int32_t least = 0;
     char text[120];
-    for (size_t i = 0; i < lines->count && !p->s->options->plotter.centre; i++)
-        for (uint32_t k = 0; k < lines->item[i].count; k++) {
-            const page_point at = on_plotter(p, lines->point[lines->item[i].first + k]);
-            least = at.x < least ? at.x : least;
-            least = at.y < least ? at.y : least;
-        }
-    if (least == 0 || !to->warn)
+    if (p->least >= 0 || p->s->options->plotter.centre || !to->warn)
         return;
     snprintf(text, sizeof text, "lines reach %.1f mm beyond the plotter's origin; its pen may not go there",
-             -(double)least / UNITS_PER_MM);
+             -(double)p->least / UNITS_PER_MM);
     to->warn(to->context, "", 0, text);
 }
 
 roberts_status hpgl_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
-    hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM};
+    hpgl p = {s, out, UNITS_PER_MM / s->units_per_mm, page->width_mm * UNITS_PER_MM, page->height_mm * UNITS_PER_MM, 0};
     const plotter to = {.begin = begin_class, .stroke = write_stroke, .pen = pen_of, .context = &p};
-    warn_outside(&p);
     write_integer(out, "IN;NP", PENS, ";\n");
     roberts_status status = plot_strokes(s, &to, out, error);
     output_text(out, "PU;SP0;\n");
+    warn_outside(&p);
     return status;
 }
