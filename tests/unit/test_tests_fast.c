@@ -233,6 +233,24 @@ static void set_up(fixture *f, rng *r)
     f->edge = bare_edge(f->P, a, b);
 }
 
+/* Compares the verdict, unless it is unclear, with the tests one by one. */
+static fast_verdict compare(const fixture *f, double span, hide_sides *sides)
+{
+    hide_interval part = {0}, expected = {0};
+    fast_outline outline;
+    fast_take(&outline, f->P, f->corner, f->face.count);
+    const fast_verdict verdict = fast_test(&outline, &f->space, &f->edge, span, NULL, &part);
+    if (verdict == FAST_UNCLEAR)
+        return verdict;
+    assert_int_equal(bare_tests_2_to_4(&f->space, &f->face, &f->edge, sides, &expected),
+                     verdict == FAST_INSIDE || verdict == FAST_CUT);
+    if (verdict == FAST_INSIDE || verdict == FAST_CUT)
+        assert_memory_equal(&part, &expected, sizeof part);
+    if (verdict == FAST_MISSED)
+        assert_true(hide_test2(&f->space, &f->face, &f->edge));
+    return verdict;
+}
+
 static void agrees_with_the_tests(void **state)
 {
     rng r = {17};
@@ -242,20 +260,8 @@ static void agrees_with_the_tests(void **state)
     assert_true(hide_sides_reserve(&sides, CORNERS));
     for (int i = 0; i < 200000; i++) {
         fixture f;
-        hide_interval part = {0}, expected = {0};
-        fast_outline outline;
         set_up(&f, &r);
-        fast_take(&outline, f.P, f.corner, f.face.count);
-        fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 20.0, NULL, &part);
-        outcomes[verdict]++;
-        if (verdict == FAST_UNCLEAR)
-            continue;
-        assert_int_equal(bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &expected),
-                         verdict == FAST_INSIDE || verdict == FAST_CUT);
-        if (verdict == FAST_INSIDE || verdict == FAST_CUT)
-            assert_memory_equal(&part, &expected, sizeof part);
-        if (verdict == FAST_MISSED)
-            assert_true(hide_test2(&f.space, &f.face, &f.edge));
+        outcomes[compare(&f, 20.0, &sides)]++;
     }
     free(sides.H);
     for (int v = FAST_UNCLEAR; v < FAST_EMPTY; v++) /* an edge that misses the outline has missed it before test 4 */
@@ -279,18 +285,12 @@ static void agrees_beside_sharp_corners(void **state)
                            {-1.5, 0, 0},
                            {near * rng_between(&r, -4.0, 4.0), EPSILON * rng_between(&r, -3.0, 3.0), 0}},
                      .corner = {0, 1, 2}};
-        hide_interval part = {0}, expected = {0};
-        fast_outline outline;
         f.face = (hide_face){.corner = f.corner, .count = 3};
         f.space = bare_space(f.P, EPSILON, ROUNDING, 12.0);
         f.edge = bare_edge(f.P, 3, 4);
-        fast_take(&outline, f.P, f.corner, 3);
-        const fast_verdict verdict = fast_test(&outline, &f.space, &f.edge, 4.5, NULL, &part);
+        const fast_verdict verdict = compare(&f, 4.5, &sides);
+        assert_true(verdict == FAST_UNCLEAR || verdict == FAST_INSIDE || verdict == FAST_CUT);
         outcomes[verdict]++;
-        if (verdict == FAST_UNCLEAR)
-            continue;
-        assert_true(bare_tests_2_to_4(&f.space, &f.face, &f.edge, &sides, &expected));
-        assert_memory_equal(&part, &expected, sizeof part);
     }
     free(sides.H);
     if (!(outcomes[FAST_UNCLEAR] > 500 && outcomes[FAST_INSIDE] > 500 && outcomes[FAST_CUT] > 500))
