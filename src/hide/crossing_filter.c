@@ -220,8 +220,7 @@ bool filter_single_boxes_apart(const crossing_filter *p, uint32_t a, uint32_t b)
     return filter_gap(&F, &G) > p->touching;
 }
 
-/* ---- sides and planes between two fronts -------------------------------------------------------------------------
- */
+/* ---- sides and planes between two fronts ------------------------------------------------------------------------- */
 
 /* Faces with more corners are not tested. */
 #define FEW_CORNERS 8

@@ -76,8 +76,7 @@ static bool join_lines(cut_lines *lines, const roberts_vec3 *point, double touch
 /* A vertex where cuts do not close. */
 typedef struct loose_end {
     uint32_t vertex; /* first, so that compare_u32() sorts them */
-    int32_t
-        more; /* how many more lines begin there than end; < 0: more end. If parity decides, 1: an odd number meet */
+    int32_t more;    /* lines that begin there, less those that end there. If parity decides, 1: an odd number meet */
 } loose_end;
 
 /* Two loose ends, and how far apart they are. */

@@ -764,4 +764,5 @@ class _Page:
                 self.warned.said.append("light has no effect: nothing is shaded without a shaded fill or hatch")
         for name in _names(given.pop("labels", ())):
             o.lettering.labels |= _choice(_LABELS, name, "labels")
-        return bool(o.fill or o.hatching.on or o.lettering.labels & 28)
+        areas = _LABELS["faces"] | _LABELS["bodies"] | _LABELS["names"]
+        return bool(o.fill or o.hatching.on or o.lettering.labels & areas)
