@@ -29,7 +29,8 @@ NEEDS        =
 UNOPTIMIZED  =
 CAIRO_CFLAGS = $(shell pkg-config --cflags cairo zlib)
 QHULL_CFLAGS = $(shell pkg-config --cflags qhull_r)
-LIBS         = $(shell pkg-config --libs cairo qhull_r zlib) -lm
+LIBS         = $(shell pkg-config --libs qhull_r zlib) -lm -ldl
+CAIRO_LIBS   = $(shell pkg-config --libs cairo)
 CMOCKA_LIBS  = $(shell pkg-config --libs cmocka)
 
 LIB_SRC  := $(sort $(wildcard $(foreach room,base read model view hide ray draw write part,src/$(room)/*.c)))
@@ -188,7 +189,7 @@ install: ## program, man page, completions, libraries, header and roberts.pc
 	@# Libs.private: what else a program needs that links the static library.
 	@printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'includedir=$${prefix}/include' '' 'Name: roberts' \
 	    'Description: line drawings of polyhedra with the hidden lines removed' 'Version: $(VERSION)' \
-	    'Requires.private: cairo qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(THREADS) -lm' \
+	    'Requires.private: qhull_r zlib' 'Libs: -L"$${libdir}" -lroberts' 'Libs.private: $(THREADS) -lm -ldl' \
 	    'Cflags: -I"$${includedir}"' >'$(LIB)/pkgconfig/roberts.pc'
 	$(Q)chmod 644 '$(LIB)/pkgconfig/roberts.pc'
 	$(Q)install -D -m 644 $(BUILD)/roberts.1 '$(TO)/share/man/man1/roberts.1'
@@ -286,6 +287,9 @@ $(TEST_BIN): $(BUILD)/libroberts.a
 	$(call show,LD,$@)
 	$(Q)$(LINK) $(TEST_LIBS) $(CMOCKA_LIBS) $(LIBS)
 
+# Tests that look at pixels. (The program itself loads Cairo when it needs it.)
+$(patsubst %,$(BUILD)/tests/test_%,gallery image render): TEST_LIBS = $(CAIRO_LIBS)
+
 # Tests that make allocations fail: tests/support/memory.h
 $(BUILD)/tests/test_memory_%: TEST_LIBS = -Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc \
     -Wl,--wrap=posix_memalign,--wrap=free
@@ -323,13 +327,14 @@ $(ORACLE_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(ORACLE_OBJ) $(BUILD)/
 	$(Q)$(LINK) $(ORACLE_LIBS) $(LIBS)
 
 # Reading pages back: PDF with zlib, PNG with Cairo. The scenes are those of the oracle.
+PAPER_LIBS  = $(ORACLE_LIBS) $(CAIRO_LIBS)
 PAPER_TEST := $(BUILD)/tests/test_paper $(BUILD)/tests/test_plots
 $(PAPER_TEST): $(call object,$(PAPER)) $(ORACLE_OBJ)
-$(PAPER_TEST): TEST_LIBS = $(ORACLE_LIBS)
+$(PAPER_TEST): TEST_LIBS = $(PAPER_LIBS)
 
 $(PAPER_P:%.c=$(BUILD)/%): $(BUILD)/%: $(BUILD)/obj/%.o $(call object,$(PAPER)) $(ORACLE_OBJ) $(BUILD)/libroberts.a
 	@mkdir -p $(@D)
-	$(LINK) $(ORACLE_LIBS) $(LIBS)
+	$(LINK) $(PAPER_LIBS) $(LIBS)
 
 # All are compiled as one, since most of the time goes to CGAL's headers. So a name must not stand in two of them.
 # -frounding-math: intervals of doubles change the rounding mode, so the compiler must not assume one.

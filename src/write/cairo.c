@@ -9,7 +9,7 @@
  * date, so that the same drawing gives the same bytes: the line with the date is dropped from the PostScript stream. */
 #include "write/cairo.h"
 
-#include <cairo-ps.h>
+#include <dlfcn.h>
 #include <math.h>
 
 #include "base/error.h"
@@ -17,74 +17,96 @@
 
 static const double points_per_inch = 72.0;
 
+/* ---- Cairo itself ---- */
+
+#ifdef __APPLE__
+static const char cairo_library[] = "libcairo.2.dylib";
+#else
+static const char cairo_library[] = "libcairo.so.2";
+#endif
+
+bool surface_load(cairo_calls *call, roberts_error *error)
+{
+    void *library = dlopen(cairo_library, RTLD_NOW | RTLD_LOCAL);
+    bool found = library != NULL;
+/* In POSIX, unlike in C, a pointer to an object can hold the address of a function. */
+#define CAIRO_FIND(name) found = found && (*(void **)&call->name = dlsym(library, "cairo_" #name)) != NULL;
+    CAIRO_CALLS(CAIRO_FIND)
+#undef CAIRO_FIND
+    if (!found)
+        error_set(error, ROBERTS_IO, 0, "PNG, PS and EPS are drawn by Cairo: %s", dlerror());
+    return found;
+}
+
 /* ---- fills and strokes ---- */
 
 /* Sets width, dashes, caps and colour for a class of lines. */
-static void set_pen(cairo_t *cairo, const roberts_draw_options *options, roberts_line line)
+static void set_pen(const cairo_calls *call, cairo_t *cairo, const roberts_draw_options *options, roberts_line line)
 {
     const roberts_pen *pen = pens_of(options, line);
     double dash[2];
     bool dashed = pens_dash(options, line, dash);
-    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_line_width(cairo, pen->width_mm);
-    cairo_set_source_rgb(cairo, pen->red / 255.0, pen->green / 255.0, pen->blue / 255.0);
-    cairo_set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
+    call->set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+    call->set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    call->set_line_width(cairo, pen->width_mm);
+    call->set_source_rgb(cairo, pen->red / 255.0, pen->green / 255.0, pen->blue / 255.0);
+    call->set_dash(cairo, dash, dashed ? 2 : 0, 0.0);
 }
 
 /* Adds a polyline to the current path of `cairo`, whose unit is `units` units of the page. */
-static void trace_polyline(cairo_t *cairo, const polylines *lines, const polyline *line, double units)
+static void trace_polyline(const cairo_calls *call, cairo_t *cairo, const polylines *lines, const polyline *line,
+                           double units)
 {
     const page_point *p = lines->point + line->first;
-    cairo_move_to(cairo, p->x / units, p->y / units);
+    call->move_to(cairo, p->x / units, p->y / units);
     for (uint32_t i = 1; i < line->count; i++)
-        cairo_line_to(cairo, p[i].x / units, p[i].y / units);
+        call->line_to(cairo, p[i].x / units, p[i].y / units);
     if (line->closed)
-        cairo_close_path(cairo);
+        call->close_path(cairo);
 }
 
 /* Draws the polylines first .. end - 1, which are of the class whose pen is set. */
-static void draw_some(cairo_t *cairo, const strokes *s, size_t first, size_t end)
+static void draw_some(const cairo_calls *call, cairo_t *cairo, const strokes *s, size_t first, size_t end)
 {
     while (first < end) {
         size_t next = strokes_part_end(s, first, end);
         for (; first < next; first++)
-            trace_polyline(cairo, &s->lines, &s->lines.item[first], s->units_per_mm);
-        cairo_stroke(cairo);
+            trace_polyline(call, cairo, &s->lines, &s->lines.item[first], s->units_per_mm);
+        call->stroke(cairo);
     }
 }
 
-static void paint_fills(cairo_t *cairo, const strokes *s)
+static void paint_fills(const cairo_calls *call, cairo_t *cairo, const strokes *s)
 {
     const fills *f = &s->fills;
-    cairo_set_dash(cairo, NULL, 0, 0.0);
-    cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
-    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
-    cairo_set_line_width(cairo, f->seam_mm);
+    call->set_dash(cairo, NULL, 0, 0.0);
+    call->set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+    call->set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    call->set_line_width(cairo, f->seam_mm);
     for (size_t i = 0; i < f->count; i++) {
         const fill_paint *paint = &f->paint[i];
         const fill_color color = fills_on_paper(s->options, paint->color);
-        cairo_set_source_rgb(cairo, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
+        call->set_source_rgb(cairo, color.red / 255.0, color.green / 255.0, color.blue / 255.0);
         for (size_t k = paint->first; k < paint->end; k++) {
-            trace_polyline(cairo, &f->lines, &f->lines.item[k], s->units_per_mm);
+            trace_polyline(call, cairo, &f->lines, &f->lines.item[k], s->units_per_mm);
             if (paint->seam)
-                cairo_stroke(cairo);
+                call->stroke(cairo);
         }
         if (!paint->seam)
-            cairo_fill(cairo);
+            call->fill(cairo);
     }
 }
 
-void surface_draw(cairo_t *cairo, const strokes *s)
+void surface_draw(const cairo_calls *call, cairo_t *cairo, const strokes *s)
 {
-    paint_fills(cairo, s);
+    paint_fills(call, cairo, s);
     for (int i = 0; i < LINE_CLASSES; i++) {
-        set_pen(cairo, s->options, line_order[i]);
-        draw_some(cairo, s, s->start[i], s->start[i + 1]);
+        set_pen(call, cairo, s->options, line_order[i]);
+        draw_some(call, cairo, s, s->start[i], s->start[i + 1]);
     }
 }
 
-roberts_status surface_failure(cairo_status_t status, roberts_error *error)
+roberts_status surface_failure(const cairo_calls *call, cairo_status_t status, roberts_error *error)
 {
     switch (status) {
     case CAIRO_STATUS_SUCCESS:
@@ -93,20 +115,20 @@ roberts_status surface_failure(cairo_status_t status, roberts_error *error)
     case CAIRO_STATUS_NO_MEMORY:
         return error_no_memory(error);
     default:
-        return error_set(error, ROBERTS_IO, 0, "cairo: %s", cairo_status_to_string(status));
+        return error_set(error, ROBERTS_IO, 0, "cairo: %s", call->status_to_string(status));
     }
 }
 
 /* Finishes and releases both. Returns the first failure. */
-static roberts_status finish(cairo_t *cairo, cairo_surface_t *surface, roberts_error *error)
+static roberts_status finish(const cairo_calls *call, cairo_t *cairo, cairo_surface_t *surface, roberts_error *error)
 {
-    cairo_status_t status = cairo_status(cairo);
-    cairo_destroy(cairo);
-    cairo_surface_finish(surface);
+    cairo_status_t status = call->status(cairo);
+    call->destroy(cairo);
+    call->surface_finish(surface);
     if (status == CAIRO_STATUS_SUCCESS)
-        status = cairo_surface_status(surface);
-    cairo_surface_destroy(surface);
-    return surface_failure(status, error);
+        status = call->surface_status(surface);
+    call->surface_destroy(surface);
+    return surface_failure(call, status, error);
 }
 
 /* ---- PostScript without a date ---- */
@@ -151,26 +173,30 @@ static cairo_status_t date_filter_stream(void *closure, const unsigned char *byt
 
 /* Fills a rectangle of whole points, as a page of PostScript is. If the whole surface were painted, PostScript would
  * contain an image. */
-static void paint_page(cairo_t *cairo, const roberts_page *page, double units_per_mm, const roberts_background *color)
+static void paint_page(const cairo_calls *call, cairo_t *cairo, const roberts_page *page, double units_per_mm,
+                       const roberts_background *color)
 {
-    cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
-    cairo_rectangle(cairo, 0.0, 0.0, ceil(page->width_mm * units_per_mm), ceil(page->height_mm * units_per_mm));
-    cairo_fill(cairo);
+    call->set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
+    call->rectangle(cairo, 0.0, 0.0, ceil(page->width_mm * units_per_mm), ceil(page->height_mm * units_per_mm));
+    call->fill(cairo);
 }
 
 roberts_status surface_write(const strokes *s, output *out, roberts_error *error)
 {
     const roberts_page *page = &s->page;
     const double points = points_per_inch / mm_per_inch;
+    cairo_calls call;
+    if (!surface_load(&call, error))
+        return ROBERTS_IO;
     date_filter filter = {.out = out, .at = LINE_START};
-    cairo_surface_t *surface = cairo_ps_surface_create_for_stream(date_filter_stream, &filter, page->width_mm * points,
-                                                                  page->height_mm * points);
-    cairo_ps_surface_set_eps(surface, s->options->format == ROBERTS_EPS);
-    cairo_t *cairo = cairo_create(surface);
+    cairo_surface_t *surface = call.ps_surface_create_for_stream(date_filter_stream, &filter, page->width_mm * points,
+                                                                 page->height_mm * points);
+    call.ps_surface_set_eps(surface, s->options->format == ROBERTS_EPS);
+    cairo_t *cairo = call.create(surface);
     if (s->options->background.on)
-        paint_page(cairo, page, points, &s->options->background);
-    cairo_scale(cairo, points, points);
-    surface_draw(cairo, s);
-    cairo_show_page(cairo);
-    return finish(cairo, surface, error);
+        paint_page(&call, cairo, page, points, &s->options->background);
+    call.scale(cairo, points, points);
+    surface_draw(&call, cairo, s);
+    call.show_page(cairo);
+    return finish(&call, cairo, surface, error);
 }

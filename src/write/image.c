@@ -29,6 +29,7 @@ enum {
 typedef struct image {
     const strokes *s;
     output *out;
+    cairo_calls call;
     double pixels_per_mm;
     int width, height, band_height, surface_height, margin; /* in pixels */
     cairo_surface_t *surface;
@@ -103,23 +104,23 @@ static bool write_row(image *m, const uint32_t *pixel)
 static cairo_status_t draw_surface(const image *m, int top)
 {
     const roberts_background white = {true, 255, 255, 255}, *color = &m->s->options->background;
-    cairo_t *cairo = cairo_create(m->surface);
+    cairo_t *cairo = m->call.create(m->surface);
     color = color->on ? color : &white;
-    cairo_set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
-    cairo_paint(cairo); /* includes the last row and column, which the page may cover in part */
-    cairo_translate(cairo, 0.0, -top);
-    cairo_scale(cairo, m->pixels_per_mm, m->pixels_per_mm);
-    surface_draw(cairo, m->s);
-    cairo_status_t status = cairo_status(cairo);
-    cairo_destroy(cairo);
-    cairo_surface_flush(m->surface);
+    m->call.set_source_rgb(cairo, color->red / 255.0, color->green / 255.0, color->blue / 255.0);
+    m->call.paint(cairo); /* includes the last row and column, which the page may cover in part */
+    m->call.translate(cairo, 0.0, -top);
+    m->call.scale(cairo, m->pixels_per_mm, m->pixels_per_mm);
+    surface_draw(&m->call, cairo, m->s);
+    cairo_status_t status = m->call.status(cairo);
+    m->call.destroy(cairo);
+    m->call.surface_flush(m->surface);
     return status;
 }
 
 static cairo_status_t write_bands(image *m)
 {
-    const int stride = cairo_image_surface_get_stride(m->surface), lowest = m->height - m->surface_height;
-    const unsigned char *data = cairo_image_surface_get_data(m->surface);
+    const int stride = m->call.image_surface_get_stride(m->surface), lowest = m->height - m->surface_height;
+    const unsigned char *data = m->call.image_surface_get_data(m->surface);
     for (int from = 0; from < m->height; from += m->band_height) {
         int top = from - m->margin < 0 ? 0 : from - m->margin > lowest ? lowest : from - m->margin;
         cairo_status_t status = draw_surface(m, top);
@@ -208,8 +209,8 @@ static bool get_memory(image *m)
 /* Draws and writes all, once there is memory for it. */
 static roberts_status write_image(image *m, roberts_error *error)
 {
-    m->surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, m->width, m->surface_height);
-    cairo_status_t status = cairo_surface_status(m->surface);
+    m->surface = m->call.image_surface_create(CAIRO_FORMAT_RGB24, m->width, m->surface_height);
+    cairo_status_t status = m->call.surface_status(m->surface);
     if (status == CAIRO_STATUS_SUCCESS && !deflater_start(&m->deflater, COMPRESSION, write_pixels, m->out))
         status = CAIRO_STATUS_NO_MEMORY;
     if (status == CAIRO_STATUS_SUCCESS) {
@@ -219,8 +220,8 @@ static roberts_status write_image(image *m, roberts_error *error)
         deflater_end(&m->deflater);
         write_chunk(m->out, "IEND", "", 0);
     }
-    cairo_surface_destroy(m->surface);
-    return surface_failure(status, error);
+    m->call.surface_destroy(m->surface);
+    return surface_failure(&m->call, status, error);
 }
 
 roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output *out, roberts_error *error)
@@ -237,6 +238,8 @@ roberts_status image_write_bands(const strokes *s, size_t surface_bytes, output 
     *m = (image){.s = s, .out = out, .pixels_per_mm = pixels_per_mm};
     set_bands(m, width, height, surface_bytes);
     status = check_memory(m, error);
+    if (status == ROBERTS_OK && !surface_load(&m->call, error))
+        status = ROBERTS_IO;
     if (status == ROBERTS_OK)
         status = get_memory(m) ? write_image(m, error) : error_no_memory(error);
     free(m->line[0]);

@@ -973,6 +973,27 @@ static void outputs_that_fail(void **state)
     assert_int_equal(entries("in", false), 0);
 }
 
+/* Formats that Cairo draws are refused where it cannot be loaded. The others do not need it. */
+static void some_formats_need_cairo(void **state)
+{
+    static const char *const format[] = {"png", "ps", "eps"};
+    (void)state;
+    put("in/libcairo.so.2", "broken");
+    setenv("LD_LIBRARY_PATH", "in", 1);
+    for (size_t i = 0; i < sizeof format / sizeof format[0]; i++) {
+        char line[80];
+        snprintf(line, sizeof line, "models/table.off -o in/a.%s", format[i]);
+        assert_int_equal(run(line), 1);
+        assert_said("roberts: in/a.");
+        assert_said("PNG, PS and EPS are drawn by Cairo: ");
+        assert_said("libcairo.so.2");
+    }
+    assert_int_equal(entries("in", false), 1);
+    assert_int_equal(run("models/table.off -o in/a.svg -o in/a.pdf"), 0);
+    unsetenv("LD_LIBRARY_PATH");
+    assert_int_equal(run("models/table.off -o in/a.png"), 0);
+}
+
 /* A reader that stops early, like head(1), is no error to report, unless the caller ignores the signal. */
 static void closed_pipe_ends_quietly(void **state)
 {
@@ -1439,6 +1460,7 @@ int main(void)
         IN_FOLDER(verbose_tells),
         IN_FOLDER(progress_is_for_terminals),
         IN_FOLDER(outputs_that_fail),
+        IN_FOLDER(some_formats_need_cairo),
         IN_FOLDER(closed_pipe_ends_quietly),
         IN_FOLDER(standard_output_by_name),
         IN_FOLDER(tells_version_and_help),

@@ -81,7 +81,7 @@ static void c_client_takes_segments(void **state)
     run_client("models/platonic/cube.off", "4 segments, 8 long");
     build_client(setting("CC", "cc"), "segments.c", setting("CFLAGS_USED", ""),
                  "-Wl,-Bstatic $(pkg-config --static --libs-only-L roberts) -lroberts -Wl,-Bdynamic "
-                 "$(pkg-config --libs cairo qhull_r zlib) -pthread");
+                 "$(pkg-config --libs qhull_r zlib) -ldl -pthread");
     run_client("models/platonic/cube.off", "4 segments, 8 long");
 }
 

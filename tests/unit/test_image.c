@@ -28,11 +28,13 @@ static void expect_drawn_by_cairo(const strokes *s, const sink *file)
     const int width = cairo_image_surface_get_width(read), height = cairo_image_surface_get_height(read);
     cairo_surface_t *drawn = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
     cairo_t *cairo = cairo_create(drawn);
+    cairo_calls call;
     size_t ink = 0;
+    assert_true(surface_load(&call, NULL));
     cairo_set_source_rgb(cairo, 1, 1, 1);
     cairo_paint(cairo);
     cairo_scale(cairo, s->options->dpi / 25.4, s->options->dpi / 25.4);
-    surface_draw(cairo, s);
+    surface_draw(&call, cairo, s);
     cairo_destroy(cairo);
     cairo_surface_flush(drawn);
     for (int y = 0; y < height; y++) {
