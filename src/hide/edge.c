@@ -350,7 +350,8 @@ typedef struct line_set {
     const hide_box *box; /* of all lines; the depth of a single line is not used */
 } line_set;
 
-/* Tests the lines against one front that may be nearer somewhere, unless they have already met it. False: no memory. */
+/* Tests those lines whose boxes reach the front's box against one front that may be nearer somewhere, unless they have
+ * already met it. False: no memory. */
 BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
 {
     if (w->stamped[front] == w->stamp)
@@ -360,17 +361,13 @@ BITS_INLINE bool meet_once(hide_worker *w, const line_set *p, uint32_t front)
      * hidden. */
     bool hull = w->grid->next && w->fronts->front[front].kind == HIDE_SOLID_FACE;
     const hide_lanes *lanes = hull ? &w->whole : &w->lanes;
-    uint64_t bits = p->alone ? 1 : met_by(lanes, w->line_count, &w->fronts->front_box[front]);
+    const hide_box *box = &w->fronts->front_box[front];
+    uint64_t bits =
+        p->alone ? !is_apart(box, four_load(w->least), four_load(w->most)) : met_by(lanes, w->line_count, box);
     if (w->own == ROBERTS_NONE)
         bits = w->fronts->triangle ? not_left_out_in_floats(w, p->first, bits, p->box, front)
                                    : not_left_out(w, p->first, bits, front);
     return !bits || is_of_body(w, front) || meet(w, p->first, bits, p->box, front);
-}
-
-/* As meet_once(), but only if the front's box reaches the lines' box. */
-BITS_INLINE bool meet_entry(hide_worker *w, const line_set *p, uint32_t front)
-{
-    return is_apart(&w->fronts->front_box[front], four_load(w->least), four_load(w->most)) || meet_once(w, p, front);
 }
 
 /* Tests the lines against the entries first .. end - 1, from the last to the first, four at a time. False: no
@@ -380,7 +377,7 @@ BITS_INLINE bool meet_backward(hide_worker *w, const line_set *p, uint32_t first
     while (end > first && w->live) {
         uint32_t k = end - first < 4 ? first : end - 4;
         for (unsigned near = objet_near(w->grid, k, end, sides); near && w->live; near &= near - 1)
-            if (!meet_entry(w, p, w->grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front))
+            if (!meet_once(w, p, w->grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front))
                 return false;
         end = k;
     }
@@ -403,7 +400,7 @@ BITS_INLINE bool meet_forward(hide_worker *w, const line_set *p, uint32_t k, uin
             uint32_t front = grid->entry[k + (uint32_t)bits_trailing_zeros(near)].front;
             if (fronts->front_box[front].z1 < far)
                 return true; /* from here on, no front has a point nearer than the lines */
-            if (!meet_entry(w, p, front))
+            if (!meet_once(w, p, front))
                 return false;
             if (!w->live)
                 return true;
@@ -494,7 +491,7 @@ static bool meet_tree_together(hide_worker *w, const line_set *p, size_t cell)
         const uint32_t which = stack[--depth], child = which & ~FRONT_TREE_LEAF;
         if (child == which)
             depth += front_node_meets_box(&node[child], p->box, stack + depth);
-        else if (!meet_entry(w, p, list[child].front))
+        else if (!meet_once(w, p, list[child].front))
             return false;
     }
     return true;
