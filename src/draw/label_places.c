@@ -114,9 +114,9 @@ roberts_vec2 label_leader_place(const placing *p, const label *l, size_t i, robe
     const roberts_vec2 d = p->side[i % VERTEX_SIDES];
     const double length = p->height * (1.0 + (double)(i / VERTEX_SIDES)),
                  off = length + 0.5 * p->gap + reach(l->half, d);
-    *end = (roberts_vec2){l->of->at.x + length * d.x, l->of->at.y + length * d.y};
+    *end = (roberts_vec2){l->dot.x + length * d.x, l->dot.y + length * d.y};
     *cost = farther * length / p->height;
-    return (roberts_vec2){l->of->at.x + off * d.x, l->of->at.y + off * d.y};
+    return (roberts_vec2){l->dot.x + off * d.x, l->dot.y + off * d.y};
 }
 
 /* ---- the labels ---- */

@@ -25,7 +25,7 @@ typedef struct label {
     roberts_vec2 middle;
     bool is_dropped; /* there is no room for it */
     bool has_leader;
-    roberts_vec2 leader; /* where the line from of->at to the label ends */
+    roberts_vec2 dot, leader; /* where the leader line begins, and where it ends beside the label */
 } label;
 
 /* The data for placing labels. */
@@ -61,7 +61,8 @@ bool label_has_descender(const char *text);
 size_t label_places(const target *of);
 roberts_vec2 label_place(const placing *p, const label *l, size_t i, double *cost);
 
-/* The same with a leader line, VERTEX_SIDES * LEADER_RINGS places; `*end` receives the end of that line. */
+/* The same with a leader line that begins at l->dot, VERTEX_SIDES * LEADER_RINGS places; `*end` receives the end of
+ * that line. */
 roberts_vec2 label_leader_place(const placing *p, const label *l, size_t i, roberts_vec2 *end, double *cost);
 
 /* ---- room for labels beside a drawing ---- */

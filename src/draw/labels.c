@@ -35,6 +35,10 @@ static const double on_label = 20.0; /* for a place on another label: then one o
 /* Heights of letters: places whose boxes are no farther apart read like two lines of one text, or like two words. */
 static const double apart_heights = 0.75;
 
+/* Heights of letters: a line nearer than this to the label of a face or body looks like an accent or a fraction bar. */
+static const double clear_heights = 0.5;
+static const double close = 0.7; /* cost of such a place: rather one that is two rings from the middle */
+
 /* The largest fraction of the labels that may be misplaced before smaller letters are tried. */
 static const double most_misplaced = 0.05;
 
@@ -78,11 +82,25 @@ static bool is_elsewhere(const placing *p, const label *l, const space_box *box,
            space_count_crossings(p->room, start, middle) > 0;
 }
 
-/* The cost of what is near by. */
+static bool is_area(const target *of)
+{
+    return of->kind == ROBERTS_LABEL_FACES || of->kind == ROBERTS_LABEL_BODIES;
+}
+
+/* Is a line or another label close to a box? */
+static bool is_close(const placing *p, const label *l, const space_box *box)
+{
+    const double more = clear_heights * p->height;
+    const space_box wide = {{box->min.x - more, box->min.y - more}, {box->max.x + more, box->max.y + more}};
+    return space_load_of(p->room, &wide, l->box, 0, ANYTHING).mm > 0.0;
+}
+
+/* The cost of what is near by. Vertices and edges have lines of their own there. */
 static double cost_of_neighbours(const placing *p, const label *l, const space_box *box, roberts_vec2 middle)
 {
     const double apart = apart_heights * p->height, near = space_to_next_box(p->room, box, l->box, apart);
-    return crowded * (1.0 - near / apart) + (is_elsewhere(p, l, box, middle) ? elsewhere : 0.0);
+    return crowded * (1.0 - near / apart) + (is_elsewhere(p, l, box, middle) ? elsewhere : 0.0) +
+           (is_area(l->of) && is_close(p, l, box) ? close : 0.0);
 }
 
 /* Finds the cheapest place, the first of several. False: there is none. */
@@ -151,15 +169,16 @@ static void drop_some(label *l, size_t count, free_space *r)
  * from there to a dot in the face (ISO 128-22). It goes through no label and crosses no other leader line. */
 
 enum {
-    LEADERS_FEW = 12,  /* so many are no thicket */
-    LEADERS_MOST = 100 /* so that the work is bounded: each is compared with the others */
+    LEADERS_FEW = 20,  /* so many are no thicket */
+    LEADERS_MOST = 100 /* labels that may ask for one: then the work is bounded */
 };
-static const double most_leaders = 0.4;    /* part of the labels: more would be a thicket, and then there are none */
-static const double leader_crowded = 2.0;  /* the most that a place costs for being near to another label */
-static const double leader_crossing = 1.0; /* cost of each line that a leader line crosses */
-static const double leader_on_face = 1.5;  /* cost of a place on a face that is seen, instead of the paper */
+static const double most_leaders = 0.4;         /* part of the labels: more would be a thicket */
+static const double leader_crowded = 2.0;       /* the most that a place costs for being near to another label */
+static const double leader_crossing = 1.0;      /* cost of each line that a leader line crosses */
+static const double leader_on_face = 3.0;       /* cost of a place on a face that is seen, instead of the paper */
 static const double leader_apart_heights = 3.0; /* heights of letters: other labels are near if they are nearer */
 static const double dot_radius = 0.3;           /* mm */
+static const double dot_apart = 0.5;            /* mm: a dot nearer than this to a line seems to be a point of it */
 
 static bool lies_on_lines(const placing *p, const label *l)
 {
@@ -169,20 +188,31 @@ static bool lies_on_lines(const placing *p, const label *l)
 
 static bool needs_leader(const placing *p, const label *l)
 {
-    const bool is_area = l->of->kind == ROBERTS_LABEL_FACES || l->of->kind == ROBERTS_LABEL_BODIES;
-    return is_area && (l->is_dropped || lies_on_lines(p, l));
+    return is_area(l->of) && (l->is_dropped || lies_on_lines(p, l));
+}
+
+/* What a dot needs. */
+static space_box dot_box(roberts_vec2 at)
+{
+    const double reach = dot_radius + dot_apart;
+    return (space_box){{at.x - reach, at.y - reach}, {at.x + reach, at.y + reach}};
 }
 
 /* Does a label in `box`, and its leader line to `end`, keep off the labels, and off the leader lines of others? */
 static bool leader_is_free(const placing *p, const label *l, const space_box *box, roberts_vec2 end, const label *list,
                            size_t count)
 {
-    if (space_line_meets_boxes(p->room, l->of->at, end, UINT32_MAX))
+    if (space_line_meets_boxes(p->room, l->dot, end, UINT32_MAX))
         return false;
-    for (size_t i = 0; i < count; i++)
-        if (list[i].has_leader && (space_lines_cross(l->of->at, end, list[i].of->at, list[i].leader) ||
-                                   space_line_meets_box(list[i].of->at, list[i].leader, box)))
+    const space_box own = dot_box(l->dot);
+    for (size_t i = 0; i < count; i++) {
+        const roberts_vec2 dot = list[i].dot, leader = list[i].leader;
+        const space_box other = dot_box(dot);
+        if (list[i].has_leader &&
+            (space_lines_cross(l->dot, end, dot, leader) || space_line_meets_box(dot, leader, box) ||
+             space_line_meets_box(dot, leader, &own) || space_line_meets_box(l->dot, end, &other)))
             return false;
+    }
     return true;
 }
 
@@ -190,7 +220,7 @@ static bool leader_is_free(const placing *p, const label *l, const space_box *bo
  * by, since what stands in another face seems to belong there. */
 static double leader_cost(const placing *p, const label *l, const space_box *box, roberts_vec2 end)
 {
-    const roberts_vec2 at = l->of->at;
+    const roberts_vec2 at = l->dot;
     const double length = vec2_length(end.x - at.x, end.y - at.y), apart = leader_apart_heights * p->height;
     double crossed = 0.0;
     for (int side = -1; side <= 1; side++) {
@@ -199,7 +229,8 @@ static double leader_cost(const placing *p, const label *l, const space_box *box
                                                  (roberts_vec2){end.x + off.x, end.y + off.y});
     }
     return leader_crossing * crossed / 3.0 +
-           leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart);
+           leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart) +
+           (is_close(p, l, box) ? close : 0.0);
 }
 
 /* Does a point lie on a face that is seen? Regions have the same corners along a common border and do not overlap, so
@@ -210,10 +241,25 @@ static bool is_on_face(const page_view *view, roberts_vec2 at)
     return page_rings_hold(regions->ring_count, regions->ring_start, regions->corner, page_picture(&view->map, at));
 }
 
-/* Moves a label, which is not in the room, to the cheapest free place with a leader line. False: no memory. */
-static bool lead_out(const placing *p, label *l, const label *list, size_t count)
+/* Where a leader line begins: in the middle of the region, or beside it if a line is there, a hidden one perhaps. */
+static roberts_vec2 dot_place(const placing *p, const label *l)
+{
+    for (size_t i = 0, places = label_places(l->of); i < places; i++) {
+        double cost;
+        const roberts_vec2 at = label_place(p, l, i, &cost);
+        const space_box box = dot_box(at);
+        if (!(space_load_of(p->room, &box, UINT32_MAX, 0, ANYTHING).mm > 0.0))
+            return at;
+    }
+    return l->of->at;
+}
+
+/* Moves a label, which is not in the room, to the cheapest free place with a leader line. Returns what that costs;
+ * infinite: there is none. */
+static double lead_out(const placing *p, label *l, const label *list, size_t count)
 {
     double least = INFINITY;
+    l->dot = dot_place(p, l);
     for (size_t i = 0; i < VERTEX_SIDES * LEADER_RINGS; i++) {
         double cost;
         roberts_vec2 end;
@@ -231,30 +277,61 @@ static bool lead_out(const placing *p, label *l, const label *list, size_t count
         }
     }
     l->has_leader = least < INFINITY;
-    return !l->has_leader || place_box(p, l);
+    return least;
 }
 
-/* Gives leader lines to labels that need them, unless too many do. False: no memory. */
+/* A label that needs a leader line, and what that would cost. */
+typedef struct leader_wish {
+    double cost;
+    size_t label;
+} leader_wish;
+
+static int by_cost(const void *a, const void *b)
+{
+    const leader_wish *p = a, *q = b;
+    return p->cost != q->cost ? (p->cost > q->cost) - (p->cost < q->cost)
+                              : (p->label > q->label) - (p->label < q->label);
+}
+
+/* Finds a place with a leader line for label i, as it would be without the label where it is now. */
+static double find_leader(const placing *p, label *l, size_t i, size_t count, label *led)
+{
+    *led = l[i];
+    if (!l[i].is_dropped)
+        space_drop_box(p->room, l[i].box);
+    led->is_dropped = false;
+    return lead_out(p, led, l, count);
+}
+
+/* Enters a label that has a box into the room again, where it was. */
+static bool put_back(const placing *p, label *l)
+{
+    return l->is_dropped || place_box(p, l);
+}
+
+/* Gives leader lines to labels that need them, cheapest first, but not to so many that they become a thicket. False: no
+ * memory. */
 static bool add_leaders(const placing *p, label *l, size_t count)
 {
-    size_t needed = 0;
-    for (size_t i = 0; i < count; i++)
-        needed += needs_leader(p, &l[i]);
-    if (needed > LEADERS_MOST || (needed > LEADERS_FEW && (double)needed > most_leaders * (double)count))
-        return true;
-    for (size_t i = 0; i < count; i++) {
-        const label before = l[i];
+    leader_wish wish[LEADERS_MOST];
+    size_t wishes = 0, left = (size_t)(most_leaders * (double)count);
+    label led;
+    left = left > LEADERS_FEW ? left : LEADERS_FEW;
+    for (size_t i = 0; i < count && wishes < LEADERS_MOST; i++) {
         if (!needs_leader(p, &l[i]))
             continue;
-        if (!l[i].is_dropped)
-            space_drop_box(p->room, l[i].box);
-        l[i].is_dropped = false;
-        if (!lead_out(p, &l[i], l, count))
+        wish[wishes++] = (leader_wish){find_leader(p, l, i, count, &led), i};
+        if (!put_back(p, &l[i]))
             return false;
-        if (l[i].has_leader)
-            continue;
-        l[i] = before;
-        if (!before.is_dropped && !place_box(p, &l[i]))
+    }
+    qsort(wish, wishes, sizeof wish[0], by_cost);
+    for (size_t k = 0; k < wishes && left > 0; k++) {
+        label *own = &l[wish[k].label];
+        if (find_leader(p, l, wish[k].label, count, &led) < INFINITY) {
+            *own = led;
+            left--;
+        }
+        if (!put_back(p, own))
             return false;
     }
     return true;
@@ -309,8 +386,8 @@ static bool add_note(strokes *s, const label *l, double height)
                             .along = TEXT_LEVEL};
     const roberts_name of = {.of = l->of->kind, .number = l->of->number, .other = l->of->other};
     const space_box box = label_box(l, l->middle);
-    if (l->has_leader && !(notes_add_line(&s->notes, l->of->at, l->leader, s->units_per_mm) &&
-                           notes_add_dot(&s->notes, l->of->at, dot_radius, s->units_per_mm)))
+    if (l->has_leader && !(notes_add_line(&s->notes, l->dot, l->leader, s->units_per_mm) &&
+                           notes_add_dot(&s->notes, l->dot, dot_radius, s->units_per_mm)))
         return false;
     return strokes_take(s, &box) && notes_add_label(&s->notes, &line, &of, l->of->is_back);
 }

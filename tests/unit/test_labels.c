@@ -453,6 +453,7 @@ static void see_model_to(cube *c, const char *model, const roberts_camera *camer
     assert_int_equal(roberts_mesh_read_file(&mesh, model, NULL, NULL), ROBERTS_OK);
     assert_int_equal(roberts_scene_take(&mesh, NULL, &scene, NULL), ROBERTS_OK);
     options.crease_degrees = crease_degrees;
+    options.keep_hidden = true;
     assert_int_equal(roberts_hide(scene, camera, &options, &c->drawing, NULL), ROBERTS_OK);
     assert_int_equal(roberts_regions(scene, camera, NULL, &c->regions, NULL), ROBERTS_OK);
     c->drawing.regions = &c->regions;
@@ -624,33 +625,77 @@ static void bodies_are_more_than_their_faces(void **state)
     }
 }
 
-/* Twelve leader lines are drawn, whatever part of the labels has them. Where most labels would need more, there are
- * none. Each face that is seen adds one. */
-static void no_thicket(void **state)
+/* The edge behind the middle of a prism's face is hidden. The face's label, and the dot of its leader line where the
+ * face is too narrow for it, keep off that line. */
+static void hidden_lines_are_avoided(void **state)
 {
-    enum { FACES = 27 };
-    const roberts_camera camera = {.dir = {0.5, 0.2, 1.2}};
-    roberts_name name[FACES];
-    cube c;
+    static const char *const text[] = {"1", "a name longer than its face"};
+    const roberts_camera camera = {.dir = {0.5, 0.8660254037844386, 0.2}};
     (void)state;
-    see_model(&c, "models/archimedean/icosidodecahedron.off", &camera);
-    for (uint32_t i = 0; i < FACES; i++)
-        name[i] = (roberts_name){ROBERTS_LABEL_FACES, i, 0, "longer name"};
-    for (size_t count = FACES - 1; count <= FACES; count++) {
+    for (size_t n = 0; n < 2; n++) {
+        const roberts_name face = {ROBERTS_LABEL_FACES, 2, 0, text[n]};
         told warnings = {0};
         roberts_draw_options options = options_of(0, 0, &warnings);
+        cube c;
         strokes s;
-        options.page = (roberts_page){200, 200, 10};
-        options.placement.scale = 15.0;
-        options.lettering.name = name;
-        options.lettering.name_count = count;
+        options.page = (roberts_page){250, 60, 10};
+        options.hidden = ROBERTS_HIDDEN_DASHED;
         options.lettering.height_mm = 3.5;
+        options.lettering.name = &face;
+        options.lettering.name_count = 1;
+        see_model(&c, "models/prisms/prism-3.off", &camera);
         assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
-        assert_int_equal(s.notes.lines.count / 2, count < FACES ? 12 : 0);
-        assert_int_equal(s.notes.count, 14); /* the fifteenth label has no room */
+        assert_int_equal(s.notes.count, 1);
+        assert_int_equal(s.notes.lines.count, 2 * n);
+        const page_point *dot = s.notes.lines.point;
+        const roberts_vec2 at = n > 0 ? (roberts_vec2){dot->x / 1000.0, dot->y / 1000.0} : (roberts_vec2){0.0, 0.0};
+        space_box box = n > 0 ? (space_box){at, at} : letters_box(notes_line(&s.notes, 0));
+        const double off = n > 0 ? 0.7 : 0.5 * 3.5; /* mm */
+        box = (space_box){{box.min.x - off, box.min.y - off}, {box.max.x + off, box.max.y + off}};
+        size_t hidden = 0;
+        for (size_t i = 0; i < c.drawing.count; i++) {
+            const roberts_segment *line = &c.drawing.segment[i];
+            hidden += line->state == ROBERTS_HIDDEN;
+            assert_false(goes_through(page_place(&s.map, line->p0), page_place(&s.map, line->p1), box));
+        }
+        assert_true(hidden > 0);
         strokes_free(&s);
+        free_cube(&c);
     }
-    free_cube(&c);
+}
+
+/* Where more than twenty labels need a leader line, the twenty that cost least get one. */
+static void no_thicket(void **state)
+{
+    static const struct {
+        const char *model, *text;
+        double scale;
+        size_t labels, leaders;
+    } row[] = {{"models/archimedean/icosidodecahedron.off", "longer name", 15, 16, 14},
+               {"models/archimedean/snub-dodecahedron.off", "name", 25, 25, 20}};
+    enum { FACES = 92 };
+    const roberts_camera camera = {.dir = {0.5, 0.2, 1.2}};
+    (void)state;
+    for (size_t n = 0; n < sizeof row / sizeof row[0]; n++) {
+        roberts_name name[FACES];
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        cube c;
+        strokes s;
+        for (uint32_t i = 0; i < FACES; i++)
+            name[i] = (roberts_name){ROBERTS_LABEL_FACES, i, 0, row[n].text};
+        options.page = (roberts_page){200, 200, 10};
+        options.placement.scale = row[n].scale;
+        options.lettering.name = name;
+        options.lettering.name_count = FACES;
+        options.lettering.height_mm = 3.5;
+        see_model(&c, row[n].model, &camera);
+        assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(s.notes.lines.count / 2, row[n].leaders);
+        assert_int_equal(s.notes.count, row[n].labels);
+        strokes_free(&s);
+        free_cube(&c);
+    }
 }
 
 /* Whether a line that is seen lies between a vertex and its label. */
@@ -840,6 +885,7 @@ int main(void)
                                        cmocka_unit_test(fitted_with_its_labels),
                                        cmocka_unit_test(sheet_with_its_labels),
                                        cmocka_unit_test(narrow_faces),
+                                       cmocka_unit_test(hidden_lines_are_avoided),
                                        cmocka_unit_test(no_thicket),
                                        cmocka_unit_test(bodies_are_more_than_their_faces),
                                        cmocka_unit_test(lines_that_cross)};
