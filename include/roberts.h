@@ -1051,9 +1051,9 @@ typedef struct roberts_draw_options {
     roberts_format format; /**< default: ROBERTS_SVG */
     roberts_hidden hidden; /**< default: ROBERTS_HIDDEN_NONE */
     roberts_page page;     /**< default: A4, upright, margins of 10 mm */
-    bool crop; /**< the drawing is laid on this page, which is then cut to the drawing and its margins; at a given scale
-                    labels get further room. Default: false. Alignment then has no effect. Sheets, and drawings with a
-                    field of view, are not cut */
+    bool crop; /**< the drawing is laid on this page, which is then cut to the drawing, its labels and its margins.
+                    Default: false. Alignment then has no effect. Sheets, and drawings with a field of view, are not
+                    cut */
     roberts_pen outline;           /**< default: 0.5 mm */
     roberts_pen border;            /**< edges of one face; default: 0.5 mm */
     roberts_pen crease;            /**< default: 0.35 mm */

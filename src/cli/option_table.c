@@ -406,10 +406,10 @@ static const option rows[] = {
      TO(draw.crop),
      .excludes = "sheet fov",
      .brief = "cut the page to the drawing",
-     .help = "cut the page to the drawing and its margins",
-     .manual = "Lays the drawing on the page and then cuts the page to the drawing and its margins, for a figure in a "
-               "text or on a web page. --page limits its size. Labels beside the drawing may need a wider --margin. "
-               "The bounding box of eps has no margins: it is that of the lines."},
+     .help = "cut the page to the drawing, its labels and its margins",
+     .manual = "Lays the drawing on the page and then cuts the page to the drawing, its labels and its margins, for a "
+               "figure in a text or on a web page. --page limits its size. The bounding box of eps has no margins: it "
+               "is that of the lines."},
     {.group = GROUP_PAGE,
      .name = "margin",
      .flags = OPTION_DRAWS | OPTION_PAPER,

@@ -5,6 +5,7 @@
  * twice. */
 #include "draw/free_space.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -272,6 +273,16 @@ double space_to_next_box(const free_space *r, const space_box *box, uint32_t own
                     least = lesser(least, vec2_length(greater(dx, 0.0), greater(dy, 0.0)));
             }
     return least;
+}
+
+bool space_meets_line(const free_space *r, const space_box *box)
+{
+    const cells in = cells_of(r, box);
+    double mm = 0.0;
+    for (uint32_t y = in.low_y; y <= in.high_y; y++)
+        for (uint32_t x = in.low_x; x <= in.high_x && mm <= 0.0; x++)
+            add_lines(r, box, x, y, DBL_MIN, &mm);
+    return mm > 0.0;
 }
 
 bool space_lines_cross(roberts_vec2 a, roberts_vec2 b, roberts_vec2 c, roberts_vec2 d)

@@ -46,6 +46,9 @@ space_load space_load_of(const free_space *r, const space_box *box, uint32_t own
 /* How far the nearest box is from `box`, at most `most` mm; 0: it overlaps. The box of number `own` does not count. */
 double space_to_next_box(const free_space *r, const space_box *box, uint32_t own, double most);
 
+/* Has a line a part within `box`? Here the box may leave `within`. */
+bool space_meets_line(const free_space *r, const space_box *box);
+
 /* How many lines cross the one from a to b. One that ends on it does not. */
 size_t space_count_crossings(const free_space *r, roberts_vec2 a, roberts_vec2 b);
 

@@ -87,12 +87,12 @@ static bool is_area(const target *of)
     return of->kind == ROBERTS_LABEL_FACES || of->kind == ROBERTS_LABEL_BODIES;
 }
 
-/* Is a line or another label close to a box? */
-static bool is_close(const placing *p, const label *l, const space_box *box)
+/* Is a line close to a box? */
+static bool is_close(const placing *p, const space_box *box)
 {
     const double more = clear_heights * p->height;
     const space_box wide = {{box->min.x - more, box->min.y - more}, {box->max.x + more, box->max.y + more}};
-    return space_load_of(p->room, &wide, l->box, 0, ANYTHING).mm > 0.0;
+    return space_meets_line(p->room, &wide);
 }
 
 /* The cost of what is near by. Vertices and edges have lines of their own there. */
@@ -100,7 +100,7 @@ static double cost_of_neighbours(const placing *p, const label *l, const space_b
 {
     const double apart = apart_heights * p->height, near = space_to_next_box(p->room, box, l->box, apart);
     return crowded * (1.0 - near / apart) + (is_elsewhere(p, l, box, middle) ? elsewhere : 0.0) +
-           (is_area(l->of) && is_close(p, l, box) ? close : 0.0);
+           (is_area(l->of) && is_close(p, box) ? close : 0.0);
 }
 
 /* Finds the cheapest place, the first of several. False: there is none. */
@@ -230,7 +230,7 @@ static double leader_cost(const placing *p, const label *l, const space_box *box
     }
     return leader_crossing * crossed / 3.0 +
            leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart) +
-           (is_close(p, l, box) ? close : 0.0);
+           (is_close(p, box) ? close : 0.0);
 }
 
 /* Does a point lie on a face that is seen? Regions have the same corners along a common border and do not overlap, so

@@ -599,18 +599,64 @@ static void warn_tiny(const strokes *s)
     to->warn(to->context, "", 0, text);
 }
 
-/* Cuts the page to the box of the drawing and the margins of `page`, which is laid out already. No line leaves it, and
- * at a given scale there is room for labels. */
-static void crop(strokes *s, const roberts_page *page, double widest, roberts_vec2 min, roberts_vec2 max)
+/* Finds the box of the labels, where they lie if the page is not cut; mm. It is empty if there are none. False: no
+ * memory. */
+static bool find_label_box(const strokes *s, space_box *box)
+{
+    roberts_draw_options quiet = *s->options;
+    strokes trial = *s;
+    pieces p = {.item = alloc_array(count_segments(s->drawing), sizeof *p.item)};
+    quiet.lettering.warnings = (roberts_warnings){0};
+    trial.options = &quiet;
+    if (p.item)
+        collect(&trial, &trial.view[0], 0, &p);
+    free_space *room = p.item ? text_room(&trial, &p) : NULL;
+    const bool done = room && labels_add(&trial, room);
+    *box = (space_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t i = 0; i < trial.taken_count; i++) {
+        const space_box *one = &trial.taken[i];
+        *box = (space_box){{fmin(box->min.x, one->min.x), fmin(box->min.y, one->min.y)},
+                           {fmax(box->max.x, one->max.x), fmax(box->max.y, one->max.y)}};
+    }
+    space_free(room);
+    free(p.item);
+    strokes_free(&trial);
+    return done;
+}
+
+/* Cuts one side of the page to a drawing that reaches so far from its middle, and to labels from least to most with a
+ * margin; their own; mm. `middle` is what has been the drawing's middle. Returns the new length. */
+static double crop_side(double reach, double least, double most, double margin, double length, double *middle)
+{
+    const double slack = 1e-3; /* so that rounding puts no label into the margins */
+    double from = -greater(reach, 0.5), to = greater(reach, 0.5);
+    from = lesser(from, least - margin - slack - *middle);
+    to = greater(to, most + margin + slack - *middle);
+    from = greater(from, -*middle);
+    to = lesser(to, length - *middle);
+    *middle = -from;
+    return to - from;
+}
+
+/* Cuts the page to the drawing, its labels and the margins of `page`, on which it is laid already. No line leaves the
+ * cut page. In a series, labels get room that does not depend on them. False: no memory. */
+static bool crop(strokes *s, const roberts_page *page, double widest, roberts_vec2 min, roberts_vec2 max)
 {
     const roberts_page *whole = &s->options->page;
-    const double scale = page_scale(&s->map),
-                 room = s->options->placement.scale != 0.0 ? labels_reach(s->options) : 0.0;
-    const double around = 2.0 * fmax(page->margin_mm + room, widest / 2.0);
-    s->page.width_mm = fmin(fmax(1.0, scale * (max.x - min.x) + around), whole->width_mm);
-    s->page.height_mm = fmin(fmax(1.0, scale * (max.y - min.y) + around), whole->height_mm);
-    s->map.page_mm = (roberts_vec2){s->page.width_mm / 2.0, s->page.height_mm / 2.0};
+    const double half = 0.5 * page_scale(&s->map),
+                 room = s->drawing->windowed && s->options->placement.scale != 0.0 ? labels_reach(s->options) : 0.0;
+    const double around = fmax(page->margin_mm + room, widest / 2.0);
+    const roberts_vec2 reach = {half * (max.x - min.x) + around, half * (max.y - min.y) + around};
+    space_box labels = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    if (labels_wanted(s) && !s->drawing->windowed && !lacks_regions(s) && !find_label_box(s, &labels))
+        return false;
+    s->page.width_mm =
+        crop_side(reach.x, labels.min.x, labels.max.x, whole->margin_mm, whole->width_mm, &s->map.page_mm.x);
+    s->page.height_mm =
+        crop_side(reach.y, labels.min.y, labels.max.y, whole->margin_mm, whole->height_mm, &s->map.page_mm.y);
+    s->view[0].map = s->map;
     s->frame_mm[1] = (roberts_vec2){s->page.width_mm - whole->margin_mm, s->page.height_mm - whole->margin_mm};
+    return true;
 }
 
 roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const roberts_draw_options *options,
@@ -619,6 +665,7 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     roberts_vec2 min, max;
     roberts_drawing shaped = *drawing;
     roberts_page page = page_within_frame(drawing, options);
+    roberts_placement placement = options->placement;
     const double widest = widest_pen(&drawing, 1, options);
     if (!drawing->framed) /* a field of view is cut off at the border anyway */
         page = page_within_edge(page, widest, options);
@@ -630,15 +677,17 @@ roberts_status strokes_make(strokes *s, const roberts_drawing *drawing, const ro
     if (!drawing->framed && !drawing->windowed && options->placement.scale == 0.0 &&
         !labels_make_room(drawing, options, &page, &min, &max, &s->label_mm))
         return error_no_memory(error);
-    if (!page_lay(&page, &options->placement, min, max, &s->map, error))
-        return ROBERTS_BAD_ARGUMENT;
     if (options->crop && !drawing->framed)
-        crop(s, &page, widest, min, max);
+        placement.align_x = placement.align_y = 0;
+    if (!page_lay(&page, &placement, min, max, &s->map, error))
+        return ROBERTS_BAD_ARGUMENT;
+    s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
+    if (options->crop && !drawing->framed && !crop(s, &page, widest, min, max))
+        return error_no_memory(error);
     if (drawing->framed) {
         s->frame_mm[0] = page_place(&s->map, (roberts_vec2){min.x, max.y});
         s->frame_mm[1] = page_place(&s->map, (roberts_vec2){max.x, min.y});
     }
-    s->view[s->views++] = (page_view){.drawing = drawing, .map = s->map, .low = min, .high = max};
     if (!drawing->framed)
         warn_tiny(s);
     if (!drawing->framed && !zones_add(s))

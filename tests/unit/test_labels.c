@@ -664,6 +664,47 @@ static void hidden_lines_are_avoided(void **state)
     }
 }
 
+/* A page is cut to the drawing, its labels and the margins. The label of the prism's face stands at the end of a leader
+ * line, beside the drawing. A label without room is told once. */
+static void cropped_with_labels(void **state)
+{
+    static const double margin[] = {2.0, 10.0};
+    const roberts_camera camera = {.dir = {0.5, 0.8660254037844386, 0.2}};
+    (void)state;
+    for (size_t n = 0; n < 6; n++) {
+        const roberts_name face = {ROBERTS_LABEL_FACES, 2, 0, "a name longer than its face"};
+        const bool has_room = n < 4;
+        told warnings = {0};
+        roberts_draw_options options = options_of(0, 0, &warnings);
+        cube c;
+        strokes s;
+        options.placement.scale = n % 4 > 1 ? 15.0 : 0.0;
+        options.page = (roberts_page){has_room ? 250.0 : 60.0, n % 4 > 1 ? 90.0 : 60.0, margin[n % 2]};
+        options.crop = true;
+        options.lettering = (roberts_lettering){
+            .name = &face, .name_count = 1, .height_mm = has_room ? 3.5 : 20.0, .warnings = options.lettering.warnings};
+        see_model(&c, "models/prisms/prism-3.off", &camera);
+        assert_int_equal(strokes_make(&s, &c.drawing, &options, NULL), ROBERTS_OK);
+        assert_int_equal(warnings.count, !has_room);
+        assert_int_equal(s.notes.count, has_room);
+        const roberts_vec2 a = page_place(&s.map, c.drawing.window_min), b = page_place(&s.map, c.drawing.window_max);
+        space_box ink = {{a.x, b.y}, {b.x, a.y}};
+        if (has_room) {
+            const space_box box = letters_box(notes_line(&s.notes, 0));
+            ink = (space_box){{fmin(ink.min.x, box.min.x), fmin(ink.min.y, box.min.y)},
+                              {fmax(ink.max.x, box.max.x), fmax(ink.max.y, box.max.y)}};
+            assert_true(is_apart(box, (space_box){{a.x, b.y}, {b.x, a.y}}));
+        }
+        const double m = margin[n % 2], most = m + 1.5; /* mm: some space is kept round letters */
+        assert_true(ink.min.x > m - 1e-6 && ink.min.x < most && s.page.width_mm - ink.max.x > m - 1e-6 &&
+                    s.page.width_mm - ink.max.x < most);
+        assert_true(ink.min.y > m - 1e-6 && ink.min.y < most && s.page.height_mm - ink.max.y > m - 1e-6 &&
+                    s.page.height_mm - ink.max.y < most);
+        strokes_free(&s);
+        free_cube(&c);
+    }
+}
+
 /* Where more than twenty labels need a leader line, the twenty that cost least get one. */
 static void no_thicket(void **state)
 {
@@ -886,6 +927,7 @@ int main(void)
                                        cmocka_unit_test(sheet_with_its_labels),
                                        cmocka_unit_test(narrow_faces),
                                        cmocka_unit_test(hidden_lines_are_avoided),
+                                       cmocka_unit_test(cropped_with_labels),
                                        cmocka_unit_test(no_thicket),
                                        cmocka_unit_test(bodies_are_more_than_their_faces),
                                        cmocka_unit_test(lines_that_cross)};
