@@ -191,6 +191,8 @@ class Scenes(unittest.TestCase):
         for option, meant in ({"odd": 1}, "background"), ({"label": "vertices"}, "labels"), ({"colour": 1}, "columns"):
             with self.assertRaisesRegex(TypeError, rf"^there is no '{[*option][0]}'[;.] .*\b{meant}\b"):
                 scene.hide().svg(**option)
+        with self.assertRaisesRegex(TypeError, "no 'crease'; did you mean crease_auto or crease_degrees[?] There are "):
+            scene.hide(crease=30)
         with self.assertRaisesRegex(TypeError, "did you mean unite[?] There are all_edges, .*crease_degrees, "):
             scene.hide(union=True)
         with self.assertRaisesRegex(TypeError, "^hatch: there is no 'spacing'; did you mean spacing_mm[?] "):
@@ -312,6 +314,26 @@ class Pages(unittest.TestCase):
             self.same(scene.hide(unite=True), path, "--style", "outline:width=0.7,color=#ff0000", "--page", "100x80",
                       "--margin", "5", "--group", "element", "--union", page=(100, 80, 5), group="element",
                       pens={"outline": {"width": 0.7, "color": (255, 0, 0)}})
+
+    def test_turntable(self):
+        """A wedge that is far from symmetrical: its pictures have one scale, and its middle one place."""
+        wedge = b"OFF\n6 5 0\n0 0 0\n4 0 0\n0 1 0\n4 1 0\n0 0 2\n0 1 2\n" \
+                b"4 0 2 3 1\n3 0 1 4\n3 2 5 3\n4 0 4 5 2\n4 1 3 5 4\n"
+        path = os.path.join(HERE, "wedge.off")
+        with open(path, "wb") as file:
+            file.write(wedge)
+        for where, arguments in ((roberts.view(azimuth=10, elevation=20), ("--azimuth", "10", "--elevation", "20")),
+                                 (roberts.view(eye=(9, -7, 5)), ("--eye", "9,-7,5"))):
+            program(path, "--turntable", "5", *arguments, "-o", os.path.join(HERE, "turned-%d.svg"))
+            drawings = list(roberts.read(path).turntable(5, where))
+            self.assertEqual(len(drawings), 5)
+            for number, drawing in enumerate(drawings):
+                with open(os.path.join(HERE, f"turned-{number}.svg"), encoding="utf-8") as file:
+                    expected = file.read()
+                about = html.unescape(re.search("<desc>(.*?)</desc>", expected).group(1))
+                self.assertEqual(drawing.svg(description=about), expected)
+        with self.assertRaisesRegex(ValueError, "^turntable: 0 pictures"):
+            roberts.read(CUBE).turntable(0)
 
     def test_labels(self):
         drawing = roberts.read(CUBE).hide()

@@ -22,7 +22,7 @@ import os
 import re
 import warnings as _warnings
 import weakref
-from typing import Any, Mapping, Optional, Sequence, Union
+from typing import Any, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as np
 
@@ -125,8 +125,8 @@ def _set(struct: Any, name: str, value: Any, what: str) -> None:
 
 def _unknown(what: str, name: str, names: Sequence[str]) -> TypeError:
     """There is no such name; says which ones there are, and which one was probably meant."""
-    meant = difflib.get_close_matches(name, names, 1, 0.5)
-    return TypeError(f"{what}there is no {name!r}" + (f"; did you mean {meant[0]}?" if meant else ".") +
+    meant = [one for one in names if one.startswith(name + "_")] or difflib.get_close_matches(name, names, 1, 0.5)
+    return TypeError(f"{what}there is no {name!r}" + (f"; did you mean {' or '.join(meant)}?" if meant else ".") +
                      f" There are {', '.join(names)}")
 
 
@@ -337,6 +337,28 @@ class Scene:
         Raises Error, MemoryError.
         """
         return Drawing(self, _camera(where), options)
+
+    def turntable(self, count: int, where: ViewLike = None, **options: Any) -> Iterator[Drawing]:
+        """`count` drawings, one after another, of the scene as it turns once about the upright line through its middle.
+
+        All share one window: on pages of one size they have one scale, and the middle keeps its place. The first is
+        seen by `where`.
+        options  see hide()
+        Raises Error, MemoryError, ValueError.
+        """
+        if count < 1:
+            raise ValueError(f"turntable: {count} pictures are none")
+        cameras = [c.camera.from_buffer_copy(_camera(where)) for _ in range(count)]
+        low, high, framed = c.vec2(), c.vec2(), ctypes.c_bool()
+        windows = []
+        for step, camera in enumerate(cameras):
+            c.lib.roberts_camera_turn(self._handle, 360.0 * step / count, ctypes.byref(camera))
+            c.check("window", self._handle, ctypes.byref(camera), ctypes.byref(low), ctypes.byref(high),
+                    ctypes.byref(framed))
+            windows.append((low.x, low.y, high.x, high.y, framed.value))
+        x0, y0, x1, y1, frames = zip(*windows)
+        window = c.vec2(min(x0), min(y0)), c.vec2(max(x1), max(y1)), any(frames)
+        return (Drawing(self, camera, options)._within(*window) for camera in cameras)
 
     def sheet(self, angle: str = "first", **options: Any) -> Sheet:
         """The front, the top, the side and the isometric view, for one page.
@@ -612,6 +634,12 @@ class Drawing(_Drawable):
 
     def __len__(self) -> int:
         return self._drawing.count
+
+    def _within(self, low: c.vec2, high: c.vec2, framed: bool) -> Drawing:
+        """Gives the drawing a window that others share. Returns the drawing."""
+        self._drawing.window_min, self._drawing.window_max = low, high
+        self._drawing.windowed, self._drawing.framed = True, framed
+        return self
 
     def _drawings(self) -> list[Drawing]:
         return [self]
