@@ -151,6 +151,8 @@ const painted = await draw(text.encode("mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\
 });
 assert.ok(painted.svg.includes('fill="#00ff00"'));
 await assert.rejects(draw(cube, { regions: "no/regions.json" }), { message: /No such file or directory/ });
+await assert.rejects(draw(cube, { labels: "x.csv" }), { message: "roberts: x.csv: there is no such file in `files`" });
+await assert.rejects(draw(cube, { turntable: 3 }), { message: /needs a name .*: output: "turn-%03d.svg"/ });
 
 assert.deepEqual(toArguments({ allEdges: true, quiet: false, style: ["hidden:off", "wire:off"], eye: [1, 2, 3] }), [
   "--all-edges",

@@ -68,10 +68,13 @@ export function toArguments(options = {}) {
 
 /* What the program says, of an option as it is called here. */
 function inOptions(message) {
-  return message.replace(/--([\w-]+) needs a value, but .*/, (_, long) => {
-    const name = long.replace(/-./g, (part) => part[1].toUpperCase());
-    return `${name} needs a value other than true`;
-  });
+  return message
+    .replace(/--([\w-]+) needs a value, but .*/, (_, long) => {
+      const name = long.replace(/-./g, (part) => part[1].toUpperCase());
+      return `${name} needs a value other than true`;
+    })
+    .replace(/-o (\S*%\S*)/g, 'output: "$1"')
+    .replace(/^(roberts: [^:]*): No such file or directory$/gm, "$1: there is no such file in `files`");
 }
 
 export async function save(bytes, format, options = {}) {
