@@ -214,6 +214,23 @@ static bool is_closed(const assembly *a, const uint8_t *open, uint32_t s)
     return open[s] == OPENING_NONE && !(a->group && a->group[vertex] > 0);
 }
 
+/* Gives each closed component that is not convex a group of its own, where there are others. Its faces may cross or
+ * touch themselves, and then their pieces have sides with an odd number of faces: these are not compared with the edges
+ * of other bodies. False: no memory. */
+static bool group_closed(assembly *a, const uint8_t *open, const uint8_t *convex)
+{
+    const roberts_scene *scene = a->scene;
+    for (uint32_t s = 0; scene->solid_count > 1 && s < scene->solid_count; s++) {
+        if (convex[s] || !is_closed(a, open, s))
+            continue;
+        if (!a->group && !(a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group)))
+            return false;
+        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
+            a->group[scene_vertex_number(scene, v)] = s + 1;
+    }
+    return true;
+}
+
 /* Lays out the components, and lists the faces of those that are not convex solids. known: some component is known not
  * to be one. */
 static roberts_status sort_components(assembly *a, bool known, roberts_error *error)
@@ -256,6 +273,8 @@ static roberts_status sort_components(assembly *a, bool known, roberts_error *er
             a->listed[scene_face_number(a->scene, f)] = convex[s]               ? LISTED_NOT
                                                         : is_closed(a, open, s) ? LISTED_CLOSED
                                                                                 : LISTED;
+    if (status == ROBERTS_OK && !group_closed(a, open, convex))
+        status = ROBERTS_NO_MEMORY;
     drop_shapes(a->scene);
 done:
     free(open);

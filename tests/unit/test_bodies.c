@@ -51,6 +51,13 @@ typedef struct body_case {
     L_SIDES(a, b, c, d, e, f, A, B, C, D, E, F)                                                                        \
     "6 " #f " " #e " " #d " " #c " " #b " " #a "\n6 " #A " " #B " " #C " " #D " " #E " " #F "\n"
 
+/* Blocks whose top has a corner on one of its sides. */
+#define V_RING(z) "0 0 " #z "\n4 0 " #z "\n4 3 " #z "\n2 0 " #z "\n0 3 " #z "\n"
+#define V_BLOCK_ON(a, b, c, d, e, A, B, C, D, E)                                                                       \
+    "5 " #e " " #d " " #c " " #b " " #a "\n5 " #A " " #B " " #C " " #D " " #E "\n4 " #a " " #b " " #B " " #A "\n4 " #b \
+    " " #c " " #C " " #B "\n4 " #c " " #d " " #D " " #C "\n4 " #d " " #e " " #E " " #D "\n4 " #e " " #a " " #A " " #E  \
+    "\n"
+
 /* Lengths are measured in the picture: an edge along the line of sight has none. */
 static const body_case cases[] = {
     {"a sheet", "OFF\n" SQUARE, TOP, "o", 0, 4, 0, 0, false, false},
@@ -148,6 +155,10 @@ static const body_case cases[] = {
      "OFF\n" L_BLOCKS(17) L_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11)
          L_BLOCK_ON(6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17) "3 6 18 19\n",
      TOP, "cco", 8, 2 + ROOT_2, 0, 0, false, false},
+    {"two solids upon one another, a corner of each on a side of its own",
+     "OFF\n20 14 0\n" V_RING(0) V_RING(1) V_RING(1) V_RING(2) V_BLOCK_ON(0, 1, 2, 3, 4, 5, 6, 7, 8, 9)
+         V_BLOCK_ON(10, 11, 12, 13, 14, 15, 16, 17, 18, 19),
+     TOP, "cc", 10 + 2 * ROOT_13, 0, 0, 0, false, false},
     {"sides on one line, which another side crosses",
      "OFF\n6 1 0\n0 2 0\n1 1 0\n3 3 0\n0 1 0\n2 0 0\n1 3 0\n7 0 1 2 3 0 4 5\n", TOP, "o", 0,
      (0.4 + 1 + 1 + 1.5) * ROOT_2 + 1 + (6.0 / 11 + 0.2) * ROOT_13 + (0.5 + 4.0 / 11) * ROOT_10, 0, 0, false, false},
