@@ -7,8 +7,9 @@
  *   usemtl name             the faces that follow have the colour Kd of this material
  *   mtllib name             the file beside this one with the materials; without it there are no colours
  *
- * Lines with other keywords are skipped. A backslash at the end of a line joins the next line to it. '#' begins a
- * comment where a word could begin. OBJ counts vertices from 1; here, as in the other formats, they count from 0.
+ * Lines with other keywords are skipped. '#' begins a comment where a word could begin. A backslash at the end of a
+ * line joins the next line to it, but not at the end of a comment. OBJ counts vertices from 1; here, as in the other
+ * formats, they count from 0.
  *
  * Source: "Object Files", appendix B1 of the manual of Wavefront's Advanced Visualizer, 1995. */
 #include "read/obj.h"
@@ -134,15 +135,16 @@ static void read_diffuse(obj_materials *m, input *in)
             (roberts_color){.count = COLOR, .value = {(float)value[0], (float)value[1], (float)value[2]}};
 }
 
-/* Moves to the end of the line, past lines joined to it. False: the line does not end. */
+/* Moves to the end of the line, past lines joined to it. A comment joins none: it may end in a Windows path. False: the
+ * line does not end. */
 static bool pass_line(input *in)
 {
     uint64_t start = in->taken;
-    for (;;) {
+    for (bool comment = false;;) {
         const char *c = in->at;
-        while (c < in->end && *c != '\n' && *c != '\r')
-            c++;
-        bool backslash = c > in->at && c[-1] == '\\';
+        for (; c < in->end && *c != '\n' && *c != '\r'; c++)
+            comment = comment || *c == '#';
+        bool backslash = !comment && c > in->at && c[-1] == '\\';
         in->at = backslash ? c - 1 : c; /* the end of the line may be in the next block */
         if (c < in->end && !backslash)
             return in->taken - start <= INPUT_BLANK_MAX;

@@ -31,6 +31,8 @@ static const read_good good[] = {
     {"numbers that are no colour", "v 1 2 3 255 0 0\n", 0, "1,2,3", NULL},
     {"comments", "# made by\nv 0 0 0 # first\nv 1 0 0 #second\nv 0 1 0\nf 1 2 3 # all\n#end", 0, THREE_TEXT " | 0-1-2",
      NULL},
+    {"comments that end in a backslash", THREE "# C:\\a\\\nf 1 2 3 # C:\\b\\\nvn 0 0 1 # C:\\c\\\nf 3 2 1\n", 0,
+     THREE_TEXT " | 0-1-2 2-1-0", NULL},
     {"joined lines", "v 0 \\\n 0 \\\r\n 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2\\\n 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"a joined line that is passed", THREE "vn 0 0 \\\n1\nf 1 2 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"... and comes in pieces", THREE "vn 1\\\nv\nf 1 2 3\nvn 1\\", 0, THREE_TEXT " | 0-1-2",
