@@ -432,7 +432,7 @@ typedef struct roberts_tally {
     uint64_t test3_visible;   /**< outside one side */
     uint64_t test3_invisible; /**< inside all sides (up to where the edge pierces the face) */
     uint64_t test4;           /**< cut at the crossings */
-    uint64_t covered;         /**< edges dropped without a test, because they lie behind covers */
+    uint64_t covered;         /**< edges dropped without a test: behind covers, or at the back of a body */
     uint64_t pierced;         /**< hidden parts that end where the edge pierces a face; like the other counts, it
                                    depends on the grid, since what is already hidden is not tested again */
     uint64_t refined;         /**< signs and crossings computed again in twice the precision */

@@ -820,6 +820,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
                           : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
+    c->simple = filter.simple;
+    filter.simple = NULL;
     for (int i = 0; finders && i < count; i++) {
         crossing_list_free(&finders[i].found);
         crossing_kept_free(&finders[i].last);
@@ -841,6 +843,7 @@ void crossings_free(crossings *c)
     free(c->item);
     free(c->end);
     free(c->name);
+    free(c->simple);
     united_free(&c->pieces);
     *c = (crossings){0};
 }

@@ -306,6 +306,23 @@ static bool drop_covered(const hide_job *job, hide_worker *w, uint32_t body)
     return true;
 }
 
+/* Returns the facing of those faces of a body that surely lie behind its others; VIEW_UNKNOWN: none do. A line of sight
+ * enters and leaves a closed body by turns, if its faces are wound alike and do not cross. */
+static unsigned char back_facing(const hide_job *job, uint32_t body)
+{
+    const uint8_t *simple = job->crossings.simple;
+    return simple && simple[body] ? hide_late_facing(&job->fronts, body) : VIEW_UNKNOWN;
+}
+
+/* Does the line of an edge lie behind its own body, since both its faces do? back: see back_facing(). */
+BITS_INLINE bool is_behind_body(const seen_walk *walk, const seen_line *line, unsigned char back)
+{
+    if (back == VIEW_UNKNOWN)
+        return false;
+    const scene_edge *edge = scene_edge_stored(walk->of->scene, walk->body, line->edge);
+    return walk->facing[edge->f[0]] == back && walk->facing[edge->f[1]] == back;
+}
+
 /* Hides all of a line behind its own body. False: no memory. */
 static bool hide_wholly(hide_line *line, uint32_t body)
 {
@@ -319,6 +336,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
 {
     const roberts_vec3 *P = job->fronts.P;
     const line_covers covers = covers_of(job, walk->body);
+    const unsigned char back = slow ? back_facing(job, walk->body) : VIEW_UNKNOWN;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))
@@ -330,7 +348,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             continue;
         }
         w->drawn++;
-        if (covers.count > 0 && is_covered(&covers, P[is->v[0]], P[is->v[1]])) {
+        if (is_behind_body(walk, is, back) || (covers.count > 0 && is_covered(&covers, P[is->v[0]], P[is->v[1]]))) {
             w->sides.tally.covered++;
             continue;
         }

@@ -2,6 +2,7 @@
 #include "hide/star_bodies.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "build_scene.h"
 #include "scenes.h"
@@ -115,12 +116,88 @@ static void bodies_that_cross_give_lines(void **state)
     }
 }
 
+/* Do both drawings have the same visible segments, in the same order? */
+static bool same_visible(const roberts_drawing *few, const roberts_drawing *all)
+{
+    size_t at = 0;
+    for (size_t i = 0; i < all->count; i++) {
+        const roberts_segment *a = &all->segment[i];
+        if (a->state != ROBERTS_VISIBLE)
+            continue;
+        const roberts_segment *b = at < few->count ? &few->segment[at++] : NULL;
+        if (!b || a->line != b->line || memcmp(&a->p0, &b->p0, sizeof a->p0) != 0 ||
+            memcmp(&a->p1, &b->p1, sizeof a->p1) != 0)
+            return false;
+    }
+    return at == few->count;
+}
+
+enum { ROUND = 12, RINGS = 7 };
+
+/* Balls of triangles, copies of one another along x. Every third corner of a ring lies deeper by `dent`. */
+static roberts_scene *scene_of_balls(int copies, double dent, bool inward)
+{
+    static char text[40000];
+    const int corners = ROUND * RINGS + 2;
+    int at = sprintf(text, "OFF\n%d %d 0\n", copies * corners, copies * 2 * ROUND * RINGS);
+    for (int k = 0; k < copies; k++) {
+        at += sprintf(text + at, "%g 0 1\n%g 0 -1\n", 1.5 * k, 1.5 * k);
+        for (int i = 0; i < ROUND * RINGS; i++) {
+            const double up = 3.141592653589793 * (i / ROUND + 1) / (RINGS + 1), turn = 0.1 + 0.5235987755982988 * i;
+            const double far = 1.0 - (i % 3 == 0 ? dent : 0.0);
+            at += sprintf(text + at, "%.17g %.17g %.17g\n", far * sin(up) * cos(turn) + 1.5 * k,
+                          far * sin(up) * sin(turn), far * cos(up));
+        }
+    }
+    for (int k = 0; k < copies; k++)
+        for (int i = 0; i < ROUND * RINGS; i++) {
+            const int own = k * corners + 2 + i, next = own - i % ROUND + (i + 1) % ROUND;
+            const int below = i / ROUND + 1 < RINGS ? own + ROUND : k * corners + 1;
+            const int beside = i / ROUND > 0 ? next - ROUND : k * corners;
+            at += sprintf(text + at, "3 %d %d %d\n3 %d %d %d\n", own, inward ? next : below, inward ? below : next, own,
+                          inward ? beside : next, inward ? next : beside);
+        }
+    return scene_of_text(text);
+}
+
+/* Edges at the back of a simple body are dropped without a test, unless hidden lines are kept. The same lines are seen
+ * with and without these, from outside and from inside, where bodies cross, and where one crosses itself. */
+static void edges_at_the_back_are_hidden(void **state)
+{
+    static const roberts_camera cameras[] = {
+        {.dir = {.31, .47, .83}},
+        {.dir = {0, 0, 1}},
+        {.dir = {1, 0, 0}},
+        {.projection = ROBERTS_PERSPECTIVE, .eye = {3, -4, 2}},
+        {.projection = ROBERTS_PERSPECTIVE, .eye = {.1, .05, .02}, .look_at = {1, 1, 0}, .has_look_at = true},
+    };
+    static const double dents[] = {0.05, 0.3, 1.4};
+    (void)state;
+    for (size_t i = 0; i < 12; i++)
+        for (size_t k = 0; k < sizeof cameras / sizeof *cameras; k++) {
+            roberts_scene *scene = scene_of_balls(1 + (int)(i % 2), dents[i / 4], i / 2 % 2);
+            roberts_hide_options options = roberts_hide_options_default();
+            options.all_edges = true;
+            roberts_drawing few = drawing_of(scene, &cameras[k], &options);
+            options.keep_hidden = true;
+            roberts_drawing all = drawing_of(scene, &cameras[k], &options);
+            if (!same_visible(&few, &all))
+                fail_msg("balls %zu, camera %zu: other lines are seen", i, k);
+            if (i < 8 && k == 0 && few.tally.covered < 100 * (1 + i % 2))
+                fail_msg("balls %zu: %d edges have been dropped", i, (int)few.tally.covered);
+            roberts_drawing_free(&few);
+            roberts_drawing_free(&all);
+            roberts_scene_free(scene);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(only_stars_that_go_round_once_are_simple),
         cmocka_unit_test(the_size_does_not_count_but_its_powers_must_be_in_range),
         cmocka_unit_test(bodies_that_cross_give_lines),
+        cmocka_unit_test(edges_at_the_back_are_hidden),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
