@@ -115,7 +115,7 @@ static bool box_bodies(void *context, size_t first, size_t end)
     return true;
 }
 
-/* Faces wait only if their body is closed and they are wound alike. */
+/* A body has late faces only if it is closed and its faces are wound alike. */
 static bool find_simple(void *context, size_t first, size_t end)
 {
     const crossing_filter *p = context;

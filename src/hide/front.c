@@ -398,7 +398,7 @@ static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
            memcmp(is, is + 1, (count - 1) * sizeof *is) == 0;
 }
 
-/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces wait if
+/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces are late if
  * they turn the other side to the viewer than its nearest face. False: no memory. */
 static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_tile *tile, uint32_t body)
 {
@@ -422,7 +422,7 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_t
         fronts->late[body] = late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
     for (uint32_t face = first; face < end; face++) {
         int facing = fronts->seen->facing[face];
-        if (facing != VIEW_EDGE_ON && facing != late)
+        if (facing != VIEW_EDGE_ON && (facing != late || !fronts->waits))
             set_face(fronts, to++, body, face);
     }
     const uint32_t first_front = tile->surface;

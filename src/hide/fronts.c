@@ -27,7 +27,7 @@ typedef struct build {
     int threads;
     bool looked_up; /* point_solid() will be called */
     bool cull;      /* what is hidden is left out */
-    bool may_wait;  /* see hide_fronts.late */
+    bool late;      /* hide_fronts.late is wanted */
 } build;
 
 enum { POINTS_AT_ONCE = 64 };
@@ -479,7 +479,7 @@ static bool alloc_fronts(build *b)
     /* NOLINTNEXTLINE(bugprone-sizeof-expression): an array of pointers */
     if (b->cull && scene->surface && !(fronts->own = alloc_zeroed(scene->solid_count, sizeof *fronts->own)))
         return false;
-    if (b->may_wait && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
+    if (b->late && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
         return false;
     return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
            fronts->outline;
@@ -524,8 +524,8 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
                .threads = threads_for(options->threads, 1 + scene->solid_count / SOLIDS_PER_THREAD),
                .looked_up = looked_up || !cull,
                .cull = cull,
-               .may_wait = cull && mesh && !looked_up};
-    *fronts = (hide_fronts){.seen = s, .scene = scene};
+               .late = cull && mesh};
+    *fronts = (hide_fronts){.seen = s, .scene = scene, .waits = b.late && !looked_up};
     scan_frame frame = {0};
     bool done = seen_begin_points(s) && alloc_fronts(&b) && box_solids(fronts, b.threads);
     if (done) {

@@ -60,8 +60,9 @@ typedef struct hide_fronts {
     hide_space space;
     hide_box *box;           /* [solid_count]; NULL after hide_fronts_drop_boxes() */
     unsigned char *culled;   /* [solid_count] 1: hidden, or the near plane has left nothing of it */
-    unsigned char *late;     /* [solid_count] facing of those faces of a body that are no fronts yet; 0: all are. See
-                                layers_add_late(). NULL: no face waits */
+    unsigned char *late;     /* [solid_count] facing of those faces of a closed body that lie behind its others, unless
+                                it crosses itself; VIEW_UNKNOWN, or NULL: not known */
+    bool waits;              /* late faces are no fronts yet: see layers_add_late() */
     hide_face *face;         /* faces of whole fronts, front by front; there may be unused entries between fronts */
     hide_whole_front *whole; /* [whole_count] */
     hide_front *front;       /* [front_count] whole fronts come first */
@@ -145,7 +146,7 @@ static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *fro
                                             : seen_body_key(front->solid);
 }
 
-/* Returns the facing of those faces of a body that wait, or have waited (hide_fronts.late). VIEW_UNKNOWN: no face. */
+/* Returns the facing of the late faces of a body. VIEW_UNKNOWN: it has none. */
 static inline unsigned char hide_late_facing(const hide_fronts *fronts, uint32_t body)
 {
     return fronts->late && !fronts->culled[body] ? fronts->late[body] : VIEW_UNKNOWN;

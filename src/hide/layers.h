@@ -39,7 +39,7 @@ void layers_end(layers *l);
 /* Finds the sheets of a cell whose list is complete and in order. */
 void layers_find(const layers *l, uint32_t column, uint32_t row);
 
-/* Makes fronts of the faces that wait (hide_fronts.late), unless sheets hide them in all cells that they may touch.
+/* Makes fronts of the faces that wait (hide_fronts.waits), unless sheets hide them in all cells that they may touch.
  * They come after the other fronts. No cell may list them if the sheet that it has so far hides them. False: no
  * memory. */
 bool layers_add_late(layers *l, hide_fronts *fronts);

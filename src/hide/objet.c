@@ -333,7 +333,7 @@ roberts_status objet_build(objet *grid, hide_fronts *fronts, scan_frame frame, u
         list_all(&job, true);
         restore_starts(grid);
         done = layers_begin(&sheets, grid, fronts, threads) && sort_lists(&job, &sheets) &&
-               (!fronts->late || list_late(&job, &sheets, fronts)) && link_lists(grid, fronts) && plant_trees(&job);
+               (!fronts->waits || list_late(&job, &sheets, fronts)) && link_lists(grid, fronts) && plant_trees(&job);
     }
     layers_end(&sheets);
     free_listers(&job);

@@ -310,8 +310,7 @@ static bool drop_covered(const hide_job *job, hide_worker *w, uint32_t body)
  * enters and leaves a closed body by turns, if its faces are wound alike and do not cross. */
 static unsigned char back_facing(const hide_job *job, uint32_t body)
 {
-    const uint8_t *simple = job->crossings.simple;
-    return simple && simple[body] ? hide_late_facing(&job->fronts, body) : VIEW_UNKNOWN;
+    return job->simple && job->simple[body] ? hide_late_facing(&job->fronts, body) : VIEW_UNKNOWN;
 }
 
 /* Does the line of an edge lie behind its own body, since both its faces do? back: see back_facing(). */
