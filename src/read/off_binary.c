@@ -246,6 +246,7 @@ roberts_status off_read_binary(reader *r)
     words w = {.coordinates = r->off->header.homogeneous ? 4 : 3};
     w.per_vertex = w.coordinates + (r->off->header.normal ? 3 : 0) + (r->off->header.color ? COLOR_MOST : 0) +
                    (r->off->header.texture ? 2 : 0);
+    r->binary = true;
     roberts_status status = read_counts(r, &w);
     mesh_float32(r->mesh);
     for (uint64_t v = 0; status == ROBERTS_OK && v < r->off->header.vertices; v++)
