@@ -557,8 +557,8 @@ static const struct {
      "face 0 names vertex 3, but there are 3, numbered from 0"},
     {"BINARY with a tail", "OFF BINARY 3\n", ROBERTS_BAD_SYNTAX, 1,
      "the end of the line after BINARY expected, found \"3\""},
-    {"BINARY and nothing", "OFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts"},
-    {"BINARY and no dimension", "nOFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts"},
+    {"BINARY and nothing", "OFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts (byte 11)"},
+    {"BINARY and no dimension", "nOFF BINARY\n", ROBERTS_BAD_SYNTAX, 0, "the input ends in its counts (byte 12)"},
 };
 
 static void refuses_bad_input(void **state)
