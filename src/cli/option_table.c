@@ -113,8 +113,8 @@ static const option rows[] = {
      .set = values_set_sheet,
      .excludes = "view dir eye azimuth elevation up roll turntable pick",
      .brief = "several views on one page",
-     .help = "first or third angle projection: front, top, side and isometric view (this without hidden lines) on one "
-             "page, at one scale, with the symbol",
+     .help = "first or third angle projection: front, top, side and isometric view (the last without hidden lines) on "
+             "one page, at one scale, with the symbol",
      .manual =
          "Draws the front, top, side and isometric view on one page, at one scale and 15 mm apart (farther where "
          "dimensions lie between them), with the symbol of their arrangement (ISO 5456-2). ANGLE is first or third. In "

@@ -211,7 +211,7 @@ static void print_tally(FILE *log, const roberts_tally *tally, bool json)
         {"test3_visible", "test 3: outside one side, visible", tally->test3_visible},
         {"test3_invisible", "test 3: inside all sides, invisible", tally->test3_invisible},
         {"test4", "test 4: cut at the crossings", tally->test4},
-        {"covered", "edges behind covers, no test", tally->covered},
+        {"covered", "edges behind covers or at the back of a body, no test", tally->covered},
         {"pierced", "hidden parts that end in a face", tally->pierced},
         {"refined", "signs and crossings refined", tally->refined},
     };

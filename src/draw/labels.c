@@ -37,7 +37,7 @@ static const double apart_heights = 0.75;
 
 /* Heights of letters: a line nearer than this to the label of a face or body looks like an accent or a fraction bar. */
 static const double clear_heights = 0.5;
-static const double close = 0.7; /* cost of such a place: rather one that is two rings from the middle */
+static const double near_line = 0.7; /* cost of such a place: rather one that is two rings from the middle */
 
 /* The largest fraction of the labels that may be misplaced before smaller letters are tried. */
 static const double most_misplaced = 0.05;
@@ -100,7 +100,7 @@ static double cost_of_neighbours(const placing *p, const label *l, const space_b
 {
     const double apart = apart_heights * p->height, near = space_to_next_box(p->room, box, l->box, apart);
     return crowded * (1.0 - near / apart) + (is_elsewhere(p, l, box, middle) ? elsewhere : 0.0) +
-           (is_area(l->of) && is_close(p, box) ? close : 0.0);
+           (is_area(l->of) && is_close(p, box) ? near_line : 0.0);
 }
 
 /* Finds the cheapest place, the first of several. False: there is none. */
@@ -230,7 +230,7 @@ static double leader_cost(const placing *p, const label *l, const space_box *box
     }
     return leader_crossing * crossed / 3.0 +
            leader_crowded * (1.0 - space_to_next_box(p->room, box, UINT32_MAX, apart) / apart) +
-           (is_close(p, box) ? close : 0.0);
+           (is_close(p, box) ? near_line : 0.0);
 }
 
 /* Does a point lie on a face that is seen? Regions have the same corners along a common border and do not overlap, so
@@ -309,8 +309,8 @@ static bool put_back(const placing *p, label *l)
     return l->is_dropped || place_box(p, l);
 }
 
-/* Gives leader lines to labels that need them, cheapest first, but not to so many that they become a thicket. False: no
- * memory. */
+/* Gives leader lines to the first LEADERS_MOST labels that need them, cheapest first, but not to so many that they
+ * become a thicket. False: no memory. */
 static bool add_leaders(const placing *p, label *l, size_t count)
 {
     leader_wish wish[LEADERS_MOST];

@@ -624,8 +624,9 @@ static bool find_label_box(const strokes *s, space_box *box)
     return done;
 }
 
-/* Cuts one side of the page to a drawing that reaches so far from its middle, and to labels from least to most with a
- * margin; their own; mm. `middle` is what has been the drawing's middle. Returns the new length. */
+/* Cuts one side of the page, which has this length. The drawing and its margin reach `reach` from its middle; labels
+ * lie from `least` to `most`, and have the margin `margin`. `*middle`: the drawing's middle, before and after. All in
+ * mm. Returns the new length. */
 static double crop_side(double reach, double least, double most, double margin, double length, double *middle)
 {
     const double slack = 1e-3; /* so that rounding puts no label into the margins */
@@ -651,9 +652,9 @@ static bool crop(strokes *s, const roberts_page *page, double widest, roberts_ve
     if (labels_wanted(s) && !s->drawing->windowed && !lacks_regions(s) && !find_label_box(s, &labels))
         return false;
     s->page.width_mm =
-        crop_side(reach.x, labels.min.x, labels.max.x, whole->margin_mm, whole->width_mm, &s->map.page_mm.x);
+        crop_side(reach.x, labels.min.x, labels.max.x, page->margin_mm, whole->width_mm, &s->map.page_mm.x);
     s->page.height_mm =
-        crop_side(reach.y, labels.min.y, labels.max.y, whole->margin_mm, whole->height_mm, &s->map.page_mm.y);
+        crop_side(reach.y, labels.min.y, labels.max.y, page->margin_mm, whole->height_mm, &s->map.page_mm.y);
     s->view[0].map = s->map;
     s->frame_mm[1] = (roberts_vec2){s->page.width_mm - whole->margin_mm, s->page.height_mm - whole->margin_mm};
     return true;

@@ -121,8 +121,9 @@ static bool find_simple(void *context, size_t first, size_t end)
     const crossing_filter *p = context;
     const hide_fronts *fronts = p->fronts;
     for (size_t body = first; body < end; body++)
-        p->simple[body] = hide_late_facing(fronts, (uint32_t)body) != VIEW_UNKNOWN &&
-                          star_body_is_simple(fronts->scene, (uint32_t)body, &p->body[body], p->touching);
+        p->back[body] = hide_late_facing(fronts, (uint32_t)body) == VIEW_UNKNOWN
+                            ? VIEW_UNKNOWN
+                            : star_body_back(fronts->scene, (uint32_t)body, &p->body[body], p->touching);
     return true;
 }
 
@@ -161,8 +162,8 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     p->by_front = !simple && fronts->front_count < bodies;
     const uint32_t boxes = p->by_front ? fronts->front_count : bodies;
     p->body = boxed ? alloc_array(boxes, sizeof *p->body) : NULL;
-    p->simple = simple ? alloc_array(bodies, sizeof *p->simple) : NULL;
-    if (!p->model || (boxed && !p->body) || (simple && !p->simple))
+    p->back = simple ? alloc_array(bodies, sizeof *p->back) : NULL;
+    if (!p->model || (boxed && !p->body) || (simple && !p->back))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
     if (boxed)
@@ -180,7 +181,7 @@ void filter_end(crossing_filter *p)
 {
     free(p->model);
     free(p->body);
-    free(p->simple);
+    free(p->back);
     flat_patches_free(&p->flat);
     *p = (crossing_filter){0};
 }
@@ -198,7 +199,7 @@ bool filter_apart_in_cell(const crossing_filter *p, const objet_entry *list, uin
             i--;
         if (i > 0)
             continue;
-        if (bodies == FEW_BODIES || !p->simple[body])
+        if (bodies == FEW_BODIES || !filter_is_simple(p, body))
             return false;
         for (i = 0; i < bodies; i++)
             if (!(filter_gap(&p->body[found[i]], &p->body[body]) > p->touching))

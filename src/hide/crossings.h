@@ -17,9 +17,9 @@ typedef struct crossings {
     seen_point (*end)[2];   /* [count] their ends */
     roberts_crossing *name; /* [count] their names in rows */
     size_t count;
-    size_t pairs;    /* of faces */
-    united pieces;   /* of the lines, where bodies are taken together as one */
-    uint8_t *simple; /* [bodies] 1: no two faces of the body cross (star_bodies.h); NULL: not known of any */
+    size_t pairs;  /* of faces */
+    united pieces; /* of the lines, where bodies are taken together as one */
+    uint8_t *back; /* [bodies] star_body_back(); NULL: not known of any */
 } crossings;
 
 /* Finds all lines, and their pieces if bodies are taken as one. False: no memory; call crossings_free() in any case.

@@ -399,7 +399,7 @@ static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
 }
 
 /* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces are late if
- * they turn the other side to the viewer than its nearest face. False: no memory. */
+ * they turn the other side to the viewer than the face whose first corner is nearest. False: no memory. */
 static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;

@@ -60,8 +60,8 @@ typedef struct hide_fronts {
     hide_space space;
     hide_box *box;           /* [solid_count]; NULL after hide_fronts_drop_boxes() */
     unsigned char *culled;   /* [solid_count] 1: hidden, or the near plane has left nothing of it */
-    unsigned char *late;     /* [solid_count] facing of those faces of a closed body that lie behind its others, unless
-                                it crosses itself; VIEW_UNKNOWN, or NULL: not known */
+    unsigned char *late;     /* [solid_count] facing that the faces at the back of a closed body probably have; a wrong
+                                guess costs time alone. VIEW_UNKNOWN, or NULL: no guess */
     bool waits;              /* late faces are no fronts yet: see layers_add_late() */
     hide_face *face;         /* faces of whole fronts, front by front; there may be unused entries between fronts */
     hide_whole_front *whole; /* [whole_count] */

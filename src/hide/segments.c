@@ -306,14 +306,8 @@ static bool drop_covered(const hide_job *job, hide_worker *w, uint32_t body)
     return true;
 }
 
-/* Returns the facing of those faces of a body that surely lie behind its others; VIEW_UNKNOWN: none do. A line of sight
- * enters and leaves a closed body by turns, if its faces are wound alike and do not cross. */
-static unsigned char back_facing(const hide_job *job, uint32_t body)
-{
-    return job->simple && job->simple[body] ? hide_late_facing(&job->fronts, body) : VIEW_UNKNOWN;
-}
-
-/* Does the line of an edge lie behind its own body, since both its faces do? back: see back_facing(). */
+/* Does the line of an edge lie behind its own body, since both its faces do? back: star_body_back(). It is known in
+ * scenes that no plane has cut: there, the eye is outside. */
 BITS_INLINE bool is_behind_body(const seen_walk *walk, const seen_line *line, unsigned char back)
 {
     if (back == VIEW_UNKNOWN)
@@ -335,7 +329,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
 {
     const roberts_vec3 *P = job->fronts.P;
     const line_covers covers = covers_of(job, walk->body);
-    const unsigned char back = slow ? back_facing(job, walk->body) : VIEW_UNKNOWN;
+    const unsigned char back = slow && job->back ? job->back[walk->body] : VIEW_UNKNOWN;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))

@@ -84,14 +84,14 @@ static BITS_PER_PROCESSOR bool is_seen_once(const star *s, const roberts_scene *
     return met <= 1;
 }
 
-bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const box3 *box, double touching)
+unsigned char star_body_back(const roberts_scene *scene, uint32_t body, const box3 *box, double touching)
 {
     const scene_solid *own = &scene->solid[body];
     const uint32_t *corner = scene->corner + scene->face_start[own->face];
     const roberts_vec3 size = vec3_sub(box->hi, box->lo);
     const double D = greater(size.x, greater(size.y, size.z));
     if (!(D > SIZE_LEAST && D < SIZE_MOST))
-        return false;
+        return VIEW_UNKNOWN;
     star s = {.least = DETERMINANT_ERROR * D * D * D + FLATTEST * STAR_APART * touching * D * D,
               .slope = D / FLATTEST * (D / FLATTEST),
               .turn = TURN_ERROR * D * D};
@@ -99,5 +99,7 @@ bool star_body_is_simple(const roberts_scene *scene, uint32_t body, const box3 *
     const roberts_vec3 a = vec3_sub(scene->point[corner[0]], s.o), b = vec3_sub(scene->point[corner[1]], s.o),
                        c = vec3_sub(scene->point[corner[2]], s.o);
     s.sense = vec3_dot(vec3_cross(a, b), c) < 0.0 ? -1.0 : 1.0;
-    return is_seen_once(&s, scene, corner, own[1].face - own->face);
+    if (!is_seen_once(&s, scene, corner, own[1].face - own->face))
+        return VIEW_UNKNOWN;
+    return s.sense > 0.0 ? VIEW_BACK : VIEW_FRONT; /* > 0: wound counter-clockwise, seen from outside */
 }

@@ -37,7 +37,8 @@ typedef struct assembly {
     uint32_t *vertex_of; /* [corners of the mesh] see name_corners(); NULL: nothing is welded */
     uint32_t *copied;    /* [copies] the vertex of the mesh that each copy repeats */
     uint32_t copies;
-    uint32_t *group; /* [vertices of the mesh] see find_complete(); NULL: all are one group */
+    uint32_t *group; /* [vertices of the surface] see group_closed(); until then those of the mesh, see find_complete();
+                        NULL: all are one group */
     surface surface;
     polygons all;       /* pieces, then ends of edges and wires, then faces of convex solids */
     uint32_t *of;       /* [all.face_count] the body of each face */
@@ -216,19 +217,29 @@ static bool is_closed(const assembly *a, const uint8_t *open, uint32_t s)
 
 /* Gives each closed component that is not convex a group of its own, where there are others. Its faces may cross or
  * touch themselves, and then their pieces have sides with an odd number of faces: these are not compared with the edges
- * of other bodies. False: no memory. */
+ * of other bodies. From here on, groups are those of the surface's vertices. False: no memory. */
 static bool group_closed(assembly *a, const uint8_t *open, const uint8_t *convex)
 {
     const roberts_scene *scene = a->scene;
-    for (uint32_t s = 0; scene->solid_count > 1 && s < scene->solid_count; s++) {
-        if (convex[s] || !is_closed(a, open, s))
+    const roberts_mesh *mesh = a->mesh;
+    const uint32_t *vertex_of = a->vertex_of ? a->vertex_of : mesh->corner;
+    const bool several = scene->solid_count > 1;
+    if (!several && !a->group)
+        return true;
+    uint32_t *group = alloc_zeroed(mesh->vertex_count + a->copies, sizeof *group);
+    for (uint32_t s = 0; group && s < scene->solid_count; s++) {
+        const bool complete = a->group && a->group[scene_vertex_number(scene, scene->solid[s].vertex)] > 0;
+        if (convex[s] || !(complete || (several && open[s] == OPENING_NONE)))
             continue;
-        if (!a->group && !(a->group = alloc_zeroed(a->mesh->vertex_count, sizeof *a->group)))
-            return false;
-        for (uint32_t v = scene->solid[s].vertex; v < scene->solid[s + 1].vertex; v++)
-            a->group[scene_vertex_number(scene, v)] = s + 1;
+        for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++) {
+            const uint32_t own = scene_face_number(scene, f);
+            for (uint32_t i = mesh->face_start[own]; i < mesh->face_start[own + 1]; i++)
+                group[vertex_of[i]] = s + 1;
+        }
     }
-    return true;
+    free(a->group);
+    a->group = group;
+    return group != NULL;
 }
 
 /* Lays out the components, and lists the faces of those that are not convex solids. known: some component is known not

@@ -231,7 +231,7 @@ static bool take_groups(finder *f)
  * mesh. A wire may join two groups. */
 static uint32_t group_of(const surface *s, const surface_side *side, int k)
 {
-    return is_wire_side(side) ? s->group[surface_number(s, side->v[k])] : surface_group(s, surface_piece(side->piece));
+    return is_wire_side(side) ? s->group[side->v[k]] : surface_group(s, surface_piece(side->piece));
 }
 
 /* Lists the ends of odd sides, each once. False: no memory. */

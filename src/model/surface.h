@@ -57,7 +57,7 @@ typedef struct surface {
     const uint32_t *vertex_of; /* [corners of the mesh] the vertex at each corner */
     const uint32_t *copied;    /* [copies] the mesh's vertex that each copy repeats; copies follow those of the mesh */
     uint32_t copies;
-    /* [vertices of the mesh] Only sides of one group are compared in space. NULL: all are one group. */
+    /* [vertices of the surface] Only sides of one group are compared in space. NULL: all are one group. */
     const uint32_t *group;
     uint32_t vertex_count, piece_count;
     const roberts_vec3 *point; /* [vertex_count] the mesh's own array, unless some border crosses itself */
@@ -91,7 +91,7 @@ static inline uint32_t surface_number(const surface *s, uint32_t v)
 /* Returns the group of a piece; the surface has groups. */
 static inline uint32_t surface_group(const surface *s, uint32_t piece)
 {
-    return s->group[s->mesh->corner[s->mesh->face_start[s->face[piece]]]];
+    return s->group[s->vertex_of[s->mesh->face_start[s->face[piece]]]];
 }
 
 /* Which faces are handled here. */

@@ -140,10 +140,12 @@ static void read_diffuse(obj_materials *m, input *in)
 static bool pass_line(input *in)
 {
     uint64_t start = in->taken;
-    for (bool comment = false;;) {
+    for (bool comment = false, blank = true;;) {
         const char *c = in->at;
-        for (; c < in->end && *c != '\n' && *c != '\r'; c++)
-            comment = comment || *c == '#';
+        for (; c < in->end && *c != '\n' && *c != '\r'; c++) {
+            comment = comment || (blank && *c == '#');
+            blank = *c == ' ' || *c == '\t';
+        }
         bool backslash = !comment && c > in->at && c[-1] == '\\';
         in->at = backslash ? c - 1 : c; /* the end of the line may be in the next block */
         if (c < in->end && !backslash)

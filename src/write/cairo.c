@@ -11,6 +11,7 @@
 
 #include <dlfcn.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/error.h"
 #include "write/formats.h"
@@ -29,8 +30,11 @@ bool surface_load(cairo_calls *call, roberts_error *error)
 {
     void *library = dlopen(cairo_library, RTLD_NOW | RTLD_LOCAL);
     bool found = library != NULL;
+    void *at;
 /* In POSIX, unlike in C, a pointer to an object can hold the address of a function. */
-#define CAIRO_FIND(name) found = found && (*(void **)&call->name = dlsym(library, "cairo_" #name)) != NULL;
+#define CAIRO_FIND(name)                                                                                               \
+    if (found && (found = (at = dlsym(library, "cairo_" #name)) != NULL))                                              \
+        memcpy(&call->name, &at, sizeof at);
     CAIRO_CALLS(CAIRO_FIND)
 #undef CAIRO_FIND
     if (!found)

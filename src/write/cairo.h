@@ -22,7 +22,8 @@
     call(fill) call(stroke) call(paint) call(show_page)
 /* clang-format on */
 
-/* move_to is cairo_move_to(), and so on. */
+/* move_to is cairo_move_to(), and so on. (GCC and clang have __typeof__, and so the types are those of Cairo's header.)
+ */
 typedef struct cairo_calls {
 #define CAIRO_MEMBER(name) __typeof__(cairo_##name) *name;
     CAIRO_CALLS(CAIRO_MEMBER)

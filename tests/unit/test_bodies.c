@@ -356,6 +356,44 @@ static const char *block(int winding)
     return text;
 }
 
+/* Two blocks apart, each face with vertices of its own, in any order. A corner of each top lies on a side of the same
+ * top. Welded, they are two closed bodies, without borders. */
+static void welded_bodies_touch_themselves(void **state)
+{
+    enum { FACES = 14 };
+    static const double ring[5][2] = {{0, 0}, {4, 0}, {4, 3}, {2, 0}, {0, 3}};
+    (void)state;
+    for (int order = 0; order < 6 * FACES; order++) {
+        const int first = order % FACES, step = (int[]){1, 3, 5, 9, 11, 13}[order / FACES];
+        char text[4000];
+        int at = sprintf(text, "OFF\n60 14 0\n"), vertex = 0;
+        for (int k = 0; k < FACES; k++) {
+            const int face = (first + step * k) % FACES, z = 3 * (face / 7), side = face % 7;
+            for (int i = 0; side >= 5 && i < 5; i++)
+                at += sprintf(text + at, "%g %g %d\n", ring[i][0], ring[i][1], z + side - 5);
+            for (int i = 0; side < 5 && i < 4; i++) {
+                const double *p = ring[(side + (i == 1 || i == 2)) % 5];
+                at += sprintf(text + at, "%g %g %d\n", p[0], p[1], z + (i > 1));
+            }
+        }
+        for (int k = 0; k < FACES; k++) {
+            const int corners = (first + step * k) % FACES % 7 < 5 ? 4 : 5;
+            at += sprintf(text + at, "%d", corners);
+            for (int i = 0; i < corners; i++)
+                at += sprintf(text + at, " %d", vertex++);
+            at += sprintf(text + at, "\n");
+        }
+        roberts_scene *scene = scene_of_text(text);
+        assert_int_equal(roberts_scene_solid_count(scene), 2);
+        assert_int_equal(roberts_scene_body_kind(scene, 0), ROBERTS_CLOSED);
+        roberts_drawing drawing = drawing_along(scene, (roberts_vec3){1, -2, 1}, true);
+        for (size_t i = 0; i < drawing.count; i++)
+            assert_int_not_equal(drawing.segment[i].line, ROBERTS_BORDER);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
 static void winding_decides_nothing(void **state)
 {
     roberts_drawing drawing[3];
@@ -470,11 +508,11 @@ static void what_is_left_out_is_said(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lines_have_their_classes), cmocka_unit_test(a_dent_far_away),
-        cmocka_unit_test(winding_decides_nothing),  cmocka_unit_test(the_fill_rule_decides),
-        cmocka_unit_test(solids_are_asked_for),     cmocka_unit_test(what_is_left_out_is_said),
-        cmocka_unit_test(four_faces_at_an_edge),    cmocka_unit_test(lines_name_vertices_of_the_file),
-        cmocka_unit_test(extrusions_are_curved),
+        cmocka_unit_test(lines_have_their_classes),        cmocka_unit_test(a_dent_far_away),
+        cmocka_unit_test(welded_bodies_touch_themselves),  cmocka_unit_test(winding_decides_nothing),
+        cmocka_unit_test(the_fill_rule_decides),           cmocka_unit_test(solids_are_asked_for),
+        cmocka_unit_test(what_is_left_out_is_said),        cmocka_unit_test(four_faces_at_an_edge),
+        cmocka_unit_test(lines_name_vertices_of_the_file), cmocka_unit_test(extrusions_are_curved),
     };
     return cmocka_run_group_tests_name("bodies", tests, NULL, NULL);
 }

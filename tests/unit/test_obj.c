@@ -33,6 +33,8 @@ static const read_good good[] = {
      NULL},
     {"comments that end in a backslash", THREE "# C:\\a\\\nf 1 2 3 # C:\\b\\\nvn 0 0 1 # C:\\c\\\nf 3 2 1\n", 0,
      THREE_TEXT " | 0-1-2 2-1-0", NULL},
+    {"a sign in a word that begins no comment", THREE "xx part#7\\\nf 3 2 1\nf 1 2 3\n", 0, THREE_TEXT " | 0-1-2",
+     "4: 1 line ignored, the first with \"xx\";"},
     {"joined lines", "v 0 \\\n 0 \\\r\n 0\nv 1 0 0\nv 0 1 0\nf 1 \\\n2\\\n 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"a joined line that is passed", THREE "vn 0 0 \\\n1\nf 1 2 3\n", 0, THREE_TEXT " | 0-1-2", NULL},
     {"... and comes in pieces", THREE "vn 1\\\nv\nf 1 2 3\nvn 1\\", 0, THREE_TEXT " | 0-1-2",

@@ -344,11 +344,12 @@ class Scene:
         All share one window: on pages of one size they have one scale, and the middle keeps its place. The first is
         seen by `where`.
         options  see hide()
-        Raises Error, MemoryError, ValueError.
+        Raises Error, MemoryError, ValueError; what is wrong with options, when the first drawing is asked for.
         """
         if count < 1:
             raise ValueError(f"turntable: {count} pictures are none")
-        cameras = [c.camera.from_buffer_copy(_camera(where)) for _ in range(count)]
+        first = _camera(where)
+        cameras = [c.camera.from_buffer_copy(first) for _ in range(count)]
         low, high, framed = c.vec2(), c.vec2(), ctypes.c_bool()
         windows = []
         for step, camera in enumerate(cameras):
