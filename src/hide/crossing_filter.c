@@ -7,7 +7,6 @@
 #include "base/array.h"
 #include "base/threads.h"
 #include "hide/face_pairs.h"
-#include "hide/star_bodies.h"
 
 /* ---- where bodies lie -------------------------------------------------------------------------------------------- */
 
@@ -115,18 +114,6 @@ static bool box_bodies(void *context, size_t first, size_t end)
     return true;
 }
 
-/* A body has late faces only if it is closed and its faces are wound alike. */
-static bool find_simple(void *context, size_t first, size_t end)
-{
-    const crossing_filter *p = context;
-    const hide_fronts *fronts = p->fronts;
-    for (size_t body = first; body < end; body++)
-        p->back[body] = hide_late_facing(fronts, (uint32_t)body) == VIEW_UNKNOWN
-                            ? VIEW_UNKNOWN
-                            : star_body_back(fronts->scene, (uint32_t)body, &p->body[body], p->touching);
-    return true;
-}
-
 /* Marks the single faces, which follow the whole fronts. */
 static bool mark_fronts(void *context, size_t first, size_t end)
 {
@@ -147,8 +134,8 @@ static bool mark_all_late(void *context, size_t first, size_t end)
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     const uint32_t bodies = fronts->scene->solid_count;
-    const bool singles = fronts->front_count > fronts->whole_count,
-               simple = singles && fronts->late && !fronts->scene->low, boxed = simple || (singles && bodies > 1);
+    const bool singles = fronts->front_count > fronts->whole_count, simple = singles && fronts->rear,
+               boxed = simple || (singles && bodies > 1);
     *p = (crossing_filter){.fronts = fronts, .touching = touching_distance(fronts)};
     if (singles && (grid->tree || fronts->seen->rules.hidden) &&
         !flat_patches_find(&p->flat, fronts->scene, fronts->space.epsilon, p->touching / fronts->scene->unit))
@@ -162,14 +149,11 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     p->by_front = !simple && fronts->front_count < bodies;
     const uint32_t boxes = p->by_front ? fronts->front_count : bodies;
     p->body = boxed ? alloc_array(boxes, sizeof *p->body) : NULL;
-    p->back = simple ? alloc_array(bodies, sizeof *p->back) : NULL;
-    if (!p->model || (boxed && !p->body) || (simple && !p->back))
+    if (!p->model || (boxed && !p->body))
         return false;
     threads_each(threads, p->whole, 0, box_solids, p);
     if (boxed)
         threads_each(threads, boxes, 0, box_bodies, p);
-    if (simple)
-        threads_each(threads, bodies, 0, find_simple, p);
     if (!p->star)
         return true;
     threads_each(threads, fronts->front_count - fronts->whole_count, 0, mark_fronts, p);
@@ -181,7 +165,6 @@ void filter_end(crossing_filter *p)
 {
     free(p->model);
     free(p->body);
-    free(p->back);
     flat_patches_free(&p->flat);
     *p = (crossing_filter){0};
 }

@@ -29,9 +29,7 @@ typedef struct crossing_filter {
     model_box *model;   /* [whole] */
     box3 *body;         /* boxes of bodies along the axes of the model: [front_count] of each front's body, if that is
                            less than [solid_count]; NULL: not known */
-    uint8_t *back;      /* [solid_count] star_body_back(); not VIEW_UNKNOWN: no two faces of the body cross. NULL: not
-                           known of any */
-    bool by_front;      /* `body` has a box for each front; then `back` is NULL */
+    bool by_front;      /* `body` has a box for each front */
     uint32_t whole;     /* number of whole solids, which come before single faces */
     double touching;    /* model units; what is farther apart does not touch */
     atomic_uchar *star; /* that of the grid. Now STAR_ONCE means that all faces about the vertex are one sheet */
@@ -50,7 +48,7 @@ bool filter_find_flat(const crossing_filter *p, uint32_t front);
 /* Is it certain that no two faces of a body cross? */
 static inline bool filter_is_simple(const crossing_filter *p, uint32_t body)
 {
-    return p->back && p->back[body] != VIEW_UNKNOWN;
+    return hide_rear_facing(p->fronts, body) != VIEW_UNKNOWN;
 }
 
 /* Is it certain that no two fronts of a cell's list cross? Then they belong to few bodies, which do not cross

@@ -558,7 +558,7 @@ static bool meet_cell(finder *t, uint32_t column, uint32_t row)
     if (t->nearest)
         c.count = objet_count_nearer(t->fronts, c.list, c.count, t->nearest[cell]);
     const bool solids = t->fronts->front_count == t->fronts->whole_count;
-    if (t->filter->back && filter_apart_in_cell(t->filter, c.list, c.count))
+    if (t->filter->fronts->rear && filter_apart_in_cell(t->filter, c.list, c.count))
         return true;
     if (!solids) {
         memset(t->kept, 0, (c.count < KEPT_FACES ? c.count : KEPT_FACES) * sizeof *t->kept);
@@ -820,8 +820,6 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
                           : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
-    c->back = filter.back;
-    filter.back = NULL;
     for (int i = 0; finders && i < count; i++) {
         crossing_list_free(&finders[i].found);
         crossing_kept_free(&finders[i].last);
@@ -843,7 +841,6 @@ void crossings_free(crossings *c)
     free(c->item);
     free(c->end);
     free(c->name);
-    free(c->back);
     united_free(&c->pieces);
     *c = (crossings){0};
 }

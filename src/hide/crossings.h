@@ -19,7 +19,6 @@ typedef struct crossings {
     size_t count;
     size_t pairs;  /* of faces */
     united pieces; /* of the lines, where bodies are taken together as one */
-    uint8_t *back; /* [bodies] star_body_back(); NULL: not known of any */
 } crossings;
 
 /* Finds all lines, and their pieces if bodies are taken as one. False: no memory; call crossings_free() in any case.

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "hide/face_pairs.h"
+#include "hide/star_bodies.h"
 #include "hide/tests.h"
 
 /* A picture of n faces has about this times sqrt(n) columns of cells: see CELLS_PER_BOX in cells.c. */
@@ -398,6 +400,16 @@ static bool is_wound_alike(const roberts_scene *scene, uint32_t body)
            memcmp(is, is + 1, (count - 1) * sizeof *is) == 0;
 }
 
+/* star_body_rear() of a body whose faces are wound alike. */
+static unsigned char rear_of(const hide_fronts *fronts, uint32_t body)
+{
+    const roberts_scene *scene = fronts->scene;
+    if (scene->low || scene->face_deviation)
+        return VIEW_UNKNOWN;
+    const box3 box = face_pairs_body_box(scene, body);
+    return star_body_rear(scene, body, &box, FILTER_APART * scene->unit * fronts->space.epsilon);
+}
+
 /* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces are late if
  * they turn the other side to the viewer than the face whose first corner is nearest. False: no memory. */
 static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_tile *tile, uint32_t body)
@@ -418,8 +430,12 @@ static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_t
     tile->faces += faces[VIEW_FRONT];
     tile->back += faces[VIEW_BACK];
     tile->edge_on += faces[VIEW_EDGE_ON];
-    if (fronts->late && is_wound_alike(scene, body))
-        fronts->late[body] = late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
+    if (fronts->late && is_wound_alike(scene, body)) {
+        late = fronts->rear[body] = rear_of(fronts, body);
+        if (late == VIEW_UNKNOWN)
+            late = nearest[VIEW_FRONT] >= nearest[VIEW_BACK] ? VIEW_BACK : VIEW_FRONT;
+        fronts->late[body] = (unsigned char)late;
+    }
     for (uint32_t face = first; face < end; face++) {
         int facing = fronts->seen->facing[face];
         if (facing != VIEW_EDGE_ON && (facing != late || !fronts->waits))

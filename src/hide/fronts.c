@@ -479,7 +479,8 @@ static bool alloc_fronts(build *b)
     /* NOLINTNEXTLINE(bugprone-sizeof-expression): an array of pointers */
     if (b->cull && scene->surface && !(fronts->own = alloc_zeroed(scene->solid_count, sizeof *fronts->own)))
         return false;
-    if (b->late && !(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)))
+    if (b->late && (!(fronts->late = alloc_zeroed(scene->solid_count, sizeof *fronts->late)) ||
+                    !(fronts->rear = alloc_zeroed(scene->solid_count, sizeof *fronts->rear))))
         return false;
     return fronts->box && fronts->culled && fronts->face && fronts->whole && fronts->front && fronts->front_box &&
            fronts->outline;
@@ -574,6 +575,7 @@ void hide_fronts_free(hide_fronts *fronts)
     free(fronts->box);
     free(fronts->culled);
     free(fronts->late);
+    free(fronts->rear);
     free(fronts->face);
     free(fronts->whole);
     free(fronts->front);

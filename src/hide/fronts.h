@@ -58,12 +58,14 @@ typedef struct hide_fronts {
     const roberts_scene *scene; /* seen->scene */
     const roberts_vec3 *P;      /* seen->P */
     hide_space space;
-    hide_box *box;           /* [solid_count]; NULL after hide_fronts_drop_boxes() */
-    unsigned char *culled;   /* [solid_count] 1: hidden, or the near plane has left nothing of it */
-    unsigned char *late;     /* [solid_count] facing that the faces at the back of a closed body probably have; a wrong
-                                guess costs time alone. VIEW_UNKNOWN, or NULL: no guess */
-    bool waits;              /* late faces are no fronts yet: see layers_add_late() */
-    hide_face *face;         /* faces of whole fronts, front by front; there may be unused entries between fronts */
+    hide_box *box;         /* [solid_count]; NULL after hide_fronts_drop_boxes() */
+    unsigned char *culled; /* [solid_count] 1: hidden, or the near plane has left nothing of it */
+    unsigned char *late;   /* [solid_count] facing that the faces at the back of a closed body probably have; a wrong
+                              guess costs time alone. VIEW_UNKNOWN, or NULL: no guess */
+    unsigned char *rear;   /* [solid_count] star_body_rear(): these faces hide nothing that others of their body do not
+                              hide, and their body hides what lies in them. NULL: not known of any */
+    bool waits;            /* late faces are no fronts yet: see layers_add_late() */
+    hide_face *face;       /* faces of whole fronts, front by front; there may be unused entries between fronts */
     hide_whole_front *whole; /* [whole_count] */
     hide_front *front;       /* [front_count] whole fronts come first */
     hide_box *front_box;     /* [front_count] */
@@ -144,6 +146,12 @@ static inline uint32_t hide_key(const hide_fronts *fronts, const hide_front *fro
 {
     return front->kind == HIDE_SURFACE_FACE ? scene_plane_number(fronts->scene, front->piece)
                                             : seen_body_key(front->solid);
+}
+
+/* Returns star_body_rear() of a body. Otherwise than VIEW_UNKNOWN: no two of its faces cross. */
+static inline unsigned char hide_rear_facing(const hide_fronts *fronts, uint32_t body)
+{
+    return fronts->rear ? fronts->rear[body] : VIEW_UNKNOWN;
 }
 
 /* Returns the facing of the late faces of a body. VIEW_UNKNOWN: it has none. */

@@ -110,8 +110,6 @@ static roberts_status find_crossings(hide_job *job, roberts_drawing *drawing)
     drawing->crossing_count = c->count;
     drawing->crossing_pairs = c->pairs;
     c->name = NULL;
-    job->back = c->back;
-    c->back = NULL;
     return ROBERTS_OK;
 }
 
@@ -379,7 +377,6 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
     }
     cuts_free(&cuts);
     crossings_free(&job->crossings);
-    free(job->back);
     picture_order_free(&job->order);
     objet_free(&job->grid);
     hide_fronts_free(&job->fronts);

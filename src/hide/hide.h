@@ -17,7 +17,6 @@ typedef struct hide_job {
     objet grid;
     picture_order order; /* what was found before its turn, if anything */
     crossings crossings; /* lines that are no edges */
-    uint8_t *back;       /* [bodies] crossings.back, which is needed longer */
 } hide_job;
 
 /* Hides a scene. Without options (NULL) the defaults hold. */

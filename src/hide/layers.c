@@ -253,8 +253,9 @@ static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t 
     for (uint32_t face = first, body = scene_body_of_face(scene, first); face < end; body++) {
         uint32_t last = scene->solid[body + 1].face < end ? scene->solid[body + 1].face : end;
         unsigned char late = hide_late_facing(l->fronts, body);
+        bool needed = late != VIEW_UNKNOWN && hide_rear_facing(l->fronts, body) == VIEW_UNKNOWN;
         for (; face < last; face++) {
-            if (late == VIEW_UNKNOWN || facing[face] != late)
+            if (!needed || facing[face] != late)
                 continue;
             hide_box box = front_box_of_face(l->fronts, face);
             if (!is_before_sheets(l, body, &box))

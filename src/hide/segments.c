@@ -306,7 +306,7 @@ static bool drop_covered(const hide_job *job, hide_worker *w, uint32_t body)
     return true;
 }
 
-/* Does the line of an edge lie behind its own body, since both its faces do? back: star_body_back(). It is known in
+/* Does the line of an edge lie behind its own body, since both its faces do? back: star_body_rear(). It is known in
  * scenes that no plane has cut: there, the eye is outside. */
 BITS_INLINE bool is_behind_body(const seen_walk *walk, const seen_line *line, unsigned char back)
 {
@@ -329,7 +329,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
 {
     const roberts_vec3 *P = job->fronts.P;
     const line_covers covers = covers_of(job, walk->body);
-    const unsigned char back = slow && job->back ? job->back[walk->body] : VIEW_UNKNOWN;
+    const unsigned char back = slow ? hide_rear_facing(&job->fronts, walk->body) : VIEW_UNKNOWN;
     size_t left = walk->end - walk->edge;
     hide_worker_begin(w, walk->key);
     if (!hide_worker_reserve(w, left < most ? left : most))

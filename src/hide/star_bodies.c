@@ -84,7 +84,7 @@ static BITS_PER_PROCESSOR bool is_seen_once(const star *s, const roberts_scene *
     return met <= 1;
 }
 
-unsigned char star_body_back(const roberts_scene *scene, uint32_t body, const box3 *box, double touching)
+unsigned char star_body_rear(const roberts_scene *scene, uint32_t body, const box3 *box, double touching)
 {
     const scene_solid *own = &scene->solid[body];
     const uint32_t *corner = scene->corner + scene->face_start[own->face];

@@ -8,6 +8,6 @@
  * of triangles that are all wound alike, with coordinates that have no low parts. Returns the facing of those of its
  * faces that lie behind others, for a viewer outside; VIEW_UNKNOWN: it is not certain. box: that of the body along the
  * axes of the model. touching: model units; faces without a common corner are farther apart than this. */
-unsigned char star_body_back(const roberts_scene *scene, uint32_t body, const box3 *box, double touching);
+unsigned char star_body_rear(const roberts_scene *scene, uint32_t body, const box3 *box, double touching);
 
 #endif

@@ -60,7 +60,7 @@ static roberts_scene *scene_of_case(const star_case *c, double size, int copies,
 static bool is_simple(const roberts_scene *scene, double touching)
 {
     box3 box = {scene->box_min, scene->box_max};
-    return star_body_back(scene, 0, &box, touching) != VIEW_UNKNOWN;
+    return star_body_rear(scene, 0, &box, touching) != VIEW_UNKNOWN;
 }
 
 static void only_stars_that_go_round_once_are_simple(void **state)
