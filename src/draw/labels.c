@@ -84,7 +84,7 @@ static bool is_elsewhere(const placing *p, const label *l, const space_box *box,
 
 static bool is_area(const target *of)
 {
-    return of->kind == ROBERTS_LABEL_FACES || of->kind == ROBERTS_LABEL_BODIES;
+    return of->kind & ROBERTS_LABEL_AREAS;
 }
 
 /* Is a line close to a box? */

@@ -134,8 +134,7 @@ static bool mark_all_late(void *context, size_t first, size_t end)
 bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *grid, int threads)
 {
     const uint32_t bodies = fronts->scene->solid_count;
-    const bool singles = fronts->front_count > fronts->whole_count, simple = singles && fronts->rear,
-               boxed = simple || (singles && bodies > 1);
+    const bool singles = fronts->front_count > fronts->whole_count, boxed = singles && bodies > 1;
     *p = (crossing_filter){.fronts = fronts, .touching = touching_distance(fronts)};
     if (singles && (grid->tree || fronts->seen->rules.hidden) &&
         !flat_patches_find(&p->flat, fronts->scene, fronts->space.epsilon, p->touching / fronts->scene->unit))
@@ -146,7 +145,7 @@ bool filter_begin(crossing_filter *p, const hide_fronts *fronts, const objet *gr
     p->alone = threads == 1;
     p->whole = fronts->scene->low ? 0 : fronts->whole_count;
     p->model = alloc_array(p->whole, sizeof *p->model);
-    p->by_front = !simple && fronts->front_count < bodies;
+    p->by_front = !fronts->rear && fronts->front_count < bodies;
     const uint32_t boxes = p->by_front ? fronts->front_count : bodies;
     p->body = boxed ? alloc_array(boxes, sizeof *p->body) : NULL;
     if (!p->model || (boxed && !p->body))

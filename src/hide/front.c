@@ -410,8 +410,9 @@ static unsigned char rear_of(const hide_fronts *fronts, uint32_t body)
     return star_body_rear(scene, body, &box, FILTER_APART * scene->unit * fronts->space.epsilon);
 }
 
-/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces are late if
- * they turn the other side to the viewer than the face whose first corner is nearest. False: no memory. */
+/* Makes each face of a body that is not convex a front, unless it is edge-on. If the body is closed, faces at its rear
+ * are late. Where the rear is not known, these are guessed to be the faces that turn the other side to the viewer than
+ * the face whose first corner is nearest. False: no memory. */
 static BITS_RARE bool add_surface(hide_fronts *fronts, cover_scratch *w, front_tile *tile, uint32_t body)
 {
     const roberts_scene *scene = fronts->scene;

@@ -245,7 +245,8 @@ static bool is_before_sheets(const layers *l, uint32_t body, const hide_box *box
     return before;
 }
 
-/* Lists those of the faces first..end-1 that wait and are not hidden. False: no memory. */
+/* Lists those of the faces first..end-1 that wait and are not hidden. Those surely at the rear of their body are never
+ * needed. False: no memory. */
 static bool list_late(const layers *l, late_faces *to, uint32_t first, uint32_t end)
 {
     const roberts_scene *scene = l->fronts->scene;
