@@ -62,7 +62,8 @@ static bool add_sides(const hide_fronts *fronts, uint32_t body, uint32_t face, l
                                             .v = {turned ? next : v, turned ? v : next},
                                             .own = seen_owns_one(seen_face_key(scene, body, face)),
                                             .t1 = 1.0,
-                                            .class = ROBERTS_OUTLINE};
+                                            .class = ROBERTS_OUTLINE,
+                                            .left_out = true};
     }
     return true;
 }

@@ -271,38 +271,23 @@ done:
     return status;
 }
 
-/* Finds the lines along which the near plane cuts bodies, and draws them. A receiver gets no such lines. False: no
- * memory. */
-static bool find_cuts(const hide_job *job, seen_further *cuts, roberts_drawing *drawing)
-{
-    return cuts_find(&job->fronts, cuts) && (job->to || cuts_draw(&job->fronts, cuts, job->options->unite, drawing));
-}
-
 /* ---- visible regions ---- */
 
-/* Finds the regions, after the lines. Their borders are the lines, the edges that are left out because they are flat,
+/* Hides the lines, and with them what else bounds regions: the edges that the drawing leaves out because they are flat,
  * and the cuts of the near plane. */
-static roberts_status find_regions(hide_job *job, const seen_further *cuts, const roberts_drawing *drawing)
+static roberts_status hide_for_regions(hide_job *job, const seen_further *cuts, region_lines *lines,
+                                       roberts_drawing *drawing)
 {
-    roberts_status status = ROBERTS_OK;
-    roberts_drawing rest = {0};
-    region_lines lines = {.drawing = drawing, .per_unit = job->seen.view.per_unit};
-    const roberts_receiver take = {region_lines_take, &lines};
-    bool clipped = job->seen.clip.clipped;
+    const roberts_receiver take = {region_lines_take, lines};
+    lines->per_unit = job->seen.view.per_unit;
+    job->seen.rules.left_out = true;
     job->seen.further = *cuts;
-    /* of bodies that are not convex, the edges that are left out are not counted */
-    if (clipped || drawing->surviving_edges != drawing->drawn_edges ||
-        (job->seen.scene->surface && !job->options->all_edges)) {
-        seen_set_rest(&job->seen);
-        picture_order_free(&job->order);
-        crossings_free(&job->crossings);
-        job->to = &take;
-        status = do_chunks(job, &rest);
-        job->to = NULL;
-    }
-    const bool enough = status == ROBERTS_OK && regions_find(job, &lines);
-    planar_map_free(&lines.map);
-    return enough ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+    job->to = &take;
+    roberts_status status = do_chunks(job, drawing);
+    job->to = NULL;
+    drawing->segment = lines->segment;
+    drawing->count = lines->count;
+    return status == ROBERTS_STOPPED ? ROBERTS_NO_MEMORY : status;
 }
 
 /* ---- all of it ---- */
@@ -351,6 +336,7 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
     job->options = job->options ? job->options : &defaults;
     *drawing = (roberts_drawing){0};
     seen_further cuts = {0};
+    region_lines lines = {0};
     roberts_status status = check_options(job->options, error);
     roberts_time clock = now();
     if (status == ROBERTS_OK) {
@@ -365,16 +351,20 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
         describe_scene(job, camera, drawing);
         status = find_crossings(job, drawing);
     }
+    const bool cut = status == ROBERTS_OK && job->seen.clip.clipped && !job->to;
+    if (cut && !cuts_find(&job->fronts, &cuts))
+        status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK) {
-        status = do_chunks(job, drawing);
+        status = job->regions ? hide_for_regions(job, &cuts, &lines, drawing) : do_chunks(job, drawing);
         drawing->hide_time = lap(&clock);
     }
-    if (status == ROBERTS_OK && job->seen.clip.clipped && !find_cuts(job, &cuts, drawing))
+    if (status == ROBERTS_OK && cut && !cuts_draw(&job->fronts, &cuts, job->options->unite, drawing))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && job->regions) {
-        status = find_regions(job, &cuts, drawing);
+        status = regions_find(job, &lines.map) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
         drawing->region_time = lap(&clock);
     }
+    planar_map_free(&lines.map);
     cuts_free(&cuts);
     crossings_free(&job->crossings);
     picture_order_free(&job->order);

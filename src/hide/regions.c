@@ -54,37 +54,17 @@ typedef struct region_work {
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
-/* Does a segment of the rest precede one of the drawing? Segments follow their bodies, then their edges; those of
- * intersections, which only a drawing has, come last. */
-static bool precedes(const roberts_segment *rest, const roberts_segment *drawn)
+bool region_lines_take(void *context, const roberts_segment *s)
 {
-    if (drawn->v0 == ROBERTS_NONE || rest->solid < drawn->solid)
-        return true;
-    return rest->solid == drawn->solid && rest->edge < drawn->edge;
-}
-
-static bool take_line(region_lines *lines, const roberts_segment *s)
-{
+    region_lines *lines = context;
     const double per = lines->per_unit;
-    return s->state != ROBERTS_VISIBLE || s->line == ROBERTS_WIRE ||
-           planar_map_add(&lines->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
-                          (roberts_vec2){per * s->p1.x, per * s->p1.y});
-}
-
-/* Takes the drawing's segments before a segment of the rest; all of them if that is NULL. */
-static bool take_drawn(region_lines *lines, const roberts_segment *rest)
-{
-    const roberts_drawing *drawing = lines->drawing;
-    for (; lines->taken < drawing->count && (!rest || !precedes(rest, &drawing->segment[lines->taken])); lines->taken++)
-        if (!take_line(lines, &drawing->segment[lines->taken]))
+    if (s->state != SEGMENT_LEFT_OUT) {
+        if (!array_reserve(&lines->segment, &lines->room, lines->count + 1, sizeof *s))
             return false;
-    return true;
-}
-
-/* So the lines are in the order that they would have if all were of one drawing. */
-bool region_lines_take(void *context, const roberts_segment *rest)
-{
-    return take_drawn(context, rest) && take_line(context, rest);
+        lines->segment[lines->count++] = *s;
+    }
+    return s->line == ROBERTS_WIRE || planar_map_add(&lines->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
+                                                     (roberts_vec2){per * s->p1.x, per * s->p1.y});
 }
 
 /* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
@@ -513,13 +493,13 @@ static double greatest_departure(const hide_fronts *fronts)
                   SCENE_TOLERANCE * s->view.diameter);
 }
 
-bool regions_find(const hide_job *job, region_lines *lines)
+bool regions_find(const hide_job *job, planar_map *map)
 {
     const view *v = &job->seen.view;
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
     const double departure = greatest_departure(&job->fronts), joined = touching + LOOSE_DEPARTURES * departure;
-    region_work w = {.job = job, .map = &lines->map};
-    bool enough = take_drawn(lines, NULL) && planar_map_divide(w.map, joined) &&
+    region_work w = {.job = job, .map = map};
+    bool enough = planar_map_divide(w.map, joined) &&
                   planar_map_join_loose(w.map, joined, joined + REGION_DEPARTURES * departure) &&
                   map_cells_find(&w.cells, w.map) && list_cycles(&w) &&
                   region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&

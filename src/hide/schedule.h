@@ -112,6 +112,9 @@ bool picture_order_recall(const picture_order *o, uint32_t solid, hide_worker *w
 
 /* ---- chunks ---- */
 
+/* The state of a visible segment that the drawing leaves out. Only a receiver for regions gets such segments. */
+#define SEGMENT_LEFT_OUT (ROBERTS_CLIPPED + 1)
+
 /* The segments of one chunk. */
 typedef struct hide_chunk {
     roberts_segment *segment; /* [count] */

@@ -248,12 +248,21 @@ static BITS_RARE bool add_levels(const hide_job *job, hide_worker *w, hide_chunk
     return true;
 }
 
+/* Marks the segments from `first` on. */
+static void mark_left_out(hide_chunk *out, size_t first)
+{
+    for (roberts_segment *s = out->segment + first, *end = out->segment + out->count; s < end; s++)
+        s->state = SEGMENT_LEFT_OUT;
+}
+
 /* Adds all segments of a line. False: no memory. */
 BITS_INLINE bool add_segments(const hide_job *job, hide_worker *w, const line_writer *writer, const hide_line *line)
 {
     const size_t first = writer->out->count;
     if ((writer->all || !line->hidden) && !add_either(writer, line))
         return false;
+    if (line->is.left_out)
+        mark_left_out(writer->out, first);
     return !writer->levels || add_levels(job, w, writer->out, &line->is, first);
 }
 
@@ -340,7 +349,7 @@ BITS_INLINE bool take_some(const hide_job *job, hide_worker *w, seen_walk *walk,
             hide_worker_add_taken(w, line++);
             continue;
         }
-        w->drawn++;
+        w->drawn += !is->left_out;
         if (is_behind_body(walk, is, back) || (covers.count > 0 && is_covered(&covers, P[is->v[0]], P[is->v[1]]))) {
             w->sides.tally.covered++;
             continue;
@@ -431,7 +440,7 @@ static bool take_further(const hide_job *job, hide_worker *w, uint32_t body, uin
     for (; *next < end && w->line_count < HIDE_GROUP; ++*next) {
         hide_line *line = &w->line[w->line_count];
         line->is = job->seen.further.line[*next];
-        w->drawn++;
+        w->drawn += !line->is.left_out;
         hide_worker_add(w, line);
         drop_covered(job, w, body);
     }

@@ -188,20 +188,21 @@ static bool classify(const seen_walk *w, const roberts_scene *scene, uint32_t e,
     uint8_t is = scene->surface->edge_is[e];
     double crease = crease_of(s, w->body);
     line->class = ROBERTS_WIRE;
+    line->left_out = false;
     if (edge->f[0] == ROBERTS_NONE)
-        return !s->rules.rest;
+        return true;
     if (is & EDGE_CUT) {
         const bool folded = is_folded_cut(w, scene, e);
         line->class = ROBERTS_OUTLINE;
         if (folded || !(is & EDGE_MANY)) /* else several faces are cut along it: it is an edge of several faces */
-            return folded && !s->rules.rest;
+            return folded;
     }
     edge_faces faces = is & EDGE_MANY ? faces_of_many(s, scene, scene_many_at(scene, e), crease)
                                       : faces_of_edge(w, scene, edge, e, crease);
     bool border = edge->f[1] == ROBERTS_NONE, fold = is_fold(&faces);
     line->class = border ? ROBERTS_BORDER : !fold && faces.left > 0 ? ROBERTS_CREASE : ROBERTS_OUTLINE;
-    bool flat = !border && !fold && faces.flat;
-    return flat ? s->rules.all_edges : !s->rules.rest;
+    line->left_out = !border && !fold && faces.flat && !s->rules.all_edges;
+    return !line->left_out || s->rules.left_out;
 }
 
 seen_own seen_own_of(const roberts_scene *scene, uint32_t body, uint32_t edge)
@@ -223,20 +224,17 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     const seen *s = w->of;
     const roberts_scene *scene = s->scene;
     uint8_t is = scene->surface->edge_is[e];
-    bool joins = w->all && !(is & (EDGE_CUT | EDGE_NEEDLE)) && seen_joins_faces(w->facing, edge, is);
-    line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are drawn */
-    bool is_line;
-    if (!joins)
-        is_line = classify(w, scene, e, line);
-    else
-        is_line = !s->rules.rest || is_flatter(scene, scene->solid[w->body].face, edge, e, crease_of(s, w->body));
+    bool joins = (w->all || w->left_out) && !(is & (EDGE_CUT | EDGE_NEEDLE)) && seen_joins_faces(w->facing, edge, is);
+    line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are taken */
+    line->left_out = joins && !w->all && is_flatter(scene, scene->solid[w->body].face, edge, e, crease_of(s, w->body));
+    bool is_line = joins || classify(w, scene, e, line);
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;
     line->own = seen_own_of(scene, w->body, e);
     line->taken = 0;
     line->piece = NULL;
-    w->surviving += is_line;
+    w->surviving += is_line && !line->left_out;
     return is_line;
 }
 
@@ -293,8 +291,6 @@ static bool lone_line(seen_walk *w, uint32_t edge, seen_line *line)
     }
     const scene_edge *stored = scene_edge_stored(scene, w->body, left.edge);
     bool is_line = convex ? seen_solid_line(w, stored, line) : surface_line(w, left.edge, stored, line);
-    if (is_line && convex && w->of->rules.rest)
-        is_line = line->class != ROBERTS_OUTLINE && seen_is_flat(scene, w->face, stored, w->of->rules.crease_chord);
     line->t0 = left.t0;
     line->t1 = left.t1;
     if (w->hidden)
@@ -314,7 +310,7 @@ bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge)
     if (scene_is_convex(scene, body))
         return !s->rules.all_edges && seen_fronts(s->facing + first, e) != 1 &&
                seen_is_flat(scene, first, e, s->rules.crease_chord);
-    return !classify(&walk, scene, edge, &line);
+    return !classify(&walk, scene, edge, &line) || line.left_out;
 }
 
 /* ---- bodies taken together as one ------------------------------------------------------------------------------ */
@@ -434,12 +430,13 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .slow = true,
                    .hidden = s->rules.hidden,
                    .all = s->rules.all_edges,
+                   .left_out = s->rules.left_out,
                    .stored = scene->edge + own->stored,
                    .facing = s->facing + own->face,
                    .vertex = own->vertex,
                    .face = own->face,
-                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->clip.clipped &&
-                              !s->edges.first};
+                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->rules.left_out &&
+                              !s->clip.clipped && !s->edges.first};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;
     /* edges of a cap are no lines, but they are counted; they come last */

@@ -71,13 +71,6 @@ void seen_set_rules(seen *s, const roberts_hide_options *options)
         s->rules.smooth_chord = greater(chord, square_chord(SMOOTH_CREASE));
 }
 
-void seen_set_rest(seen *s)
-{
-    if (s->rules.all_edges) /* then nothing is flat enough to be left out */
-        s->rules.crease_chord = s->rules.smooth_chord = 0.0;
-    s->rules.all_edges = s->rules.rest = true;
-}
-
 typedef struct walked {
     const seen *seen;
     const unsigned char *culled;

@@ -27,7 +27,7 @@ typedef struct seen_rules {
     double crease_chord; /* two faces are flat if the squared distance of their unit normals is less than this */
     double smooth_chord; /* the same limit for bodies that count as curved */
     bool all_edges;      /* edges of flat faces are lines too */
-    bool rest;           /* with all_edges: these edges only */
+    bool left_out;       /* edges of flat faces are lines that are marked as left out */
     bool hidden;         /* edges that their own convex body hides, or that the near plane removes, are lines too */
 } seen_rules;
 
@@ -65,10 +65,6 @@ bool seen_begin_points(seen *s);
 
 /* Sets which edges are lines. */
 void seen_set_rules(seen *s, const roberts_hide_options *options);
-
-/* From now on, the lines are the edges that the rules have left out, and further lines. Without union and hidden lines
- * only. */
-void seen_set_rest(seen *s);
 
 /* Treats all bodies as one, with at most `threads` threads. The facings of mapped bodies must be known. culled:
  * [solid_count] 1: no walk will visit this body. False: no memory. */
@@ -211,6 +207,7 @@ typedef struct seen_line {
     double t0, t1;         /* the part of its edge that the line covers */
     roberts_line class;
     unsigned taken;           /* SEEN_TAKEN... */
+    bool left_out;            /* the drawing does not have the line, because its faces are flat */
     bool alone;               /* pieces that the union does not change belong to the line, with its class */
     const union_piece *piece; /* pieces of the line, up to t1 == 1; NULL: the whole line has one class */
     const union_side *side;   /* base index of the pieces' sides */
@@ -254,11 +251,11 @@ typedef struct seen_walk {
     uint32_t body;
     uint32_t edge, end; /* edges of seen.source: the next one; the end */
     uint32_t key;       /* for a convex body, the one key of own faces of all its lines; otherwise ROBERTS_NONE */
-    bool slow;          /* a body that is not convex, a scene that the near plane has clipped, a union, or rules.rest */
+    bool slow;          /* a body that is not convex, a scene that the near plane has clipped, or a union */
     bool passing;       /* seen_pass_flat() may be called */
-    bool hidden, all;   /* as in seen_rules */
-    bool asked, any;    /* has seen_decide_narrow() looked for front faces, and found any? */
-    size_t surviving;   /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
+    bool hidden, all, left_out; /* as in seen_rules */
+    bool asked, any;            /* has seen_decide_narrow() looked for front faces, and found any? */
+    size_t surviving; /* number of edges visited that have a face toward the viewer; the caller sets it to 0 */
     /* the body's first in seen.scene: */
     const scene_edge *stored;
     const unsigned char *facing;
@@ -273,7 +270,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
 {
     const roberts_scene *scene = s->scene;
     const scene_solid *own = &scene->solid[body];
-    if (s->clip.clipped || s->edges.first || s->rules.rest || !scene_is_convex(scene, body))
+    if (s->clip.clipped || s->edges.first || !scene_is_convex(scene, body))
         return seen_walk_slowly(s, body);
     return (seen_walk){.of = s,
                        .body = body,
@@ -282,6 +279,7 @@ static inline seen_walk seen_walk_begin(const seen *s, uint32_t body)
                        .end = own[1].edge,
                        .hidden = s->rules.hidden,
                        .all = s->rules.all_edges,
+                       .left_out = s->rules.left_out,
                        .stored = scene->edge + own->stored,
                        .facing = s->facing + own->face,
                        .vertex = own->vertex,
@@ -358,8 +356,10 @@ BITS_INLINE bool seen_solid_line(seen_walk *w, const scene_edge *edge, seen_line
         seen_decide_narrow(w, edge, &f, &g);
     int fronts = (f == VIEW_FRONT) + (g == VIEW_FRONT);
     w->surviving += fronts > 0;
-    if ((fronts == 0 && !w->hidden) ||
-        (fronts != 1 && !w->all && seen_is_flat(w->of->scene, w->face, edge, w->of->rules.crease_chord)))
+    if (fronts == 0 && !w->hidden)
+        return false;
+    line->left_out = fronts != 1 && !w->all && seen_is_flat(w->of->scene, w->face, edge, w->of->rules.crease_chord);
+    if (line->left_out && !w->left_out)
         return false;
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
@@ -406,7 +406,7 @@ static inline void seen_again(seen_walk *w, uint32_t edge, seen_line *line)
         seen_slow_line(w, edge, line);
         return;
     }
-    w->all = true; /* it is not flat, or flat edges are wanted */
+    w->all = w->all || !w->left_out; /* it is not flat, or flat edges are wanted */
     seen_solid_line(w, w->stored + (edge - w->edge), line);
 }
 
