@@ -481,12 +481,13 @@ typedef struct roberts_drawing {
     size_t edges, surviving_edges;
     size_t seams; /**< with `unite`: surviving edges (all, if hidden segments are kept), or parts of them, that are left
                        out because bodies are flush there or because they lie inside a body */
-    size_t drawn_edges; /**< surviving edges (all, if hidden segments are kept) that bend by more than the crease
-                             angle */
-    roberts_tally tally;
-    roberts_time view_time, grid_time, hide_time;
-    roberts_time region_time; /**< of visible regions, with hiding the edges that only they need; 0: none are wanted */
-    size_t known_edge_count;  /**< only in a joined drawing: there, `edge` of a segment is an index here */
+    size_t drawn_edges;  /**< surviving edges (all, if hidden segments are kept) that bend by more than the crease
+                              angle */
+    roberts_tally tally; /**< with regions: also for the edges that only these need */
+    roberts_time view_time, grid_time;
+    roberts_time hide_time;         /**< with regions: also of the edges that only these need */
+    roberts_time region_time;       /**< of visible regions; 0: none are wanted */
+    size_t known_edge_count;        /**< only in a joined drawing: there, `edge` of a segment is an index here */
     roberts_known_edge *known_edge; /**< [known_edge_count] */
     size_t cut_count; /**< the segments from `count` on: where the near plane cuts bodies. Pages show them as outlines;
                            they are in no table, and have no v0, v1 and edge */

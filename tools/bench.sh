@@ -302,8 +302,9 @@ mesh() {
     of_meshes stages "$@"
 }
 
-# regions NAME FAMILY "SIZES" OPTION...: the same, with what is seen of each face
+# regions NAME FAMILY "SIZES" OPTION...: the same, without and with what is seen of each face
 regions() {
+    of_meshes hidden "$@"
     of_meshes regions "$@" --regions /dev/null
 }
 
