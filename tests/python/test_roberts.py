@@ -343,6 +343,28 @@ class Pages(unittest.TestCase):
         self.same(house, "tests/fuzz/seeds/house.obj", "--label", "names", labels="names")
         self.same(drawing, CUBE, "--label", "vertices,faces", labels=["vertices", "faces"])
 
+    def test_names(self):
+        scene = roberts.read(CUBE)
+        drawing = scene.hide()
+        path = os.path.join(HERE, "names.csv")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("vertex,0,A\nvertex,1,Ω\nedge,4-5,a\nface,3,top\nbody,0,box\n")
+        names = {"edges": {(5, 4): "a"}, "vertices": {1: "Ω", 0: "A"}, "faces": {3: "top"}, "bodies": {0: "box"}}
+        self.same(drawing, CUBE, "--labels", path, names=names)
+        self.same(drawing, CUBE, "--labels", path, "--label-size", "5", "--text", "native", names=names, label_size=5,
+                  text="native")
+        self.assertNotIn('class="text"', drawing.svg(names={"vertices": {0: ""}}))
+        for names, error, message in (
+                ({"points": {0: "A"}}, TypeError, "names: there is no 'points'"),
+                ({"vertices": ["A"]}, TypeError, "names: a dict of dicts"),
+                ({"vertices": {8: "A"}}, ValueError, "names: vertices: there is no 8"),
+                ({"vertices": {(0, 1): "A"}}, TypeError, "names: vertices: .* is no number"),
+                ({"edges": {0: "a"}}, TypeError, "names: edges: 0 is no pair of vertices"),
+                ({"edges": {(0, 1, 2): "a"}}, TypeError, "names: edges: .* is no pair of vertices"),
+                ({"faces": {0: 1}}, TypeError, "names: faces: 0: a name is a str, not 1")):
+            with self.assertRaisesRegex(error, message):
+                drawing.svg(names=names)
+
     def test_shade(self):
         for path in ("models/table.off", "models/locomotive.off"):
             scene = roberts.read(path)

@@ -50,16 +50,20 @@ _FILLS = {"none": (0, False), "white": (1, False), "model": (2, False), "body": 
 _HIDDEN = {"none": 0, "dashed": 1, "solid": 2}
 _GROUPS = {"class": 0, "body": 1, "element": 2}
 _LABELS = {"vertices": 1, "edges": 2, "faces": 4, "bodies": 8, "names": 16}
+_TEXTS = {"strokes": False, "native": True}
+_NAMED = ("vertices", "edges", "faces", "bodies")
 _COLUMNS = {"ends": 0, "depth": 1, "level": 2, "name": 3, "by": 4}
 _ANGLES = {"first": 0, "third": 1}
 _SHEET_VIEWS = ("front", "top", "side", "iso")
 
 # the options of a page: see svg()
 _OPTIONS = ("background", "columns", "crop", "description", "dpi", "fill", "group", "hatch", "hidden", "id_prefix",
-            "labels", "light", "number_layers", "page", "pens", "real_dashes", "scale", "shaded", "title")
+            "label_size", "labels", "light", "names", "number_layers", "page", "pens", "real_dashes", "scale", "shaded",
+            "text", "title")
 
 _TABLES = ("csv", "json")
-_ONLY_IN = {"columns": _TABLES, "dpi": ("png",), "group": ("svg",), "id_prefix": ("svg",)}
+_ONLY_IN = {"columns": _TABLES, "dpi": ("png",), "group": ("svg",), "id_prefix": ("svg",),
+            "text": ("svg", "pdf", "tikz", "dxf")}
 
 _vec2, _vec3 = np.dtype((np.float64, 2)), np.dtype((np.float64, 3))
 _SEGMENT = np.dtype([("solid", "u4"), ("v0", "u4"), ("v1", "u4"), ("by", "u4"), ("t0", "f8"), ("t1", "f8"),
@@ -572,6 +576,10 @@ class _Drawable:
         hatch             True, or a dict with fields of roberts_hatching
         light             toward the light, as the viewer sees it: three numbers
         labels            vertices, edges, faces, bodies or names (of bodies, from the file), or a sequence
+        names             names that labels show, a dict of dicts: {"vertices": {0: "A"}, "edges": {(0, 4): "a"},
+                          "faces": {2: "top"}, "bodies": {1: "leg"}}; what has a name is labelled; "": no label
+        label_size        mm: the height of the capitals of labels
+        text              strokes (the default), or native: in SVG, PDF and TikZ, text in a font of the viewer
         columns           tables: further columns: ends, depth, level (needs hide(levels=True)), name, by; or a sequence
         group             class, body or element: the structure of the SVG
         id_prefix, title, description    strings
@@ -708,7 +716,7 @@ class _Page:
         o.grouping = _choice(_GROUPS, given.pop("group", "class"), "group")
         self._texts(of, given)
         self._paper(given)
-        if self._paint(given):
+        if self._paint(of, given):
             regions = {name: of._options[name] for name in _REGION_OPTIONS if name in of._options}
             self.regions = [Regions(one._scene, one._camera, regions) for one in drawings]
             for drawing, seen in zip(self.drawings, self.regions):
@@ -722,6 +730,9 @@ class _Page:
         for name in ("crop", "dpi", "real_dashes", "number_layers"):
             if name in given:
                 _set(o, name, given.pop(name), name)
+        if "label_size" in given:
+            _set(o.lettering, "height_mm", given.pop("label_size"), "label_size")
+        o.lettering.native = _choice(_TEXTS, given.pop("text", "strokes"), "text")
         if given:
             raise _unknown("", next(iter(given)), _OPTIONS)
 
@@ -772,7 +783,7 @@ class _Page:
         if "background" in given:
             o.background = c.background(True, *_color(given.pop("background"), "background"))
 
-    def _paint(self, given: dict) -> bool:
+    def _paint(self, of: Drawing, given: dict) -> bool:
         """Fills, hatching and labels. Returns whether they need regions."""
         o, fill, hatch, shaded = self.options, given.pop("fill", None), given.pop("hatch", None), False
         if fill is not None and not isinstance(fill, str):
@@ -794,4 +805,31 @@ class _Page:
         for name in _names(given.pop("labels", ())):
             o.lettering.labels |= _choice(_LABELS, name, "labels")
         areas = _LABELS["faces"] | _LABELS["bodies"] | _LABELS["names"]
-        return bool(o.fill or o.hatching.on or o.lettering.labels & areas)
+        named = self._name(of, given.pop("names", {}))
+        return bool(o.fill or o.hatching.on or (o.lettering.labels | named) & areas)
+
+    def _name(self, of: Drawing, names: Mapping[str, Mapping]) -> int:
+        """Gives labels their names. Returns the kinds of what has one."""
+        if not isinstance(names, Mapping) or not all(isinstance(some, Mapping) for some in names.values()):
+            raise TypeError('names: a dict of dicts, such as {"vertices": {0: "A"}}')
+        for kind in names:
+            if kind not in _NAMED:
+                raise _unknown("names: ", kind, _NAMED)
+        mesh, item, kinds = of._scene._mesh, {}, 0
+        counts = dict(zip(_NAMED, (mesh.vertex_count, mesh.vertex_count, mesh.face_count, of._scene.body_count)))
+        for kind, some in names.items():
+            for key, text in some.items():
+                ends = list(key) if kind == "edges" and isinstance(key, tuple) else [key]
+                if len(ends) != 1 + (kind == "edges") or not all(isinstance(n, (int, np.integer)) for n in ends):
+                    wanted = "pair of vertices" if kind == "edges" else "number"
+                    raise TypeError(f"names: {kind}: {key!r} is no {wanted}")
+                if not all(0 <= n < counts[kind] for n in ends):
+                    raise ValueError(f"names: {kind}: there is no {key!r}")
+                if not isinstance(text, str):
+                    raise TypeError(f"names: {kind}: {key!r}: a name is a str, not {text!r}")
+                item[(_LABELS[kind], *sorted(ends), 0)[:3]] = text.encode()
+                kinds |= _LABELS[kind]
+        self._list = (c.name * len(item))(*((*key, item[key]) for key in sorted(item)))
+        lettering = self.options.lettering
+        lettering.name_count, lettering.name = len(item), ctypes.cast(self._list, ctypes.c_void_p)
+        return kinds

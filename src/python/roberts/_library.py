@@ -147,6 +147,10 @@ class placement(Structure):
                 ("standard", c_bool)]
 
 
+class name(Structure):
+    _fields_ = [("of", c_int), ("number", c_uint32), ("other", c_uint32), ("text", c_char_p)]
+
+
 class lettering(Structure):
     _fields_ = [("height_mm", c_double), ("native", c_bool), ("labels", c_uint), ("name_count", c_size_t),
                 ("name", c_void_p), ("title", c_char_p), ("field_count", c_size_t), ("field", c_void_p),
