@@ -7,6 +7,7 @@
 
 #include "base/array.h"
 #include "base/box.h"
+#include "base/search.h"
 #include "base/vec.h"
 #include "draw/free_space.h"
 
@@ -44,13 +45,19 @@ static bool add_segment(const strokes *s, uint32_t v, const roberts_segment *seg
     if (segment->v0 == ROBERTS_NONE || !(length > 0.0))
         return true;
     const roberts_vec2 along = {(b.x - a.x) / length, (b.y - a.y) / length};
-    target one = {
-        .kind = ROBERTS_LABEL_VERTICES, .view = v, .number = segment->v0, .is_back = is_back, .at = a, .along = along};
+    target one = {.kind = ROBERTS_LABEL_VERTICES,
+                  .view = v,
+                  .number = segment->v0,
+                  .is_back = is_back,
+                  .at = a,
+                  .along = along,
+                  .z = segment->z0};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t0 == 0.0 && strokes_is_in_frame(s, view, a) &&
         !add_target(t, &one))
         return false;
     one.number = segment->v1;
     one.at = b;
+    one.z = segment->z1;
     one.along = (roberts_vec2){-along.x, -along.y};
     if ((kinds & ROBERTS_LABEL_VERTICES) && segment->t1 == 1.0 && strokes_is_in_frame(s, view, b) &&
         !add_target(t, &one))
@@ -317,6 +324,63 @@ static void unite(targets *t)
     t->count = kept;
 }
 
+/* ---- vertices on lines ---- */
+
+/* A point of a view: on the page, mm, and its depth times the scale. */
+static roberts_vec3 place_of(const page_view *view, roberts_vec2 at, double z)
+{
+    return (roberts_vec3){at.x, at.y, page_scale(&view->map) * z};
+}
+
+/* Is X on the segment, or within `touching` of it? */
+static bool touches_segment(roberts_vec3 X, roberts_vec3 A, roberts_vec3 B, double touching)
+{
+    const roberts_vec3 d = vec3_sub(B, A), x = vec3_sub(X, A);
+    const double t = lesser(1.0, greater(0.0, vec3_dot(x, d) / vec3_dot(d, d)));
+    return vec3_length(vec3_sub(x, vec3_scale(t, d))) <= touching;
+}
+
+/* A vertex whose own lines are all hidden is not hidden if it lies on a visible line: the end of a height within a
+ * solid, in the middle of an edge. item[0 .. count - 1]: targets of the view. False: no memory. */
+static bool find_on_lines(const strokes *s, uint32_t v, target *item, size_t count)
+{
+    const page_view *view = &s->view[v];
+    const roberts_drawing *drawing = view->drawing;
+    const double touching = drawing->epsilon * page_scale(&view->map);
+    roberts_vec3(*line)[2] = alloc_array(drawing->count, sizeof *line);
+    box3 *box = alloc_array(drawing->count, sizeof *box);
+    box_tree tree = {0};
+    uint32_t lines = 0, root = 0;
+    roberts_line class;
+    bool enough = line && box;
+    for (size_t i = 0; enough && i < drawing->count && lines < ROBERTS_NONE; i++) {
+        const roberts_segment *own = &drawing->segment[i];
+        if (own->state != ROBERTS_VISIBLE || !strokes_has_place(s->options, own, &class))
+            continue;
+        const roberts_vec3 A = place_of(view, page_place(&view->map, own->p0), own->z0);
+        const roberts_vec3 B = place_of(view, page_place(&view->map, own->p1), own->z1);
+        line[lines][0] = A;
+        line[lines][1] = B;
+        box[lines++] =
+            (box3){{lesser(A.x, B.x) - touching, lesser(A.y, B.y) - touching, lesser(A.z, B.z) - touching},
+                   {greater(A.x, B.x) + touching, greater(A.y, B.y) + touching, greater(A.z, B.z) + touching}};
+    }
+    enough = enough && (lines == 0 || box_tree_add(&tree, box, lines, 0, &root));
+    for (size_t i = 0; enough && i < count; i++) {
+        if (item[i].kind != ROBERTS_LABEL_VERTICES || !item[i].is_back)
+            continue;
+        const roberts_vec3 X = place_of(view, item[i].at, item[i].z);
+        const box3 at = {X, X};
+        box_search near = box_search_begin(&tree, root, &at);
+        for (uint32_t k; item[i].is_back && box_search_next(&near, &k);)
+            item[i].is_back = !touches_segment(X, line[k][0], line[k][1], touching);
+    }
+    box_tree_free(&tree);
+    free(line);
+    free(box);
+    return enough;
+}
+
 bool targets_find(const strokes *s, unsigned kinds, targets *t)
 {
     for (uint32_t v = 0; v < s->views; v++) {
@@ -331,6 +395,12 @@ bool targets_find(const strokes *s, unsigned kinds, targets *t)
             return false;
     }
     unite(t);
+    for (size_t i = 0, end; (kinds & ROBERTS_LABEL_VERTICES) && s->options->hidden && i < t->count; i = end) {
+        for (end = i + 1; end < t->count && t->item[end].view == t->item[i].view;)
+            end++;
+        if (!find_on_lines(s, t->item[i].view, &t->item[i], end - i))
+            return false;
+    }
     return true;
 }
 

@@ -13,6 +13,7 @@ typedef struct target {
     roberts_vec2 along;           /* vertex: sum of the directions of its lines; edge: its direction */
     double reach;                 /* edge: half of the part's length; region: how far its border is; mm */
     double size;                  /* edge: length of the part; region: its area */
+    double z;                     /* vertex: its depth, model units */
     uint32_t point;               /* vertex: its number among those of the page */
 } target;
 

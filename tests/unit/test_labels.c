@@ -417,6 +417,34 @@ static void hidden_and_named(void **state)
                                        "or a question mark stands for each");
 }
 
+/* Hidden lines end on a visible line: in the middle of it, beside it by more than the touching distance, and behind it.
+ * Only the first of these vertices is not hidden. */
+static void vertices_on_lines(void **state)
+{
+    (void)state;
+    told warnings = {0};
+    roberts_segment some[] = {line_at(ROBERTS_OUTLINE, 0, 0, 10, 0), line_at(ROBERTS_CREASE, 5, 0, 5, 9),
+                              line_at(ROBERTS_CREASE, 7, 2e-9, 7, 9), line_at(ROBERTS_CREASE, 3, 0, 3, 9)};
+    for (uint32_t i = 0; i < 4; i++) {
+        some[i].v0 = 2 * i;
+        some[i].v1 = 2 * i + 1;
+        some[i].state = i ? ROBERTS_HIDDEN : ROBERTS_VISIBLE;
+        some[i].z0 = some[i].z1 = 4.0;
+    }
+    some[3].z0 = 4.0 - 2e-9;
+    roberts_drawing drawing = {.count = 4, .segment = some, .epsilon = 1e-9};
+    roberts_draw_options options = options_of(ROBERTS_LABEL_VERTICES, 0, &warnings);
+    options.hidden = ROBERTS_HIDDEN_DASHED;
+    strokes s;
+    assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+    assert_int_equal(s.notes.count, 8);
+    for (size_t i = 0; i < 8; i++) {
+        const uint32_t vertex = s.notes.item[i].of.number;
+        assert_int_equal(s.notes.item[i].is_back, vertex > 2);
+    }
+    strokes_free(&s);
+}
+
 /* The same strokes again; with native text there are no strokes of letters, but the same notes. */
 static void same_again(void **state)
 {
@@ -917,6 +945,7 @@ int main(void)
                                        cmocka_unit_test(letters_fit_the_room),
                                        cmocka_unit_test(wide_names),
                                        cmocka_unit_test(hidden_and_named),
+                                       cmocka_unit_test(vertices_on_lines),
                                        cmocka_unit_test(same_again),
                                        cmocka_unit_test(kinds_are_told_apart),
                                        cmocka_unit_test(none_beyond_the_frame),
