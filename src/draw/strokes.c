@@ -528,15 +528,15 @@ static strokes nothing_drawn(const roberts_draw_options *options)
                                   {page->width_mm - page->margin_mm, page->height_mm - page->margin_mm}}};
 }
 
-/* The page with margins that keep the drawing away from a frame, by 5 mm; on small pages by a tenth of the shorter side
- * within the margins. A drawing with a field of view ends at its frame. One of a series with a common window has the
- * same place whatever its labels are, and margins leave room for these. */
+/* The page with margins that keep the drawing away from a frame and its centring marks, by 5 mm; on small pages by a
+ * tenth of the shorter side within the margins. A drawing with a field of view ends at its frame. One of a series with
+ * a common window has the same place whatever its labels are, and margins leave room for these. */
 static roberts_page page_within_frame(const roberts_drawing *drawing, const roberts_draw_options *options)
 {
     roberts_page page = options->page;
     double room_mm = fmin(page.width_mm, page.height_mm) - 2.0 * page.margin_mm;
     if (!options->frame.off && !drawing->framed)
-        page.margin_mm += fmin(from_frame_mm, room_mm / 10.0);
+        page.margin_mm += fmin(from_frame_mm + (options->lettering.zones ? CENTRE_MARK : 0.0), room_mm / 10.0);
     if (drawing->windowed && !drawing->framed && options->placement.scale == 0.0)
         page.margin_mm += fmin(labels_reach(options), room_mm / 10.0);
     return page;

@@ -220,7 +220,7 @@ bool title_block_add(strokes *s)
  * with letters from top to bottom and numbers from left to right. */
 
 /* mm */
-static const double field_mm = 50.0, strip_mm = 5.0, mark_mm = 5.0, letter_mm = 2.5;
+static const double field_mm = 50.0, strip_mm = 5.0, letter_mm = 2.5;
 
 /* Where field `i` of a side of this length ends, from its start; the outer fields take the rest. */
 static double field_end(double length, int fields, int i)
@@ -264,7 +264,7 @@ static bool add_zones(strokes *s, bool is_level)
             const double edge = is_level ? (side ? high.y : low.y) : (side ? high.x : low.x), out = side ? 1.0 : -1.0;
             const bool is_centre = i + 1 == fields / 2, is_lower = is_level && side == 1;
             const double off = edge + out * strip_mm / 2.0, far = edge + out * strip_mm,
-                         near = is_centre && !(is_lower && is_at_block(s, at)) ? edge - out * mark_mm : edge;
+                         near = is_centre && !(is_lower && is_at_block(s, at)) ? edge - out * CENTRE_MARK : edge;
             text_line line = {shown, by_side(is_level, middle, off), letter_mm, 0.5, TEXT_LEVEL};
             line.at.y += letter_mm / 2.0;
             done = notes_add_text(&s->notes, &line);

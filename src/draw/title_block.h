@@ -8,6 +8,9 @@
 #define BLOCK_WIDTH 180.0
 #define BLOCK_HEIGHT 27.0
 
+/* mm: how far the centring marks of zones run into the frame */
+#define CENTRE_MARK 5.0
+
 /* Whether the sheet has a title block: there is a title or a field. */
 bool title_block_is_wanted(const roberts_draw_options *options);
 

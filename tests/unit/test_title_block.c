@@ -5,6 +5,7 @@
 
 #include "draw/dimensions.h"
 #include "letters_box.h"
+#include "drawing.h"
 #include "sheet_views.h"
 #include "testing.h"
 
@@ -114,6 +115,24 @@ static void mark_ends_at_block(void **state)
         strokes_free(&s);
     }
     free_views(&v);
+}
+
+/* The centring marks run 5 mm into the frame; a drawing that is fitted stays 5 mm away from them. */
+static void marks_are_clear(void **state)
+{
+    (void)state;
+    roberts_segment side[] = {line_at(ROBERTS_OUTLINE, 0, 5, 10, 5), line_at(ROBERTS_OUTLINE, 5, 0, 5, 10)};
+    roberts_drawing drawing = {.count = 2, .segment = side, .window_max = {10, 10}, .epsilon = 1e-9};
+    roberts_draw_options options = roberts_draw_options_default();
+    options.frame.off = false;
+    for (int zones = 0; zones < 2; zones++) {
+        strokes s;
+        options.lettering.zones = zones;
+        assert_int_equal(strokes_make(&s, &drawing, &options, NULL), ROBERTS_OK);
+        const double left = page_place(&s.map, drawing.window_min).x - s.frame_mm[0].x;
+        assert_true(fabs(left - (zones ? 10.0 : 5.0)) < 1e-9);
+        strokes_free(&s);
+    }
 }
 
 /* Text about as wide as the measured length, or wider, lies on no extension line. */
@@ -314,13 +333,10 @@ static void numbers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides),
-                                       cmocka_unit_test(mark_ends_at_block),
-                                       cmocka_unit_test(wide_text),
-                                       cmocka_unit_test(what_it_says),
-                                       cmocka_unit_test(extensions_reach_corners),
-                                       cmocka_unit_test(small_pages),
-                                       cmocka_unit_test(long_titles),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(nothing_collides), cmocka_unit_test(mark_ends_at_block),
+                                       cmocka_unit_test(marks_are_clear),  cmocka_unit_test(wide_text),
+                                       cmocka_unit_test(what_it_says),     cmocka_unit_test(extensions_reach_corners),
+                                       cmocka_unit_test(small_pages),      cmocka_unit_test(long_titles),
                                        cmocka_unit_test(numbers)};
     return cmocka_run_group_tests_name("title blocks", tests, NULL, NULL);
 }
