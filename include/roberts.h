@@ -322,6 +322,9 @@ typedef struct roberts_camera {
     /** A section through this point of the model: everything nearer to the viewer, along the axis of sight, is cut off.
      * In perspective, this plane or that of `near_distance` counts, whichever is farther from the eye. */
     roberts_vec3 section;
+    /** Parallel views: the section is perpendicular to this instead, and all on this side of it is cut off. It must not
+     * point away from the viewer; 0,0,0 = the axis of sight. */
+    roberts_vec3 section_normal;
     bool has_section; /**< false: `section` is not used, and a parallel view has no near plane */
     /** Perspective: the angle from side to side and from bottom to top, under 180 (on a page that is not square, across
      * its shorter side); 0 = the whole scene, but where the plane at `near_distance` cuts it, at most
@@ -341,8 +344,9 @@ bool roberts_camera_preset(const char *name, roberts_camera *camera);
  * range. */
 bool roberts_camera_angles(double azimuth, double elevation, double roll, roberts_camera *camera);
 
-/** Turns `camera` (direction or eye, look-at point, section and up) by `degrees` about the vertical line through the
- * centre of the scene's box, from the front to the right. What the drawing shows turns the other way. */
+/** Turns `camera` (direction or eye, look-at point, section with its normal, and up) by `degrees` about the vertical
+ * line through the centre of the scene's box, from the front to the right. What the drawing shows turns the other way.
+ */
 void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_camera *camera);
 
 /**

@@ -934,16 +934,19 @@ static const option rows[] = {
     {.group = GROUP_VIEW,
      .name = "section",
      .flags = OPTION_DRAWS,
-     .value = "X,Y,Z",
-     .set = values_set_vector,
-     TO(section),
+     .value = "X,Y,Z[,NX,NY,NZ]",
+     .set = values_set_section,
      .excludes = "sheet plan part join",
      .brief = "cut off what is nearer than this point",
-     .help = "any view: cut off everything nearer to the viewer than this point",
+     .help = "cut off everything nearer to the viewer than this point; or, in parallel views, everything on the side "
+             "of the point to which NX,NY,NZ points",
      .manual =
          "Cuts off everything nearer to the viewer than this point, measured along the axis of sight: with "
-         "--view front, everything in front of the point. Bodies are cut as by --near. With --turntable, the point "
-         "turns with the viewer."},
+         "--view front, everything in front of the point. With a direction NX,NY,NZ, in a parallel view, the plane "
+         "through the point and perpendicular to the direction cuts, and everything on the side to which it points is "
+         "cut off: --section 0,0,0,1,0,0 shows the half of a model with x below 0, seen from the right or from iso. "
+         "The direction must not point away from the viewer. Bodies are cut as by --near. With --turntable, the "
+         "section turns with the viewer."},
     {.group = GROUP_VIEW,
      .name = "up",
      .flags = OPTION_DRAWS,

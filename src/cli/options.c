@@ -295,7 +295,8 @@ static void set_camera(const options_given *given, cli_options *options)
         roberts_camera_angles(options->azimuth, options->elevation, 0.0, camera);
     if (options_is_given(given, "up"))
         camera->up = options->up;
-    camera->section = options->section;
+    camera->section = options->section[0];
+    camera->section_normal = options->section[1];
     camera->has_section = options_is_given(given, "section");
     camera->roll_degrees = options->roll;
 }

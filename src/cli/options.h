@@ -45,7 +45,7 @@ typedef struct cli_options {
     roberts_scene_options scene;
     bool y_up; /* the y axis of the model points up */
     roberts_camera camera;
-    roberts_vec3 section;            /* goes into the camera last, like `up` */
+    roberts_vec3 section[2];         /* point and direction; goes into the camera last, like `up` */
     roberts_vec3 up;                 /* goes into the camera last, like --roll, so the order of options is free */
     double azimuth, elevation, roll; /* degrees */
     roberts_hide_options hide;

@@ -466,7 +466,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     if (options->hide.unite && scene && hint_idle_union(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
     if (options->camera.has_section && !v->drawing[0].sectioned)
-        warn_of_inputs(options, "--section has no effect: nothing of the scene is nearer to the viewer than its point");
+        warn_of_inputs(options, "--section has no effect: it cuts off nothing of the scene");
     if (hint_wide_epsilon(options, &v->drawing[0], &width)) {
         snprintf(text, sizeof text,
                  "--epsilon is large: faces are about %.2g wide, and those narrower than --epsilon hide nothing",

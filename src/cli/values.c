@@ -112,6 +112,21 @@ int values_set_vector(const option *o, const char *value, cli_options *options)
     return EXIT_DONE;
 }
 
+/* A point, and a direction that may be left out. */
+int values_set_section(const option *o, const char *value, cli_options *options)
+{
+    double v[6] = {0.0};
+    const bool directed = parse_numbers(value, v, 6);
+    if (!directed && !parse_numbers(value, v, 3))
+        return message_misuse("--%s: \"%s\" is not X,Y,Z or X,Y,Z,NX,NY,NZ (numbers, point for decimals)", o->name,
+                              value);
+    if (directed && v[3] == 0.0 && v[4] == 0.0 && v[5] == 0.0)
+        return message_misuse("--%s: 0,0,0 is no direction", o->name);
+    options->section[0] = (roberts_vec3){v[0], v[1], v[2]};
+    options->section[1] = (roberts_vec3){v[3], v[4], v[5]};
+    return EXIT_DONE;
+}
+
 int values_set_direction(const option *o, const char *value, cli_options *options)
 {
     const roberts_vec3 *v = field(o, options);

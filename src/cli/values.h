@@ -75,6 +75,7 @@ option_set values_set_length;    /* double in mm, from o->least to o->most; may 
 option_set values_set_share;     /* roberts_share */
 option_set values_set_vector;    /* roberts_vec3 */
 option_set values_set_direction; /* roberts_vec3, not 0,0,0 */
+option_set values_set_section;
 
 /* For one option each. */
 option_set values_add_room, values_set_format, values_set_sheet, values_set_hidden, values_set_columns,

@@ -81,6 +81,7 @@ void roberts_camera_turn(const roberts_scene *scene, double degrees, roberts_cam
     camera->eye = turned_about(centre, camera->eye, by);
     camera->look_at = turned_about(centre, camera->look_at, by);
     camera->section = turned_about(centre, camera->section, by);
+    camera->section_normal = turned(camera->section_normal, by);
 }
 
 /* ---- the part of the picture plane that is drawn ----------------------------------------------------------------- */

@@ -708,7 +708,8 @@ static roberts_status cut_solids(cutter *c, roberts_error *error)
     if (status == ROBERTS_OK && to->vertex_count == 0)
         status = c->clip->section
                      ? error_set(error, ROBERTS_BAD_VIEW, 0,
-                                 "nothing of the scene lies beyond the section; move its point toward the viewer")
+                                 "nothing of the scene lies beyond the section; move its point toward the viewer, or "
+                                 "the way its direction points")
                      : error_set(error, ROBERTS_BAD_VIEW, 0,
                                  "nothing of the scene lies in front of the eye, beyond the near plane at a "
                                  "distance of %.6g; move the eye, the look-at point or the near plane",
@@ -765,6 +766,8 @@ static bool set_near(cutter *c, const roberts_camera *camera, double epsilon)
         return false;
     if (eye)
         back = vec3_sub(camera->eye, camera->has_look_at ? camera->look_at : centre);
+    else if (vec3_largest(camera->section_normal) > 0.0)
+        back = camera->section_normal;
     double largest = vec3_largest(back);
     if (!vec3_is_finite(back) || !(largest > 0.0) || (eye && !isfinite(camera->near_distance)) ||
         (camera->has_section && !vec3_is_finite(camera->section)))

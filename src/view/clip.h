@@ -1,5 +1,6 @@
 /* clip.h - the near plane. It cuts off everything behind the eye or too near to it, which the projective map cannot
- * handle, and everything in front of a section.
+ * handle, and everything in front of a section. In a parallel view, a section may have any direction but away from the
+ * viewer. So nothing that remains lies in front of it.
  *
  * A solid that the near plane passes through is cut along the plane and closed by a cap. It stays a closed convex
  * solid, so later stages need no special case. The cap hides, since nobody looks into a solid. Its outline is found
@@ -25,7 +26,7 @@ typedef struct view_clip {
     uint32_t *sheet;
     size_t sheet_count;
     /* The near plane: points in it have the depth `near` (view_clip_depth()). from: the eye, or in a parallel view the
-     * scene's centre; dir: unit vector toward the viewer. Model units. */
+     * scene's centre; dir: unit vector perpendicular to it, toward the viewer. Model units. */
     roberts_vec3 from, dir;
     double near;
     bool pieces;  /* faces of the scene have been cut into pieces before */
@@ -33,7 +34,7 @@ typedef struct view_clip {
     bool section; /* the plane is that of camera->section */
 } view_clip;
 
-/* How much farther than clip->from a point lies, along the axis of sight. */
+/* How much farther than clip->from a point lies, along clip->dir. */
 static inline double view_clip_depth(const view_clip *clip, roberts_vec3 P)
 {
     return vec3_dot(clip->dir, vec3_sub(clip->from, P));

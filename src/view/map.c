@@ -28,6 +28,9 @@
 #define OBLIQUE_MOST 1000.0
 /* If the sine of the angle between `up` and the line of sight is at most this, they count as parallel. */
 #define PARALLEL 1e-9
+/* If the cosine of the angle between a section's direction and that toward the viewer is this far below 0, the section
+ * faces away. */
+#define AWAY 1e-9
 /* If the cosine of the angle between an axis of the picture and the line of sight is at most this, it is rounding, and
  * they are perpendicular. */
 #define ACROSS (4.0 * DBL_EPSILON)
@@ -476,11 +479,19 @@ static roberts_status check_camera(const roberts_camera *camera, double epsilon,
         fmax(fabs(camera->oblique.x), fabs(camera->oblique.y)) > OBLIQUE_MOST)
         return error_set(error, ROBERTS_BAD_VIEW, 0, "an oblique view moves a unit of depth by no more than %g",
                          OBLIQUE_MOST);
-    if (camera->has_section && !vec3_is_finite(camera->section))
-        return error_set(error, ROBERTS_BAD_VIEW, 0, "the point of the section must be finite");
+    if (camera->has_section && (!vec3_is_finite(camera->section) || !vec3_is_finite(camera->section_normal)))
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "the point and the direction of the section must be finite");
+    if (camera->has_section && perspective && vec3_largest(camera->section_normal) > 0.0)
+        return error_set(error, ROBERTS_BAD_VIEW, 0, "from an eye, a section has no direction but the axis of sight");
     if (!vec3_is_finite(camera->up) || !isfinite(camera->roll_degrees))
         return error_set(error, ROBERTS_BAD_VIEW, 0, "the up vector and the roll must be finite");
     return ROBERTS_OK;
+}
+
+/* Does a direction point away from the viewer of a parallel view? */
+static bool points_away(const view *v, roberts_vec3 n)
+{
+    return vec3_dot(unit_vector(n), v->viewpoint) < -AWAY * vec3_length(v->viewpoint);
 }
 
 roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_camera *camera, double epsilon,
@@ -504,10 +515,15 @@ roberts_status view_begin(view *v, const roberts_scene *scene, const roberts_cam
             return error_set(error, ROBERTS_BAD_VIEW, 0, "the eye is at the point that it looks at; move one of them");
     }
     set_view_axes(v, dir, camera->up, camera->roll_degrees);
-    if (!v->perspective)
-        set_sight_line(v, camera);
-    else
+    if (v->perspective) {
         v->inverse_distance = 1.0 / eye_distance(v);
+        return ROBERTS_OK;
+    }
+    set_sight_line(v, camera);
+    if (camera->has_section && points_away(v, camera->section_normal))
+        return error_set(
+            error, ROBERTS_BAD_VIEW, 0,
+            "the section faces away from the viewer; turn its direction round, or look from the other side");
     return ROBERTS_OK;
 }
 

@@ -644,8 +644,11 @@ static void sections_are_cut(void **state)
     assert_string_equal(last.err, "");
     assert_int_equal(run("--section 0,-1,0 --view front --hatch faces=sections -o a.svg models/platonic/cube.off"), 0);
     assert_non_null(strstr(last.err, "--hatch has no effect: no closed body is cut\n"));
-    assert_non_null(strstr(last.err, "--section has no effect: nothing of the scene is nearer to the viewer than its "
-                                     "point\n"));
+    assert_non_null(strstr(last.err, "--section has no effect: it cuts off nothing of the scene\n"));
+    /* a section that does not face the viewer: the right half is gone */
+    assert_int_equal(run("--view iso --section 0.25,0,0,1,0,0 -f csv models/platonic/cube.off"), 0);
+    assert_int_equal(count("\n"), 1 + 5);
+    assert_int_equal(count(",0.375,1,"), 3);
     assert_int_equal(run("--eye 0,-9,0 --near 8.5 --section 0,-5,0 -o a.svg models/platonic/cube.off"), 0);
     assert_non_null(strstr(last.err, "--section has no effect"));
     /* the picture is not cut at a field of view, as near the eye */

@@ -347,7 +347,9 @@ static const struct {
      "roberts: --epsilon: the touching distance, 100, is more than 0.0173205, a hundredth of the scene\n"},
     {"--near -1 --eye 9,9,9", "--near: -1 is out of range: at least 0\n"},
     {"--near 1", "--near needs --eye"},
-    {"--section 1,2", "--section: \"1,2\" is not X,Y,Z (three numbers, point for decimals)\n"},
+    {"--section 1,2", "--section: \"1,2\" is not X,Y,Z or X,Y,Z,NX,NY,NZ (numbers, point for decimals)\n"},
+    {"--section 1,2,3,4,5", "--section: \"1,2,3,4,5\" is not X,Y,Z or X,Y,Z,NX,NY,NZ (numbers, point for decimals)\n"},
+    {"--section 1,2,3,0,0,0", "--section: 0,0,0 is no direction\n"},
     {"--section 1,2,3 --sheet first", "--section and --sheet exclude each other\n"},
     {"--section 1,2,3 --plan", "--section and --plan exclude each other\n"},
     {"--dpi 3000 models/table.off -o a.png",
@@ -1117,7 +1119,10 @@ static void empty_drawings_are_warned_of(void **state)
         "at a distance of 600; move the eye, the look-at point or the near plane\n");
     assert_int_equal(run("--view top --section 0,0,-99 models/table.off"), 1);
     assert_said("roberts: models/table.off: nothing of the scene lies beyond the section; move its point toward the "
-                "viewer\n");
+                "viewer, or the way its direction points\n");
+    assert_int_equal(run("--view iso --section 0,0,0,-1,0,0 models/table.off"), 1);
+    assert_said("roberts: models/table.off: the section faces away from the viewer; turn its direction round, or look "
+                "from the other side\n");
     assert_int_equal(run("--eye 9,9,9 --look-at 9,9,9 models/table.off"), 1);
     assert_said("roberts: models/table.off: the eye is at the point that it looks at; move one of them\n");
 }

@@ -304,6 +304,10 @@ class Pages(unittest.TestCase):
         drawing = roberts.read(CUBE).hide(roberts.view("front", section=(0, -0.5, 0)))
         self.same(drawing, CUBE, "--view", "front", "--section", "0,-.5,0", "--hatch", "faces=sections",
                   hatch={"sections": True})
+        drawing = roberts.read(CUBE).hide(roberts.view("iso", section=(0.25, 0, 0, 1, 0, 0)))
+        self.same(drawing, CUBE, "--section", "0.25,0,0,1,0,0")
+        with self.assertRaisesRegex(ValueError, "view: section"):
+            roberts.view(section=(0, 0, 0, 1))
 
     def test_svg_is_that_of_the_program(self):
         for path in ("models/table.off", "models/temple.off", "models/interpenetrating-cubes.off"):

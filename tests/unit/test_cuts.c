@@ -17,6 +17,17 @@ static roberts_camera section_of(const roberts_camera *from)
     return (roberts_camera){.dir = back, .section = at, .has_section = from->near_distance > 0.0};
 }
 
+/* The same section, seen aslant. *narrow: how large areas of the section are in the picture. */
+static roberts_camera slanted_of(const roberts_camera *from, double *narrow)
+{
+    roberts_camera camera = section_of(from);
+    camera.section_normal = camera.dir;
+    camera.dir = vec3_add(vec3_scale(1.0 / vec3_length(camera.dir), camera.dir), (roberts_vec3){0.31, -0.47, 0.23});
+    *narrow =
+        vec3_dot(camera.dir, camera.section_normal) / vec3_length(camera.dir) / vec3_length(camera.section_normal);
+    return camera;
+}
+
 /* Are the lines closed? Then as many of them begin as end at each point. */
 static bool are_closed(const roberts_drawing *d)
 {
@@ -49,15 +60,17 @@ static void measure_cuts(const roberts_drawing *d, double *length, double *area)
 static void expect_cuts(const char *name, const roberts_scene *scene, const roberts_camera *camera, bool unite,
                         size_t count, double length, double area)
 {
-    const roberts_camera cameras[] = {*camera, section_of(camera)};
+    double narrow;
+    const roberts_camera cameras[] = {*camera, section_of(camera), slanted_of(camera, &narrow)};
     roberts_hide_options options = roberts_hide_options_default();
     options.unite = unite;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         roberts_drawing d = drawing_of(scene, &cameras[k], &options);
-        const char *way = k == 0 ? "from an eye" : "in parallel";
+        const char *way = k == 0 ? "from an eye" : k == 1 ? "in parallel" : "aslant";
         double sum, inside;
         measure_cuts(&d, &sum, &inside);
-        if (d.cut_count != count || fabs(sum - length) > 1e-9)
+        inside /= k == 2 ? narrow : 1.0;
+        if (d.cut_count != count || (k < 2 && fabs(sum - length) > 1e-9))
             fail_msg("%s, %s: %zu cuts, %.12g long, in place of %zu, %.12g", name, way, d.cut_count, sum, count,
                      length);
         if (area > 0.0 && (fabs(inside - area) > 1e-9 || !are_closed(&d)))
@@ -654,6 +667,113 @@ static void sheets_near_the_eye_are_cut_in_one_line(void **state)
     assert_true(fabs(area[1] - area[0]) < 1e-9 * area[0]);
 }
 
+/* ---- sections of any direction ---- */
+
+/* Has the drawing this line, in either direction, farther to the right and up by (dx, dy)? */
+static bool has_line(const roberts_drawing *d, const roberts_segment *s, double dx, double dy)
+{
+    const roberts_vec2 P = {s->p0.x + dx, s->p0.y + dy}, Q = {s->p1.x + dx, s->p1.y + dy};
+    for (const roberts_segment *t = d->segment, *end = t + d->count + d->cut_count; t < end; t++) {
+        const double there = hypot(P.x - t->p0.x, P.y - t->p0.y) + hypot(Q.x - t->p1.x, Q.y - t->p1.y);
+        const double back = hypot(P.x - t->p1.x, P.y - t->p1.y) + hypot(Q.x - t->p0.x, Q.y - t->p0.y);
+        if (fmin(there, back) < 1e-9)
+            return true;
+    }
+    return false;
+}
+
+static roberts_scene *boxes_up_to(double x)
+{
+    static const double box[][6] = {
+        {-1, -1, -1, 1, 1, 1}, {-2, 1, -1, 2, 1.5, 2}, {-0.5, -3, 0, 0.5, -2, 3}, {0.6, -5, 0, 0.9, 5, 1}};
+    model m = {0};
+    for (size_t i = 0; i < sizeof box / sizeof box[0]; i++)
+        if (box[i][0] < x)
+            model_box(&m, (roberts_vec3){box[i][0], box[i][1], box[i][2]},
+                      (roberts_vec3){fmin(box[i][3], x), box[i][4], box[i][5]});
+    roberts_scene *scene = model_build(&m);
+    model_free(&m);
+    return scene;
+}
+
+/* Boxes that a plane cuts, seen from anywhere before it, look like those that end there. */
+static void half_of_boxes(void **state)
+{
+    roberts_scene *whole = boxes_up_to(9), *half = boxes_up_to(0.25);
+    rng r = {7};
+    (void)state;
+    for (int i = 0; i < 500; i++) {
+        const roberts_vec3 dir = {rng_between(&r, 0.01, 1), rng_between(&r, -1, 1), rng_between(&r, -1, 1)};
+        const roberts_camera plain = {.dir = dir};
+        roberts_camera cut = plain;
+        cut.section = (roberts_vec3){0.25, 7, i};
+        cut.section_normal = (roberts_vec3){i + 1, 0, 0};
+        cut.has_section = true;
+        roberts_drawing a = drawing_of(whole, &cut, NULL), b = drawing_of(half, &plain, NULL);
+        const roberts_vec3 corner = {-1, -1, -1}; /* the middle of the picture is that of the scene's box */
+        roberts_vec3 from, to;
+        assert_int_equal(roberts_project(whole, &cut, &corner, 1, &from, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_project(half, &plain, &corner, 1, &to, NULL), ROBERTS_OK);
+        if (a.count + a.cut_count != b.count || a.cut_count != 12)
+            fail_msg("row %d: %zu lines and %zu cuts in place of %zu lines", i, a.count, a.cut_count, b.count);
+        for (size_t k = 0; k < a.count + a.cut_count; k++)
+            if (!has_line(&b, &a.segment[k], to.x - from.x, to.y - from.y))
+                fail_msg("row %d: line %zu is not there", i, k);
+        roberts_region_list cut_regions, regions;
+        double area = 0.0;
+        assert_int_equal(roberts_regions(whole, &cut, NULL, &cut_regions, NULL), ROBERTS_OK);
+        assert_int_equal(roberts_regions(half, &plain, NULL, &regions, NULL), ROBERTS_OK);
+        for (size_t k = 0; k < cut_regions.count; k++)
+            area += cut_regions.region[k].area;
+        for (size_t k = 0; k < regions.count; k++)
+            area -= regions.region[k].area;
+        if (cut_regions.count != regions.count || fabs(area) > 1e-9)
+            fail_msg("row %d: %zu regions in place of %zu, and %g more area", i, cut_regions.count, regions.count,
+                     area);
+        roberts_regions_free(&cut_regions);
+        roberts_regions_free(&regions);
+        roberts_drawing_free(&a);
+        roberts_drawing_free(&b);
+    }
+    roberts_scene_free(whole);
+    roberts_scene_free(half);
+}
+
+/* Sections that face away, from an eye, or with a direction that is no number, are refused; one that is seen edge-on is
+ * not. */
+static void directions_of_sections(void **state)
+{
+    const roberts_camera cameras[] = {
+        {.dir = {1, 0, 1}, .section_normal = {-1, 0, 0}, .has_section = true},
+        {.dir = {0, 0, 1}, .oblique = {-1, 0}, .section_normal = {1, 0, 0}, .has_section = true},
+        {.projection = ROBERTS_PERSPECTIVE, .eye = {9, 0, 9}, .section_normal = {1, 0, 0}, .has_section = true},
+        {.dir = {1, 0, 1}, .section_normal = {NAN, 0, 0}, .has_section = true},
+        {.dir = {0, 0.1, 1}, .section_normal = {3e200, 0, 0}, .has_section = true},
+        {.dir = {0, 0, 1}, .oblique = {1, 0}, .section_normal = {1, 0, 0}, .has_section = true}};
+    static const char *const said[] = {
+        "the section faces away from the viewer; turn its direction round, or look from the other side",
+        "the section faces away from the viewer; turn its direction round, or look from the other side",
+        "from an eye, a section has no direction but the axis of sight",
+        "the point and the direction of the section must be finite",
+        NULL,
+        NULL};
+    roberts_scene *scene = boxes_up_to(9);
+    (void)state;
+    for (size_t i = 0; i < sizeof cameras / sizeof cameras[0]; i++) {
+        roberts_drawing d;
+        roberts_error error = {0};
+        const roberts_status status = roberts_hide(scene, &cameras[i], NULL, &d, &error);
+        print_message("row %zu: %s\n", i, error.message);
+        assert_int_equal(status, said[i] ? ROBERTS_BAD_VIEW : ROBERTS_OK);
+        if (said[i])
+            assert_string_equal(error.message, said[i]);
+        else
+            assert_true(d.sectioned && d.cut_count > 0);
+        roberts_drawing_free(&d);
+    }
+    roberts_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -673,6 +793,8 @@ int main(void)
         cmocka_unit_test(rounded_joints_are_cut),
         cmocka_unit_test(one_sided_stars_are_cut),
         cmocka_unit_test(rounded_stars_are_cut),
+        cmocka_unit_test(half_of_boxes),
+        cmocka_unit_test(directions_of_sections),
         cmocka_unit_test(sheets_near_the_eye_are_cut_in_one_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -205,7 +205,8 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     roll                degrees: turns the picture counter-clockwise
     fov                 perspective: the field of view in degrees; 0: the whole scene
     near                perspective: what is nearer to the eye is cut off, model units; 0: chosen
-    section             three numbers: what is nearer to the viewer than this point is cut off; None: nothing is
+    section             three numbers: what is nearer to the viewer than this point is cut off; or six, in parallel
+                        views: a point and a direction, to whose side all is cut off; None: nothing is
     Raises ValueError.
     """
     camera = c.camera()
@@ -229,7 +230,9 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     if up is not None:
         camera.up = _vector(up, "view: up")
     if section is not None:
-        camera.section, camera.has_section = _vector(section, "view: section"), True
+        point, normal = [*section][:3], [*section][3:] or (0, 0, 0)
+        camera.section, camera.has_section = _vector(point, "view: section"), True
+        camera.section_normal = _vector(normal, "view: section")
     camera.roll_degrees, camera.fov_degrees, camera.near_distance = roll, fov, near
     return View(camera)
 
