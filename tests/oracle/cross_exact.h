@@ -54,6 +54,7 @@ struct cross_finder {
     std::vector<size_t> first;                                    /* see first_alike() */
     std::map<std::array<uint32_t, 2>, std::vector<size_t>> edges; /* faces of each edge: see take_edges() */
     std::set<std::array<uint32_t, 2>> joined;                     /* complete edges: see join_edges() */
+    std::set<uint32_t> ends;                                      /* of all edges */
 
     explicit cross_finder(const mesh_oracle &oracle) : o(oracle)
     {
@@ -94,10 +95,27 @@ struct cross_finder {
         });
     }
 
+    /* On which side of g's plane the ends of the sides of f surely lie; 0: perhaps in it. */
+    std::vector<int> rough_signs(const polygon &f, const polygon &g) const
+    {
+        CGAL::Protect_FPU_rounding<true> upward;
+        std::vector<int> out;
+        for (const auto &side : f.side)
+            for (uint32_t v : side) {
+                const interval h = o.has(g, v) ? interval(0) : o.height<interval>(g, o.mesh.vertex[v]);
+                out.push_back((h.inf() > 0) - (h.sup() < 0));
+            }
+        return out;
+    }
+
     profile profile_of(const polygon &f, const polygon &g, const vec<rational> &along) const
     {
         profile out;
-        for (const auto &side : f.side) {
+        const std::vector<int> sign = rough_signs(f, g);
+        for (size_t i = 0; i < f.side.size(); i++) {
+            const auto &side = f.side[i];
+            if (sign[2 * i] * sign[2 * i + 1] > 0)
+                continue; /* both ends lie on one side of the plane */
             const vec<rational> &p = o.place[side[0]], &q = o.place[side[1]];
             rational hp = o.has(g, side[0]) ? rational(0) : o.height(g, p);
             rational hq = o.has(g, side[1]) ? rational(0) : o.height(g, q);
@@ -236,6 +254,7 @@ struct cross_finder {
             std::vector<size_t> &of = edges[{std::min(a, b), std::max(a, b)}];
             if (of.empty() || of.back() != f)
                 of.push_back(f);
+            ends.insert({a, b});
         });
         join_edges();
     }
@@ -246,16 +265,16 @@ struct cross_finder {
      * edge. */
     void join_edges()
     {
-        std::set<uint32_t> ends; /* of edges with an odd number of faces */
+        std::set<uint32_t> odd; /* ends of edges with an odd number of faces */
         for (const auto &[key, faces] : edges)
             if (faces.size() % 2 != 0)
-                ends.insert(key.begin(), key.end());
+                odd.insert(key.begin(), key.end());
         for (const auto &[key, faces] : edges) {
-            if (faces.size() % 2 != 0 || !ends.count(key[0]) || !ends.count(key[1]))
+            if (faces.size() % 2 != 0 || !odd.count(key[0]) || !odd.count(key[1]))
                 continue;
             const vec<rational> middle = carrier_of(key).at(rational(1) / 2);
             const std::array<uint32_t, 2> whole = key;
-            if (std::none_of(ends.begin(), ends.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
+            if (std::none_of(odd.begin(), odd.end(), [&](uint32_t v) { return is_on(whole, place(v)); }) &&
                 std::any_of(edges.begin(), edges.end(), [&](const auto &e) {
                     return e.second.size() % 2 != 0 && runs_along(e.first, whole, middle);
                 }))
@@ -274,6 +293,11 @@ struct cross_finder {
     const vec<rational> &place(uint32_t v) const
     {
         return o.place[v];
+    }
+
+    static vec<interval> near(const vec<rational> &p)
+    {
+        return {mesh_oracle::around(p.x), mesh_oracle::around(p.y), mesh_oracle::around(p.z)};
     }
 
     carrier carrier_of(const std::array<uint32_t, 2> &key) const
@@ -301,10 +325,22 @@ struct cross_finder {
         return std::fabs(r[0] * p.x + r[1] * p.y + r[2] * p.z - r[3]) > 1e-4 * size;
     }
 
+    /* Does the interval that work() computes leave out 0? */
+    template <class W> static bool surely_not_zero(W work)
+    {
+        CGAL::Protect_FPU_rounding<true> upward;
+        const interval x = work();
+        return x.inf() > 0 || x.sup() < 0;
+    }
+
     bool in_plane(size_t f, uint32_t v) const
     {
         const polygon &F = o.faces[f];
-        return o.has(F, o.position[v]) || (!off_plane(f, v) && o.height(F, place(v)) == 0);
+        if (o.has(F, o.position[v]))
+            return true;
+        if (off_plane(f, v) || surely_not_zero([&] { return o.height<interval>(F, o.mesh.vertex[v]); }))
+            return false;
+        return o.height(F, place(v)) == 0;
     }
 
     bool in_one_plane(size_t f, size_t g) const
@@ -409,8 +445,20 @@ struct cross_finder {
         return is_on(key, X) && parallel(carrier_of(key).d, carrier_of(other).d);
     }
 
+    /* Does X surely lie outside of the edge's box? */
+    bool off_box(const std::array<uint32_t, 2> &key, const vec<rational> &X) const
+    {
+        const roberts_vec3 &a = o.mesh.vertex[key[0]], &b = o.mesh.vertex[key[1]];
+        const auto beside = [](double p, double q, const rational &x) {
+            return x.approx().sup() < std::min(p, q) || x.approx().inf() > std::max(p, q);
+        };
+        return beside(a.x, b.x, X.x) || beside(a.y, b.y, X.y) || beside(a.z, b.z, X.z);
+    }
+
     bool is_on(const std::array<uint32_t, 2> &key, const vec<rational> &X) const
     {
+        if (off_box(key, X))
+            return false;
         const carrier e = carrier_of(key);
         const vec<rational> p = minus(X, e.a), c = cross(e.d, p);
         const rational t = dot(e.d, p);
@@ -483,6 +531,25 @@ struct cross_finder {
         vec<rational> X;
     };
 
+    /* Which of the ends of all edges lie on the line of this edge? [vertex] */
+    std::vector<bool> ends_on_line(const carrier &e) const
+    {
+        std::vector<bool> out(o.mesh.vertex_count);
+        std::vector<uint32_t> perhaps;
+        {
+            CGAL::Protect_FPU_rounding<true> upward;
+            const vec<interval> a = o.at_vertex(e.key[0], interval()), b = o.at_vertex(e.key[1], interval());
+            for (uint32_t v : ends) {
+                const vec<interval> c = cross(minus(b, a), minus(o.at_vertex(v, interval()), a));
+                if (c.x.do_overlap(0) && c.y.do_overlap(0) && c.z.do_overlap(0))
+                    perhaps.push_back(v);
+            }
+        }
+        for (uint32_t v : perhaps)
+            out[v] = v == e.key[0] || v == e.key[1] || parallel(e.d, minus(place(v), e.a));
+        return out;
+    }
+
     /* What lies on one edge. */
     void seams_on(const std::array<uint32_t, 2> &key, std::vector<seam> &out) const
     {
@@ -493,29 +560,26 @@ struct cross_finder {
         std::vector<std::array<uint32_t, 2>> along;
         std::vector<rational> cut{rational(0), rational(1)};
         for (size_t f = 0; f < o.faces.size(); f++)
-            if (first[f] == f && !apart(f, own[0]) && in_plane(f, key[0]) && in_plane(f, key[1])) {
+            if (first[f] == f && !apart(f, own[0]) && in_plane(f, key[0]) && in_plane(f, key[1]))
                 near.push_back(f);
-                add_cuts(f, e, cut);
-            }
-        std::vector<rational> divided; /* open edges divide one another at their ends */
-        for (const auto &[other, faces] : edges) {
-            int on_line = 0;
-            for (uint32_t v : other) {
-                const vec<rational> p = minus(place(v), e.a);
-                if (!parallel(e.d, p))
-                    continue;
-                on_line++;
-                cut.push_back(dot(e.d, p) / dot(e.d, e.d));
-                if (open && is_open(other))
-                    divided.push_back(cut.back());
-            }
-            if (other != key && on_line == 2)
+        const std::vector<bool> on_line = ends_on_line(e);
+        for (const auto &[other, faces] : edges)
+            if (other != key && on_line[other[0]] && on_line[other[1]])
                 along.push_back(other);
-        }
         /* nothing else lies along the edge */
         const auto is_own = [&own](size_t f) { return std::find(own.begin(), own.end(), f) != own.end(); };
         if (along.empty() && std::all_of(near.begin(), near.end(), is_own))
             return;
+        for (size_t f : near)
+            add_cuts(f, e, cut);
+        std::vector<rational> divided; /* open edges divide one another at their ends */
+        for (const auto &[other, faces] : edges)
+            for (uint32_t v : other)
+                if (on_line[v]) {
+                    cut.push_back(dot(e.d, minus(place(v), e.a)) / dot(e.d, e.d));
+                    if (open && is_open(other))
+                        divided.push_back(cut.back());
+                }
         for (size_t f : own) /* and so do the sides of a face whose border crosses itself */
             if (passes_somewhere(f, e, cut))
                 add_cuts(f, e, divided);
@@ -546,6 +610,11 @@ struct cross_finder {
 
     static bool parallel(const vec<rational> &d, const vec<rational> &p)
     {
+        const vec<interval> e = near(d), q = near(p);
+        if (surely_not_zero([&] { return e.x * q.y - e.y * q.x; }) ||
+            surely_not_zero([&] { return e.y * q.z - e.z * q.y; }) ||
+            surely_not_zero([&] { return e.x * q.z - e.z * q.x; }))
+            return false;
         return d.x * p.y == d.y * p.x && d.y * p.z == d.z * p.y && d.x * p.z == d.z * p.x;
     }
 

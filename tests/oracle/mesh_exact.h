@@ -36,6 +36,7 @@ struct polygon {
     /* Two corners that form a triangle with the first one. Used if parts of the face with opposite orientation have
      * equal areas: then Newell's normal is 0 or mere rounding. Otherwise 0. */
     uint32_t second, third;
+    int facing; /* 1: its normal points toward the viewer, -1: away; 0: edge-on */
     /* Twice the area vector, and the sum of the corners */
     vec<interval> near_normal, near_sum;
     vec<rational> normal, sum;
@@ -91,8 +92,11 @@ struct mesh_oracle {
         weld();
         take_faces();
         frame();
-        for (polygon &f : faces)
+        for (polygon &f : faces) {
             box_face(f);
+            f.facing = exactly(false, &exact, [&](auto zero) { return facing_of<decltype(zero)>(f); });
+        }
+        exact = 0;
     }
 
     /* ---- the mesh ---- */
@@ -147,9 +151,11 @@ struct mesh_oracle {
             for (uint32_t v : corners)
                 if (lies_between(p, q, v))
                     stop.push_back(v);
-            const vec<rational> d = minus(place[q], place[p]);
-            std::sort(stop.begin(), stop.end(),
-                      [&](uint32_t a, uint32_t b) { return dot(d, minus(place[a], place[b])) < 0; });
+            if (stop.size() > 2) {
+                const vec<rational> d = minus(place[q], place[p]);
+                std::sort(stop.begin(), stop.end(),
+                          [&](uint32_t a, uint32_t b) { return dot(d, minus(place[a], place[b])) < 0; });
+            }
             for (size_t k = 1; k < stop.size(); k++)
                 runs[{std::min(stop[k - 1], stop[k]), std::max(stop[k - 1], stop[k])}] +=
                     stop[k - 1] < stop[k] ? 1 : -1;
@@ -175,6 +181,11 @@ struct mesh_oracle {
     /* Chooses the corners that the face's plane is taken from, and computes the plane. */
     void take_plane(polygon &f) const
     {
+        if (is_plain(f)) {
+            f.normal = newell<rational>(f);
+            f.sum = corner_sum<rational>(f);
+            return;
+        }
         const vec<rational> &o = place[f.corner[0]];
         double largest = 0, sum = size_of(newell<rational>(f));
         uint32_t second = 0, third = 0;
@@ -203,6 +214,33 @@ struct mesh_oracle {
             if (std::fabs(CGAL::to_double(dot(f.normal, d))) > PLANAR * size_of(f.normal) * std::sqrt(largest))
                 throw std::runtime_error("a face is not planar");
         }
+    }
+
+    /* Do intervals show that the face's plane is that of Newell's normal, and that its corners are near it? Sets the
+     * plane's intervals then. */
+    bool is_plain(polygon &f) const
+    {
+        CGAL::Protect_FPU_rounding<true> upward;
+        const vec<interval> o = at_vertex(f.corner[0], interval());
+        f.near_normal = newell<interval>(f);
+        f.near_sum = corner_sum<interval>(f);
+        double low = 0, high = 0; /* square of the largest area: at least, at most */
+        for (uint32_t p : f.corner)
+            for (uint32_t q : f.corner) {
+                const vec<interval> c = cross(minus(at_vertex(p, interval()), o), minus(at_vertex(q, interval()), o));
+                const interval size = dot(c, c);
+                low = std::max(low, size.inf()), high = std::max(high, size.sup());
+            }
+        const interval sum = dot(f.near_normal, f.near_normal);
+        if (!(sum.inf() > 1.1e-12 * high))
+            return false;
+        const double most = 0.99 * PLANAR * PLANAR * sum.inf() * std::sqrt(low);
+        for (uint32_t p : f.corner) {
+            const interval h = dot(f.near_normal, minus(at_vertex(p, interval()), o));
+            if (!(CGAL::square(h).sup() < most))
+                return false;
+        }
+        return true;
     }
 
     static double size_of(const vec<rational> &d)
@@ -240,21 +278,24 @@ struct mesh_oracle {
         }
         flat.resize(mesh.vertex_count);
         flat_exact.resize(mesh.vertex_count);
-        double largest = 0;
-        {
-            CGAL::Protect_FPU_rounding<true> upward;
-            for (const polygon &f : faces)
-                for (uint32_t v : f.corner)
-                    flat[v] = project<interval>(v);
-        }
+        std::vector<bool> used(mesh.vertex_count);
         for (const polygon &f : faces)
-            for (uint32_t v : f.corner) {
-                flat_exact[v] = project<rational>(v);
-                if (CGAL::sign(flat_exact[v].w) <= 0)
-                    throw std::runtime_error("the scene is not in front of the eye");
-                largest = std::max({largest, std::fabs(CGAL::to_double(flat_exact[v].x)),
-                                    std::fabs(CGAL::to_double(flat_exact[v].y))});
+            for (uint32_t v : f.corner)
+                used[v] = true;
+        double largest = 0;
+        for (uint32_t v = 0; v < mesh.vertex_count; v++) {
+            if (!used[v])
+                continue;
+            {
+                CGAL::Protect_FPU_rounding<true> upward;
+                flat[v] = project<interval>(v);
             }
+            flat_exact[v] = project<rational>(v);
+            if (CGAL::sign(flat_exact[v].w) <= 0)
+                throw std::runtime_error("the scene is not in front of the eye");
+            for (const interval &x : {flat[v].x, flat[v].y})
+                largest = std::max({largest, std::fabs(x.inf()), std::fabs(x.sup())});
+        }
         margin = 1e-9 * largest;
     }
 
@@ -292,9 +333,8 @@ struct mesh_oracle {
         f.x0 = f.y0 = HUGE_VAL;
         f.x1 = f.y1 = -HUGE_VAL;
         for (uint32_t v : f.corner) {
-            double x = CGAL::to_double(flat_exact[v].x), y = CGAL::to_double(flat_exact[v].y);
-            f.x0 = std::min(f.x0, x - margin), f.x1 = std::max(f.x1, x + margin);
-            f.y0 = std::min(f.y0, y - margin), f.y1 = std::max(f.y1, y + margin);
+            f.x0 = std::min(f.x0, flat[v].x.inf() - margin), f.x1 = std::max(f.x1, flat[v].x.sup() + margin);
+            f.y0 = std::min(f.y0, flat[v].y.inf() - margin), f.y1 = std::max(f.y1, flat[v].y.sup() + margin);
         }
     }
 
@@ -316,11 +356,12 @@ struct mesh_oracle {
         return s;
     }
 
-    bool apart(const polygon &f, const spot &a, const spot &b) const
+    /* Are the boxes of their pictures apart? */
+    static bool apart(const polygon &f, const spot &a, const spot &b)
     {
-        double ax = CGAL::to_double(a.flat.x), ay = CGAL::to_double(a.flat.y);
-        double bx = CGAL::to_double(b.flat.x), by = CGAL::to_double(b.flat.y);
-        return std::max(ax, bx) < f.x0 || std::min(ax, bx) > f.x1 || std::max(ay, by) < f.y0 || std::min(ay, by) > f.y1;
+        const point2<interval> &p = a.near_flat, &q = b.near_flat;
+        return std::max(p.x.sup(), q.x.sup()) < f.x0 || std::min(p.x.inf(), q.x.inf()) > f.x1 ||
+               std::max(p.y.sup(), q.y.sup()) < f.y0 || std::min(p.y.inf(), q.y.inf()) > f.y1;
     }
 
     /* ---- one face ---- */
@@ -405,6 +446,15 @@ struct mesh_oracle {
         return (q.x - p.x) * (y - p.y) - (q.y - p.y) * (x - p.x);
     }
 
+    /* On which side of the side's line the point lies in the picture; an end of the side lies on it. */
+    template <class N> N beside(const std::array<uint32_t, 2> &side, const spot &s) const
+    {
+        if (s.vertex != ROBERTS_NONE && (s.vertex == side[0] || s.vertex == side[1]))
+            return N(0);
+        const point2<N> &X = s.picture(N());
+        return orient(at(side[0], N()), at(side[1], N()), X.x, X.y);
+    }
+
     /* Is (x, y) in the face's picture, border included? */
     template <class N> bool inside(const polygon &f, const N &x, const N &y) const
     {
@@ -445,6 +495,10 @@ struct mesh_oracle {
     /* Finds the parameter of a corner along the line through a and b. False: it is not on that line. */
     bool along(uint32_t a, uint32_t b, uint32_t v, rational *t) const
     {
+        if (v == a || v == b) {
+            *t = v == a ? 0 : 1;
+            return true;
+        }
         const roberts_vec3 &A = mesh.vertex[a], &B = mesh.vertex[b], &P = mesh.vertex[v];
         double dx = B.x - A.x, dy = B.y - A.y, dz = B.z - A.z, x = P.x - A.x, y = P.y - A.y, z = P.z - A.z;
         double least = 1e-9 * (std::fabs(dx) + std::fabs(dy) + std::fabs(dz)) *
@@ -465,10 +519,8 @@ struct mesh_oracle {
     {
         std::vector<std::tuple<rational, int>> change;
         rational t, s;
-        bool line = true;
-        for (uint32_t v : f.corner)
-            line = line && along(a, b, v, &t);
-        if (line || f.corner.size() == 3)
+        if (f.corner.size() == 3 ||
+            std::all_of(f.corner.begin(), f.corner.end(), [&](uint32_t v) { return along(a, b, v, &t); }))
             return {rational(0), rational(1)};
         for (const auto &side : f.side)
             if (along(a, b, side[0], &s) && along(a, b, side[1], &t)) {
@@ -513,19 +565,18 @@ struct mesh_oracle {
         return sign_of(view.w ? height<N>(f, V) : dot(normal_of(f, N()), sub<N>(V, roberts_vec3{0, 0, 0})));
     }
 
-    bool edge_on(const polygon &f) const
+    static bool edge_on(const polygon &f)
     {
-        return facing_of<rational>(f) == 0;
+        return f.facing == 0;
     }
 
     /* Returns what face f hides of the line from a to b, which does not lie in the face by definition. */
     template <class N> std::vector<oracle_interval> hide_by(const polygon &f, const spot &a, const spot &b) const
     {
         std::vector<oracle_interval> out;
-        int facing = facing_of<N>(f);
-        if (facing == 0)
+        if (f.facing == 0)
             return out;
-        N toward(-facing);
+        N toward(-f.facing);
         N ga = toward * height<N>(f, a), gb = toward * height<N>(f, b);
         int sa = sign_of(ga), sb = sign_of(gb);
         if (sa <= 0 && sb <= 0)
@@ -537,7 +588,7 @@ struct mesh_oracle {
         bool point = sign_of(N(A.x - B.x)) == 0 && sign_of(N(A.y - B.y)) == 0;
         for (size_t i = 0; !point && i < f.side.size(); i++) {
             const point2<N> &p = at(f.side[i][0], N()), &q = at(f.side[i][1], N());
-            N oa = orient(p, q, A.x, A.y), ob = orient(p, q, B.x, B.y);
+            N oa = beside<N>(f.side[i], a), ob = beside<N>(f.side[i], b);
             int ra = sign_of(oa), rb = sign_of(ob);
             if (ra * rb < 0)
                 cut.push_back(to_space(N(oa / (oa - ob)), A.w, B.w));
