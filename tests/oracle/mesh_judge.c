@@ -294,24 +294,32 @@ static size_t judge_united(const char *name, const mesh_scene *scene, mesh_total
     return failed;
 }
 
-/* Judges the lines in which faces cross. */
-static size_t judge_lines(const cross_case *at, const roberts_scene *built, const roberts_drawing *drawing,
-                          mesh_total *total, FILE *out)
+/* Judges the lines in which faces cross. The truth is settled for each drawing anew. */
+static size_t judge_lines(const cross_case *at, const cross_truth *crossed, const roberts_scene *built,
+                          const roberts_drawing *drawing, mesh_total *total, FILE *out)
 {
+    const size_t line_size = crossed->line_count * sizeof *crossed->line;
+    const size_t interval_size = crossed->interval_count * sizeof *crossed->interval;
+    cross_truth settled = *crossed;
     cross_case c = *at;
-    cross_truth crossed;
     size_t failed = 0;
-    if (cross_truth_find(&c.scene->mesh, &c.scene->view, c.scene->even_odd, &crossed)) {
-        cross_settle(c.scene, &crossed, drawing);
-        c.truth = &crossed;
+    settled.line = malloc(line_size + 1);
+    settled.interval = malloc(interval_size + 1);
+    if (crossed->line && settled.line && settled.interval) {
+        memcpy(settled.line, crossed->line, line_size);
+        memcpy(settled.interval, crossed->interval, interval_size);
+        cross_settle(c.scene, &settled, drawing);
+        c.truth = &settled;
         failed = cross_judge_drawing(&c, built, drawing, total, out);
-        cross_truth_free(&crossed);
     }
+    free(settled.line);
+    free(settled.interval);
     return failed;
 }
 
 /* Draws the scene with all edges or without the flat ones, and judges it. */
-static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_total *total, FILE *out)
+static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, const cross_truth *crossed, mesh_total *total,
+                            FILE *out)
 {
     roberts_scene *built = NULL;
     roberts_drawing drawing = {0};
@@ -329,7 +337,7 @@ static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_t
                        .any = malloc((drawing.count + 1) * sizeof *j.any)};
         for (size_t i = 0; c->all_edges && j.piece && j.hidden && j.any && i < truth->edge_count; i++)
             judge_edge(&j, &truth->edge[i], c->name, total, &failed, out);
-        failed += judge_lines(c, built, &drawing, total, out);
+        failed += judge_lines(c, crossed, built, &drawing, total, out);
         failed += judge_seen(c, built, &drawing, total, out);
         free(j.piece);
         free(j.hidden);
@@ -343,6 +351,7 @@ static size_t judge_drawing(const cross_case *c, const mesh_truth *truth, mesh_t
 bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, mesh_total *total, FILE *out)
 {
     mesh_truth truth;
+    cross_truth crossed;
     size_t failed = 0;
     total->scenes++;
     if (scene->united) {
@@ -356,9 +365,10 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
         total->refused++;
         return true;
     }
+    cross_truth_find(&scene->mesh, &scene->view, scene->even_odd, &crossed); /* if it fails, there are none */
     for (int all_edges = 1; all_edges >= 0 && failed == 0; all_edges--) {
         const cross_case c = {.scene = scene, .position = truth.position, .name = name, .all_edges = all_edges != 0};
-        failed = judge_drawing(&c, &truth, total, out);
+        failed = judge_drawing(&c, &truth, &crossed, total, out);
         if (failed)
             mesh_judge_keep(name, scene,
                             all_edges ? "--all-edges --hidden solid -f csv" : "--crease 0.1 --hidden solid -f csv",
@@ -366,6 +376,7 @@ bool mesh_judge(const char *name, const mesh_scene *scene, const char *folder, m
     }
     total->pairs += truth.pairs;
     total->exact += truth.exact;
+    cross_truth_free(&crossed);
     mesh_truth_free(&truth);
     return failed == 0;
 }
