@@ -135,11 +135,11 @@ enum { FEW_PAIRS = 4096 };
 static bool lies_on(const face_pieces *f, const border_line *line, uint32_t node, double touching)
 {
     const roberts_vec2 A = f->node[line->v[0]].at, B = f->node[line->v[1]].at, P = f->node[node].at;
-    const double dx = B.x - A.x, dy = B.y - A.y, x = P.x - A.x, y = P.y - A.y, length = hypot(dx, dy);
-    if (node == line->v[0] || node == line->v[1] || fabs(dx * y - dy * x) > touching * length)
-        return false;
-    const double at = (dx * x + dy * y) / length;
-    return at > touching && at < length - touching;
+    const double dx = B.x - A.x, dy = B.y - A.y, x = P.x - A.x, y = P.y - A.y, off = fabs(dx * y - dy * x);
+    if (node == line->v[0] || node == line->v[1] || off > 2.0 * touching * greater(fabs(dx), fabs(dy)))
+        return false; /* most are excluded without a root */
+    const double length = hypot(dx, dy), at = (dx * x + dy * y) / length;
+    return off <= touching * length && at > touching && at < length - touching;
 }
 
 /* Makes a tree over the boxes of the lines, widened by `touching`. False: no memory. */

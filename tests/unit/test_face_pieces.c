@@ -212,8 +212,8 @@ static bool wind(const roberts_vec2 *at, uint32_t count, roberts_vec2 P, int *wi
     *winding = 0;
     for (uint32_t i = 0; i < count; i++) {
         roberts_vec2 a = at[i], b = at[(i + 1) % count];
-        double turn = orient2d(a, b, P), length = hypot(b.x - a.x, b.y - a.y);
-        if (fabs(turn) <= 1e-6 * length && P.x > fmin(a.x, b.x) - 1e-6 && P.x < fmax(a.x, b.x) + 1e-6 &&
+        const double turn = orient2d(a, b, P), dx = b.x - a.x, dy = b.y - a.y;
+        if (turn * turn <= 1e-12 * (dx * dx + dy * dy) && P.x > fmin(a.x, b.x) - 1e-6 && P.x < fmax(a.x, b.x) + 1e-6 &&
             P.y > fmin(a.y, b.y) - 1e-6 && P.y < fmax(a.y, b.y) + 1e-6)
             return false;
         if (a.y <= P.y && b.y > P.y && turn > 0.0)
