@@ -278,9 +278,10 @@ $(BUILD)/completions/%: src/cli/completions/% $(BUILD)/tools/print-options
 	$(Q)$(BUILD)/tools/print-options $* <$< >$@
 
 $(BUILD)/obj/tests/%.o: TEST_DIRS = -iquote tests -iquote tests/support
-# The oracles, the readers of pages and one test compute much: they keep CFLAGS as they are.
+# The oracles, the readers of pages and some tests compute much: they keep CFLAGS as they are.
 $(BUILD)/obj/tests/unit/%.o $(BUILD)/obj/tests/cli/%.o $(BUILD)/obj/tests/faults/%.o: UNOPTIMIZED = $(TEST_CFLAGS)
-$(BUILD)/obj/tests/unit/test_metamorphic.o: UNOPTIMIZED =
+OPTIMIZED := unit/test_image unit/test_metamorphic unit/test_objet cli/test_render
+$(OPTIMIZED:%=$(BUILD)/obj/tests/%.o): UNOPTIMIZED =
 $(foreach test,$(TEST_SRC),$(eval $(BUILD)/tests/$(basename $(notdir $(test))): $(call object,$(test))))
 $(TEST_BIN): $(BUILD)/libroberts.a
 	@mkdir -p $(@D)

@@ -2,9 +2,9 @@
 #include <cairo.h>
 #include <stdlib.h>
 
-#include "write/cairo.h"
 #include "write/formats.h"
 #include "drawing.h"
+#include "drawn_surface.h"
 #include "read_png.h"
 #include "testing.h"
 
@@ -26,22 +26,10 @@ static void expect_drawn_by_cairo(const strokes *s, const sink *file)
     cairo_surface_t *read = read_png(file->bytes, file->size);
     assert_int_equal(cairo_surface_status(read), CAIRO_STATUS_SUCCESS);
     const int width = cairo_image_surface_get_width(read), height = cairo_image_surface_get_height(read);
-    cairo_surface_t *drawn = cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height);
-    cairo_t *cairo = cairo_create(drawn);
-    cairo_calls call;
+    cairo_surface_t *drawn = drawn_surface(s, width, height);
     size_t ink = 0;
-    assert_true(surface_load(&call, NULL));
-    cairo_set_source_rgb(cairo, 1, 1, 1);
-    cairo_paint(cairo);
-    cairo_scale(cairo, s->options->dpi / 25.4, s->options->dpi / 25.4);
-    surface_draw(&call, cairo, s);
-    cairo_destroy(cairo);
-    cairo_surface_flush(drawn);
     for (int y = 0; y < height; y++) {
-        const uint32_t *p = (const uint32_t *)(const void *)(cairo_image_surface_get_data(read) +
-                                                             (ptrdiff_t)y * cairo_image_surface_get_stride(read));
-        const uint32_t *q = (const uint32_t *)(const void *)(cairo_image_surface_get_data(drawn) +
-                                                             (ptrdiff_t)y * cairo_image_surface_get_stride(drawn));
+        const uint32_t *p = surface_row(read, y), *q = surface_row(drawn, y);
         for (int x = 0; x < width; x++) {
             ink += (p[x] & 0xffffff) != 0xffffff;
             if ((p[x] & 0xffffff) != (q[x] & 0xffffff))
