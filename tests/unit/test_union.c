@@ -78,9 +78,9 @@ static void add_angle(blocks *b, const int low[3], const int high[3], const int 
     b->angled = true;
 }
 
-/* The four cells about the grid edge from `at` along `axis`, in the order of their angles: filled by one of `bodies`.
- */
-static void cells_about(const blocks *b, const int at[3], int axis, uint32_t bodies, bool filled[4])
+/* The bodies that fill each of the four cells about the grid edge from `at` along `axis`, in the order of their angles,
+ * as bits. */
+static void cells_about(const blocks *b, const int at[3], int axis, uint32_t bodies[4])
 {
     int next = (axis + 1) % 3, last = (axis + 2) % 3;
     static const int step[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}};
@@ -88,8 +88,8 @@ static void cells_about(const blocks *b, const int at[3], int axis, uint32_t bod
         int c[3] = {at[0], at[1], at[2]};
         c[next] += step[i][0];
         c[last] += step[i][1];
-        filled[i] = c[0] >= 0 && c[0] < GRID && c[1] >= 0 && c[1] < GRID && c[2] >= 0 && c[2] < GRID &&
-                    (b->filled[c[0]][c[1]][c[2]] & bodies);
+        const bool inside = c[0] >= 0 && c[0] < GRID && c[1] >= 0 && c[1] < GRID && c[2] >= 0 && c[2] < GRID;
+        bodies[i] = inside ? b->filled[c[0]][c[1]][c[2]] : 0;
     }
 }
 
@@ -98,6 +98,18 @@ static bool is_line(const bool f[4])
 {
     int n = f[0] + f[1] + f[2] + f[3];
     return n == 1 || n == 3 || (n == 2 && f[0] == f[2]);
+}
+
+/* Is there a line of any single one of the bodies? The same for all bits at once. */
+static bool is_any_line(const uint32_t b[4])
+{
+    return (b[0] ^ b[1] ^ b[2] ^ b[3]) | (b[0] & b[2] & ~b[1] & ~b[3]) | (b[1] & b[3] & ~b[0] & ~b[2]);
+}
+
+static void fill_of(const uint32_t bodies[4], bool filled[4])
+{
+    for (int i = 0; i < 4; i++)
+        filled[i] = bodies[i];
 }
 
 static double axis_of(roberts_vec3 p, int axis)
@@ -187,9 +199,11 @@ static void check_line(line_check *check, const union_line *line, roberts_vec3 A
         int low = (int)rint(lesser(from, to)), high = (int)rint(greater(from, to));
         for (int t = low; t < high; t++) {
             int at[3] = {(int)A.x, (int)A.y, (int)A.z};
+            uint32_t bodies[4];
             bool f[4];
             at[axis] = t;
-            cells_about(check->b, at, axis, UINT32_MAX, f);
+            cells_about(check->b, at, axis, bodies);
+            fill_of(bodies, f);
             if (p->state == UNION_ALONE || p->state == UNION_DRAWN)
                 drawn[axis][at[0]][at[1]][at[2]]++;
             if (p->state == UNION_DRAWN && !sides_fit(check, p, u, f, axis))
@@ -238,13 +252,11 @@ static void check_grid(const line_check *check, grid_edges drawn, grid_edges cro
         for (int x = 0; x <= GRID; x++)
             for (int y = 0; y <= GRID; y++)
                 for (int z = 0; z <= GRID; z++) {
+                    uint32_t bodies[4];
                     bool f[4];
-                    bool edge = false;
-                    for (uint32_t i = 0; i < check->b->m.solids; i++) {
-                        cells_about(check->b, (int[]){x, y, z}, axis, (uint32_t)1 << i, f);
-                        edge = edge || is_line(f);
-                    }
-                    cells_about(check->b, (int[]){x, y, z}, axis, UINT32_MAX, f);
+                    cells_about(check->b, (int[]){x, y, z}, axis, bodies);
+                    fill_of(bodies, f);
+                    const bool edge = is_any_line(bodies);
                     int edges = drawn[axis][x][y][z], crossings = crossed[axis][x][y][z];
                     bool line = is_line(f), crossing = line && !edge && !check->b->angled;
                     if (edges != (line && edge) || (crossings > 0) != crossing)
