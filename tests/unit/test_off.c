@@ -624,9 +624,15 @@ typedef struct endless {
 static ptrdiff_t read_endless(void *context, void *buffer, size_t size)
 {
     endless *e = context;
-    size_t head = strlen(e->head), body = strlen(e->body);
-    for (size_t i = 0; i < size; i++, e->taken++)
-        ((char *)buffer)[i] = e->taken < head ? e->head[e->taken] : e->body[(e->taken - head) % body];
+    char *to = buffer;
+    const size_t head = strlen(e->head), body = strlen(e->body), from = e->taken < head ? head - e->taken : 0;
+    size_t i = 0;
+    for (; i < size && i < from + body; i++, e->taken++)
+        to[i] = e->taken < head ? e->head[e->taken] : e->body[(e->taken - head) % body];
+    for (size_t more; i < size; i += more, e->taken += more) { /* whole bodies, twice as many each time */
+        more = size - i < i - from ? size - i : i - from;
+        memcpy(to + i, to + from, more);
+    }
     return (ptrdiff_t)size;
 }
 
