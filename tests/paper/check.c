@@ -236,8 +236,8 @@ static bool next_open(intervals *list, double length, double *at, interval *open
 
 static bool boxes_meet(roberts_vec2 a, roberts_vec2 b, roberts_vec2 p, roberts_vec2 q, double reach)
 {
-    return fmin(a.x, b.x) <= fmax(p.x, q.x) + reach && fmax(a.x, b.x) >= fmin(p.x, q.x) - reach &&
-           fmin(a.y, b.y) <= fmax(p.y, q.y) + reach && fmax(a.y, b.y) >= fmin(p.y, q.y) - reach;
+    return lesser(a.x, b.x) <= greater(p.x, q.x) + reach && greater(a.x, b.x) >= lesser(p.x, q.x) - reach &&
+           lesser(a.y, b.y) <= greater(p.y, q.y) + reach && greater(a.y, b.y) >= lesser(p.y, q.y) - reach;
 }
 
 static roberts_vec2 point_at(roberts_vec2 a, roberts_vec2 b, double t)
