@@ -137,10 +137,10 @@ static void feed_large_face(int pipe)
     fclose(file);
 }
 
-/* A pyramid whose base has a million corners on a square; with a cube beside its tip, or without. */
+/* A pyramid whose base has 400,000 corners on a square; with a cube beside its tip, or without. */
 static void feed_pyramid(int pipe, int cubes)
 {
-    enum { QUARTER = 250000, CORNERS = 4 * QUARTER };
+    enum { QUARTER = 100000, CORNERS = 4 * QUARTER };
     FILE *file = fdopen(dup(pipe), "w");
     fprintf(file, "OFF\n%d %d 0\n0 0 500000\n", CORNERS + 1 + 8 * cubes, CORNERS + 1 + 6 * cubes);
     for (int side = 0; side < 4; side++)
@@ -221,8 +221,8 @@ static const struct {
     {"a face of 2e9 corners, binary", feed_binary_corners, NULL, 128, 1, "standard input:"},
     {"a face of a million corners", feed_large_face, NULL, 512, 1, "is not closed"},
     {"a face of a million corners, three of them different", feed_one_corner, NULL, 256, 1, "solid 0"},
-    {"a pyramid on a million corners", feed_large_pyramid, NULL, 2000, 0, NULL},
-    {"the same and a cube", feed_pyramid_and_cube, NULL, 2000, 0, NULL},
+    {"a pyramid on 400,000 corners", feed_large_pyramid, NULL, 800, 0, NULL},
+    {"the same and a cube", feed_pyramid_and_cube, NULL, 800, 0, NULL},
     {"NaN", feed_nan, NULL, 128, 1, "standard input:"},
     {"infinity", feed_infinity, NULL, 128, 1, "standard input:"},
     {"1e999", feed_overflow, NULL, 128, 1, "standard input:"},
