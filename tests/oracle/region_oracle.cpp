@@ -131,23 +131,23 @@ struct region_finder {
     /* NONE: it is a point in the picture. */
     size_t take_line(const vec<rational> &from, const vec<rational> &to, uint32_t a, uint32_t b)
     {
-        const point2<rational> A = o.project(from), B = o.project(to);
+        const point2<rational> A = a != ROBERTS_NONE ? o.flat_exact[a] : o.project(from);
+        const point2<rational> B = b != ROBERTS_NONE ? o.flat_exact[b] : o.project(to);
         if (A.x == B.x && A.y == B.y)
             return NONE;
-        const double ax = CGAL::to_double(A.x), ay = CGAL::to_double(A.y);
-        const double bx = CGAL::to_double(B.x), by = CGAL::to_double(B.y);
+        const point2<interval> P = around(A), Q = around(B);
         lines.push_back({A,
                          B,
-                         around(A),
-                         around(B),
+                         P,
+                         Q,
                          nearness_of(from),
                          nearness_of(to),
                          a,
                          b,
-                         std::min(ax, bx) - o.margin,
-                         std::max(ax, bx) + o.margin,
-                         std::min(ay, by) - o.margin,
-                         std::max(ay, by) + o.margin,
+                         std::min(P.x.inf(), Q.x.inf()) - o.margin,
+                         std::max(P.x.sup(), Q.x.sup()) + o.margin,
+                         std::min(P.y.inf(), Q.y.inf()) - o.margin,
+                         std::max(P.y.sup(), Q.y.sup()) + o.margin,
                          {rational(0), rational(1)},
                          {lines.size()}});
         return lines.size() - 1;
@@ -295,12 +295,12 @@ struct region_finder {
     /* The face seen, by its index; NONE: nothing. */
     size_t seen(const place &p, int way)
     {
-        const double x = CGAL::to_double(p.M.x), y = CGAL::to_double(p.M.y);
+        const interval &x = p.near.x, &y = p.near.y;
         size_t best = NONE;
         questions++;
         for (size_t f = 0; f < o.faces.size(); f++) {
             const polygon &face = o.faces[f];
-            if (!counts[f] || x < face.x0 || x > face.x1 || y < face.y0 || y > face.y1 ||
+            if (!counts[f] || x.sup() < face.x0 || x.inf() > face.x1 || y.sup() < face.y0 || y.inf() > face.y1 ||
                 !exactly(false, &exact, [&](auto zero) { return holds<decltype(zero)>(f, p, way); }))
                 continue;
             const int order = best == NONE ? 1 : exactly(false, &exact, [&](auto zero) {
