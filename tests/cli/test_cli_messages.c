@@ -401,20 +401,20 @@ static const struct {
 /* The program inherits the limit. */
 static void images_too_large_for_memory(void **state)
 {
-    const rlim_t megabytes_600 = 600 << 20;
+    const rlim_t megabytes_300 = 300 << 20;
     struct rlimit limit, low;
     (void)state;
     assert_int_equal(getrlimit(RLIMIT_AS, &limit), 0);
-    if (SANITIZED || (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < megabytes_600))
+    if (SANITIZED || (limit.rlim_max != RLIM_INFINITY && limit.rlim_max < megabytes_300))
         SKIP_BECAUSE("address space cannot be limited here, or under a sanitizer");
     low = limit;
-    low.rlim_cur = megabytes_600;
+    low.rlim_cur = megabytes_300;
     assert_int_equal(setrlimit(RLIMIT_AS, &low), 0);
-    int large = run("--dpi 1500 --hidden dashed --style hidden:dash=200 models/table.off -o in/a.png");
+    int large = run("--dpi 1000 --hidden dashed --style hidden:dash=200 models/table.off -o in/a.png");
     assert_said(
-        "roberts: in/a.png: 1500 dpi make an image of 12402 x 17540 pixels; it takes 871 MB of memory, and there "
-        "are 629 MB at the most\n");
-    int small = run("--dpi 1300 models/platonic/cube.off -o in/b.png"); /* 653 MB of pixels, in bands */
+        "roberts: in/a.png: 1000 dpi make an image of 8268 x 11693 pixels; it takes 387 MB of memory, and there "
+        "are 314 MB at the most\n");
+    int small = run("--dpi 950 models/platonic/cube.off -o in/b.png"); /* 349 MB of pixels, in bands */
     assert_int_equal(setrlimit(RLIMIT_AS, &limit), 0);
     assert_int_equal(large, 1);
     assert_int_equal(small, 0);
