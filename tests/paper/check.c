@@ -19,6 +19,8 @@ static const double symbol_mm = 24.0; /* more than its width and its height */
 
 enum { TOLD_MOST = 5 };
 
+static const uint32_t white = 0xffffff;
+
 size_t findings_total(const findings *f)
 {
     return f->missing + f->unfounded + f->twice + f->pixels;
@@ -558,7 +560,7 @@ void check_pixels(const row_list *r, const picture *p, const roberts_draw_option
         }
     }
     for (size_t i = 0; i < pixels; i++)
-        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_BACK; line++)
+        for (int line = ROBERTS_OUTLINE; line <= ROBERTS_BACK && (p->pixel[i] & white) != white; line++)
             if (shows(p->pixel[i], line) && !(near[i] & 1 << line)) {
                 if (tell(f))
                     fprintf(f->out, "  pixel %zu,%zu shows class %d, and no row is near\n", i % (size_t)p->width,
