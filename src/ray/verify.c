@@ -291,12 +291,12 @@ static size_t first_row(const verifier *f, size_t k)
     return low;
 }
 
-/* Do faces end along an edge that is drawn itself? Then there is no intersection. */
+/* Do faces end along an edge that is drawn itself? Then there is no intersection. A union may leave any edge out. */
 static bool is_drawn_edge(const verifier *f, const crossed_faces *faces)
 {
     for (int i = 0; i < 2; i++) {
         uint32_t body = faces->of[i].body, edge = faces->edge[i];
-        if (edge == ROBERTS_NONE)
+        if (edge == ROBERTS_NONE || (f->options.unite && union_takes(f->scene, body)))
             continue;
         const scene_edge e = scene_edge_at(f->seen.scene, body, edge);
         if (scene_is_convex(f->seen.scene, body) ? is_surely_drawn(f, &e) : is_surely_line(f, body, edge))
