@@ -697,8 +697,10 @@ static bool gather(crossings *c, const roberts_scene *scene, const finder *finde
         qsort(all, count, sizeof *all, compare_named);
     for (size_t k = 0; enough && k < count; k++) {
         const named *n = &all[k];
-        if (k > 0 && same_named(n, n - 1))
+        if (k > 0 && same_named(n, n - 1)) {
+            c->item[c->count - 1].seam = c->item[c->count - 1].seam && n->is.seam;
             continue;
+        }
         c->pairs += k == 0 || n->is.face[0] != n[-1].is.face[0] || n->is.face[1] != n[-1].is.face[1];
         c->item[c->count] = n->is;
         c->name[c->count] = (roberts_crossing){{n->number[0], n->number[1]}, {n->is.end[0].point, n->is.end[1].point}};
@@ -753,15 +755,34 @@ typedef struct crossed_lines {
     const seen *seen;
 } crossed_lines;
 
-/* A line in which faces of closed bodies cross. If the near plane has cut the scene, its faces have other numbers than
- * those given. */
+/* A line in which a closed body meets a sheet, which is face[sheet]. Whether it lies along edges makes no difference.
+ * If the near plane has cut the scene, its faces have other numbers than those given. */
+static union_line union_line_of_sheet(const seen *s, const crossing_segment *is, int sheet, uint32_t own[2])
+{
+    const uint32_t body = is->body[1 - sheet];
+    const plane G = scene_plane(s->scene, is->face[sheet]);
+    own[0] = is->face[1 - sheet];
+    return (union_line){.A = is->end[0].point,
+                        .B = is->end[1].point,
+                        .body = ROBERTS_NONE,
+                        .crossed = {body, body},
+                        .sheet = {G.a, G.b, G.c},
+                        .number = scene_face_number(s->scene, own[0]),
+                        .own = own,
+                        .own_count = s->scene == s->source};
+}
+
+/* A line in which faces cross, of closed bodies, or of one and a sheet. */
 static bool union_line_of(const void *context, uint32_t index, union_line *line, uint32_t own[2])
 {
     const crossed_lines *lines = context;
     const seen *s = lines->seen;
     const crossing_segment *is = &lines->of->item[index];
-    if (!union_takes(s->source, is->body[0]) || !union_takes(s->source, is->body[1]))
-        return false;
+    const bool takes[2] = {union_takes(s->source, is->body[0]), union_takes(s->source, is->body[1])};
+    if (takes[0] != takes[1])
+        *line = union_line_of_sheet(s, is, takes[0], own);
+    if (!takes[0] || !takes[1])
+        return takes[0] || takes[1];
     if (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) {
         int i = is->edge[0] == ROBERTS_NONE;
         if (s->scene != s->source)
@@ -794,18 +815,40 @@ static bool find_pieces(crossings *c, const seen *s, uint32_t threads)
 /* Is it part of an edge that the union draws? Where closed bodies meet in an edge, its pieces say so. */
 static bool is_united_edge(const seen *s, const crossing_segment *is)
 {
-    return s->edges.first && (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) &&
-           is->body[0] != is->body[1] && union_takes(s->source, is->body[0]) && union_takes(s->source, is->body[1]);
+    return (is->edge[0] != ROBERTS_NONE || is->edge[1] != ROBERTS_NONE) && is->body[0] != is->body[1] &&
+           union_takes(s->source, is->body[0]) && union_takes(s->source, is->body[1]);
 }
 
 bool crossings_unite(const crossings *c, const seen *s, size_t k, seen_line *line)
 {
-    if (is_united_edge(s, &c->item[k]))
+    const crossing_segment *is = &c->item[k];
+    if (!s->edges.first)
+        return true;
+    if (is_united_edge(s, is))
         return false;
     if (!united_pieces(&c->pieces, (uint32_t)k))
-        return true;
-    line->alone = true;
+        return !is->seam;
+    line->alone = !is->seam;
+    line->sheet = union_takes(s->source, is->body[0]) != union_takes(s->source, is->body[1]);
     return seen_take_pieces(s, c->item[k].body[0], &c->pieces, (uint32_t)k, line);
+}
+
+/* Drops lines along edges that turn out to be no seams. */
+static void drop_false_seams(crossings *c, const seen *s)
+{
+    const size_t count = c->count;
+    c->count = c->pairs = 0;
+    for (size_t k = 0; k < count; k++) {
+        const crossing_segment *is = &c->item[k];
+        seen_line line = {.class = ROBERTS_INTERSECTION};
+        if (is->seam && !crossings_unite(c, s, k, &line))
+            continue;
+        c->pairs += c->count == 0 || compare_pairs(is->face, c->item[c->count - 1].face) != 0;
+        c->pieces.first[c->count] = c->pieces.first[k];
+        c->name[c->count] = c->name[k];
+        memmove(c->end[c->count], c->end[k], sizeof *c->end);
+        c->item[c->count++] = *is;
+    }
 }
 
 bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, uint32_t threads)
@@ -820,6 +863,8 @@ bool crossings_find(crossings *c, const hide_fronts *fronts, const objet *grid, 
                           : meet_all(finders, grid, count)) &&
                   meet_pairs(finders, count) && find_on_edges(finders, count) &&
                   gather(c, fronts->scene, finders, count) && find_pieces(c, fronts->seen, threads);
+    if (enough && c->pieces.first)
+        drop_false_seams(c, fronts->seen);
     for (int i = 0; finders && i < count; i++) {
         crossing_list_free(&finders[i].found);
         crossing_kept_free(&finders[i].last);

@@ -9,10 +9,12 @@
 #include "base/array.h"
 #include "base/sort.h"
 
-/* An edge of face[0] of a touch. It is left out, and may lie in face[1]. */
+/* An edge of face[0] of a touch, which may lie in face[1]. */
 typedef struct touching_edge {
     crossing_touch of;
     uint32_t edge;
+    bool left_out; /* it is flat */
+    bool seam;     /* face[1] is one of a sheet, and a union may leave the edge out */
 } touching_edge;
 
 typedef struct edge_finder {
@@ -42,13 +44,15 @@ static bool has_face(const roberts_scene *scene, uint32_t body, uint32_t edge, u
 }
 
 /* Finds the edge's face of smallest number that does not lie in the plane of g. False: there is none, or the edge's
- * faces do not lie on both sides of that plane, or e->lost. */
-static bool first_across(edge_finder *e, uint32_t body, uint32_t edge, crossing_face *g, crossing_face *out)
+ * faces do not lie on both sides of that plane, or e->lost. But at a seam, faces of other bodies may continue any face
+ * that touches: then it is this one, and *seam becomes true. */
+static bool first_across(edge_finder *e, const touching_edge *t, crossing_face *g, crossing_face *out, bool *seam)
 {
     const roberts_scene *scene = e->fronts->scene;
+    const uint32_t body = t->of.body[0];
     uint32_t room[2], least = ROBERTS_NONE;
     const uint32_t *face;
-    const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
+    const uint32_t count = scene_faces_at(scene, body, t->edge, room, &face);
     bool over = false, under = false, any = false; /* the faces of a hull have no number */
     for (uint32_t k = 0; k < count; k++) {
         const uint32_t f = face[k] & ~MANY_TURNED;
@@ -68,17 +72,24 @@ static bool first_across(edge_finder *e, uint32_t body, uint32_t edge, crossing_
         least = scene_face_number(scene, f);
         *out = F;
     }
-    return over && under;
+    bool lone = t->left_out && over && under;
+    if (t->seam && any && out->first != t->of.face[0]) {
+        lone = false;
+        *out = crossing_face_of(e->rules, body, t->of.face[0]);
+    }
+    *seam = *seam || !lone;
+    return lone || (t->seam && any);
 }
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
 /* Records that the segments from `from` on lie on these edges. */
-static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second)
+static void name_edges(crossing_list *list, size_t from, uint32_t first, uint32_t second, bool seam)
 {
     for (size_t k = from; k < list->count; k++) {
         list->item[k].edge[0] = first;
         list->item[k].edge[1] = second;
+        list->item[k].seam = seam;
     }
 }
 
@@ -88,10 +99,11 @@ static bool find_inside(edge_finder *e, const touching_edge *t)
     size_t from = e->out->count;
     const scene_edge edge = scene_edge_at(e->fronts->scene, t->of.body[0], t->edge);
     crossing_face F, *G = crossing_keep(&e->touched, e->rules, t->of.body[1], t->of.face[1]);
-    if (!first_across(e, t->of.body[0], t->edge, G, &F))
+    bool seam = false;
+    if (!first_across(e, t, G, &F, &seam))
         return !e->lost;
     bool enough = crossing_limit(&e->touched, e->rules, &F) && crossing_find_in(e->rules, &F, edge.v, G, e->out);
-    name_edges(e->out, from, t->edge, ROBERTS_NONE);
+    name_edges(e->out, from, t->edge, ROBERTS_NONE, seam);
     return enough;
 }
 
@@ -103,11 +115,12 @@ static bool find_common(edge_finder *e, const touching_edge *a, const touching_e
     const scene_edge second = scene_edge_at(e->fronts->scene, b->of.body[0], b->edge);
     const crossing_face *own = crossing_keep(&e->touching, e->rules, a->of.body[0], a->of.face[0]);
     crossing_face F, H, *G = crossing_keep(&e->touched, e->rules, a->of.body[1], a->of.face[1]);
+    bool seam = false;
     if (a->edge == b->edge || !crossing_may_have_common(e->rules, own, first.v, G, second.v) ||
-        !first_across(e, a->of.body[0], a->edge, G, &F) || !first_across(e, b->of.body[0], b->edge, &F, &H))
+        !first_across(e, a, G, &F, &seam) || !first_across(e, b, &F, &H, &seam))
         return !e->lost;
     bool enough = crossing_find_common(e->rules, &F, first.v, &H, second.v, e->out);
-    name_edges(e->out, from, a->edge, b->edge);
+    name_edges(e->out, from, a->edge, b->edge, seam);
     return enough;
 }
 
@@ -129,24 +142,35 @@ static size_t drop_doubles(crossing_touch *touch, size_t count)
     return to;
 }
 
-/* Pairs an edge that is left out with all faces touched by one of its faces, which is given by its first piece. */
-static bool list_touches(edge_finder *e, uint32_t body, uint32_t edge, uint32_t first)
+/* May a union leave out the edge, or a part of it? The near plane gives edges other numbers. */
+static bool may_be_seam(const edge_finder *e, uint32_t body, uint32_t edge)
+{
+    const seen *s = e->fronts->seen;
+    if (!s->edges.first || !union_takes(s->source, body))
+        return false;
+    return s->clip.clipped ? !s->clip.cap[edge] : united_pieces(&s->edges, edge) != NULL;
+}
+
+/* Pairs an edge with all faces touched by one of its faces, which is given by its first piece; if it is not left out,
+ * but may be a seam, with those of sheets. */
+static bool list_touches(edge_finder *e, uint32_t body, uint32_t edge, uint32_t first, bool left_out, bool seam)
 {
     const roberts_scene *scene = e->fronts->scene;
     const crossing_touch least = {.face = {first, 0}};
     size_t k = find_first(&least, e->touch, e->touch_count, sizeof *e->touch, compare_touches);
     for (; k < e->touch_count && e->touch[k].face[0] == first; k++) {
         const crossing_touch *t = &e->touch[k];
-        if (t->body[1] == body && has_face(scene, body, edge, t->face[1]))
+        const bool of_sheet = seam && !union_takes(e->fronts->seen->source, t->body[1]);
+        if ((!left_out && !of_sheet) || (t->body[1] == body && has_face(scene, body, edge, t->face[1])))
             continue;
         if (!array_reserve(&e->found, &e->room, e->count + 1, sizeof *e->found))
             return false;
-        e->found[e->count++] = (touching_edge){*t, edge};
+        e->found[e->count++] = (touching_edge){*t, edge, left_out, of_sheet};
     }
     return true;
 }
 
-/* Lists the edges of a body that are left out and whose faces touch other faces. */
+/* Lists the edges of a body that are left out or may be seams, and whose faces touch other faces. */
 static bool list_edges(edge_finder *e, uint32_t body)
 {
     const roberts_scene *scene = e->fronts->scene;
@@ -154,15 +178,19 @@ static bool list_edges(edge_finder *e, uint32_t body)
         uint32_t room[2];
         const uint32_t *face;
         const uint32_t count = scene_faces_at(scene, body, edge, room, &face);
-        bool asked = false;
+        bool asked = false, left_out = false, seam = false;
         for (uint32_t k = 0; k < count; k++) {
             const uint32_t first = scene_first_piece(scene, body, face[k] & ~MANY_TURNED);
             if (!e->touches[first])
                 continue;
-            if (!asked && !seen_is_left_out(e->fronts->seen, body, edge))
+            if (!asked) {
+                left_out = seen_is_left_out(e->fronts->seen, body, edge);
+                seam = may_be_seam(e, body, edge);
+                asked = true;
+            }
+            if (!left_out && !seam)
                 break;
-            asked = true;
-            if (!list_touches(e, body, edge, first))
+            if (!list_touches(e, body, edge, first, left_out, seam))
                 return false;
         }
     }

@@ -3,7 +3,11 @@
  * An edge is left out if its faces lie in one plane, or nearly so. But where it lies inside another face, and its own
  * faces lie on both sides of that face, it is drawn after all: its faces end there. The same holds where two edges that
  * are left out coincide, and the faces of each lie on both sides of the faces of the other: two tiled surfaces pass
- * through one another there. */
+ * through one another there.
+ *
+ * A union leaves out edges as well: the seams of flush bodies. A sheet in the plane of a seam meets the walls on both
+ * sides of it, as if they were one. The sides there belong to several bodies. So each edge that may be a seam gives a
+ * line wherever it touches a sheet, and the union decides what is drawn of it (model/union.h). */
 #ifndef ROBERTS_HIDE_EDGE_CROSSINGS_H
 #define ROBERTS_HIDE_EDGE_CROSSINGS_H
 

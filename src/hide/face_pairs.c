@@ -41,7 +41,7 @@ bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body)
         while (v < b[1].vertex && plane_at(F, vec3_sub(scene->point[v], scene->centre)) <= touching)
             v++;
         if (v == b[1].vertex)
-            return true;
+            return !fronts->seen->edges.first || union_takes(fronts->seen->source, body);
     }
     return false;
 }

@@ -41,7 +41,8 @@ typedef struct face_taker {
 bool face_lists_meet(face_list list[2], const uint32_t body[2], const face_taker *to);
 
 /* Does a body lie outside the plane of some face of a convex solid? Then none of their faces cross. False: it is not
- * known. */
+ * known. In a union, a sheet is never apart: where it only touches the solid, it may meet this and another one, flush
+ * with it. */
 bool bodies_are_apart(const hide_fronts *fronts, uint32_t solid, uint32_t body);
 
 /* Gives all pairs of faces, by their first pieces, except those of one convex body. All bodies must be mapped.

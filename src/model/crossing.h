@@ -77,6 +77,7 @@ typedef struct crossing_segment {
     uint32_t body[2];      /* whose faces they are */
     uint32_t face[2];      /* the first pieces of both, in the scene */
     uint32_t edge[2];      /* in the second case, the edges of these bodies along it; else ROBERTS_NONE */
+    bool seam;             /* it is a line only where that edge is a seam of a union */
     crossing_point end[2]; /* end[0] has the smaller x, or y where those touch, or z */
 } crossing_segment;
 

@@ -20,7 +20,10 @@
  *
  * Where the near plane has cut the scene, an edge of a face in this plane is judged by what the bodies fill beyond it.
  *
- * Open bodies fill nothing, and their lines are not tested. */
+ * Open bodies fill nothing, and their edges are not tested. But a line in which a sheet, a face of an open body, meets
+ * a closed one is judged by what the closed bodies fill there. There is a line if the filled region has sides on both
+ * sides of the sheet, whichever bodies they belong to, and no edge is drawn in this place. So in the plane of a seam, a
+ * sheet meets flush bodies as it would meet one wall. */
 #ifndef ROBERTS_MODEL_UNION_H
 #define ROBERTS_MODEL_UNION_H
 
@@ -35,6 +38,7 @@ typedef enum union_state {
     UNION_SEAM,   /* not drawn: the bodies fill exactly a half-plane, or their faces cover one another */
     UNION_INSIDE, /* not drawn: it lies inside a body */
     UNION_TWICE,  /* not drawn: another line in the same place is drawn, see below */
+    UNION_MET,    /* drawn: a sheet meets a seam, or one of the faces that bound the filled region */
 } union_state;
 
 /* Of several lines in one place, one is drawn. Of edges, it is that of the body with the smallest number. A line where
@@ -60,7 +64,9 @@ typedef struct union_piece {
 typedef struct union_line {
     roberts_vec3 A, B;   /* as scene->point */
     uint32_t body;       /* the edge's body; ROBERTS_NONE: two faces cross in the line */
-    uint32_t crossed[2]; /* the bodies of the two faces that cross */
+    uint32_t crossed[2]; /* the bodies of the two faces that cross; the closed one twice if the other is a sheet */
+    roberts_vec3 sheet;  /* unit normal of the sheet; 0: it is none */
+    uint32_t number;     /* with a sheet: scene_face_number() of the closed body's face */
     const uint32_t *own; /* [own_count] the faces that meet in the line, compact numbers, possibly with MANY_TURNED */
     uint32_t own_count;
 } union_line;

@@ -417,8 +417,29 @@ static const union_ray *folded_ray(const union_cutter *c, uint32_t k)
     return found;
 }
 
-/* Adds the sides of a piece. False: no memory. */
-static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece *piece, bool *alone)
+/* What becomes of a line in which a sheet meets a closed body. Each face that is a side beyond the sheet may have a
+ * line in this place: that with the smallest number is drawn. */
+static union_state state_of_sheet(const union_cutter *c, const union_piece *piece, bool flat)
+{
+    const union_side *least = NULL;
+    bool over = false, under = false;
+    for (uint32_t i = piece->first; i < piece->first + piece->count; i++) {
+        const union_side *side = &c->work->side[i];
+        const double height = vec3_dot(c->line->sheet, side->d) * side->reach;
+        over = over || height > c->touch;
+        under = under || height < -c->touch;
+        if (fabs(height) > c->touch && (!least || side->face < least->face))
+            least = side;
+    }
+    if (!over || !under)
+        return UNION_SEAM;
+    if (least->body != c->line->crossed[0] || scene_face_number(c->all->scene, least->face) != c->line->number)
+        return UNION_TWICE;
+    return flat ? UNION_MET : UNION_DRAWN;
+}
+
+/* Adds the sides of a piece. flat: they bound exactly a half-plane. False: no memory. */
+static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece *piece, bool *alone, bool *flat)
 {
     union_work *work = c->work;
     double half;
@@ -450,8 +471,7 @@ static bool find_sides(union_cutter *c, double t, uint32_t clusters, union_piece
         piece->count++;
     }
     *alone = *alone && piece->count == own;
-    if (piece->count == 2 && opposite(c, edge[0], edge[1]))
-        piece->count = 0;
+    *flat = piece->count == 2 && opposite(c, edge[0], edge[1]);
     return true;
 }
 
@@ -469,7 +489,7 @@ bool union_judge(union_cutter *c, union_piece *piece)
 {
     union_work *work = c->work;
     double t = union_middle(piece);
-    bool alone;
+    bool alone, flat;
     size_t sides = work->side_count;
     piece->first = piece->count = 0;
     if (!find_rays(c, t, &alone))
@@ -490,9 +510,12 @@ bool union_judge(union_cutter *c, union_piece *piece)
     const union_fill *own = c->line->body == ROBERTS_NONE ? NULL : fill_of(work, c->line->body);
     if (own && own->broken)
         return true;
-    if (!find_sides(c, t, clusters, piece, &alone))
+    if (!find_sides(c, t, clusters, piece, &alone, &flat))
         return false;
-    piece->state = piece->count == 0 ? UNION_SEAM : drawn_elsewhere(c, piece) ? UNION_TWICE : UNION_DRAWN;
+    if (vec3_largest(c->line->sheet) > 0.0)
+        piece->state = state_of_sheet(c, piece, flat);
+    else
+        piece->state = piece->count == 0 || flat ? UNION_SEAM : drawn_elsewhere(c, piece) ? UNION_TWICE : UNION_DRAWN;
     if (piece->state == UNION_DRAWN && alone && c->line->body != ROBERTS_NONE)
         piece->state = UNION_ALONE;
     if (piece->state != UNION_DRAWN) {

@@ -344,13 +344,14 @@ bool seen_piece_class(const seen *s, uint32_t body, const seen_line *line, const
 {
     *class = line->class;
     if (piece->state != UNION_DRAWN)
-        return piece->state == UNION_ALONE && line->alone;
+        return piece->state == UNION_MET || (piece->state == UNION_ALONE && line->alone);
+    body = line->sheet ? line->side[piece->first].body : body;
     bool back = seen_is_back(line->class), convex = scene_is_convex(s->source, body);
     double crease = convex ? s->rules.crease_chord : crease_of(s, body);
     edge_faces faces = faces_of_piece(s, line->side + piece->first, piece->count, crease);
-    bool fold = is_fold(&faces);
-    if (!fold && faces.flat && !s->rules.all_edges)
-        return false;
+    bool fold = is_fold(&faces), left_out = !fold && faces.flat && !s->rules.all_edges;
+    if (left_out || line->sheet)
+        return left_out && line->sheet;
     if (fold || faces.left == 0)
         *class = back ? ROBERTS_BACK_OUTLINE : ROBERTS_OUTLINE;
     else
@@ -394,6 +395,7 @@ static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
         return false;
     line->alone = convex ? is_lone_solid_line(w, line) : is_line;
+    line->sheet = false;
     bool drawn = seen_take_pieces(w->of, w->body, &w->of->edges, edge, line);
     w->surviving += drawn && !is_line;
     return drawn;

@@ -209,6 +209,7 @@ typedef struct seen_line {
     unsigned taken;           /* SEEN_TAKEN... */
     bool left_out;            /* the drawing does not have the line, because its faces are flat */
     bool alone;               /* pieces that the union does not change belong to the line, with its class */
+    bool sheet;               /* a sheet meets closed bodies in it: of its pieces, those are drawn that are no edges */
     const union_piece *piece; /* pieces of the line, up to t1 == 1; NULL: the whole line has one class */
     const union_side *side;   /* base index of the pieces' sides */
 } seen_line;

@@ -2,7 +2,7 @@
  *
  * Blocks fill cells of a grid. The same cells make one body: a square for each place where a cell that is filled meets
  * one that is not. Both are drawn, and each visible line of one must lie on visible lines of the other with the same
- * class. */
+ * class. The same with sheets, which meet both alike. */
 #include <stdio.h>
 
 #include "roberts.h"
@@ -13,6 +13,7 @@ enum { CELLS = 12 };
 
 typedef struct cells {
     bool filled[CELLS][CELLS][CELLS];
+    const model *sheets; /* that meet the body; NULL: there are none */
 } cells;
 
 static bool is_filled(const cells *c, int x, int y, int z)
@@ -157,7 +158,8 @@ static void check_covered(const roberts_drawing *of, const roberts_drawing *by, 
     free(found);
 }
 
-static roberts_drawing draw_mesh(const roberts_mesh *mesh, const roberts_camera *camera, double epsilon, bool unite)
+static roberts_drawing draw_lines(const roberts_mesh *mesh, const roberts_camera *camera, double epsilon, bool unite,
+                                  bool hidden)
 {
     roberts_scene *scene = NULL;
     roberts_drawing drawing = {0};
@@ -165,11 +167,17 @@ static roberts_drawing draw_mesh(const roberts_mesh *mesh, const roberts_camera 
     roberts_hide_options options = roberts_hide_options_default();
     options.epsilon = epsilon;
     options.unite = unite;
+    options.keep_hidden = hidden;
     if (roberts_scene_build(mesh, NULL, &scene, &error) != ROBERTS_OK ||
         roberts_hide(scene, camera, &options, &drawing, &error) != ROBERTS_OK)
         fail_msg("%s", error.message);
     roberts_scene_free(scene);
     return drawing;
+}
+
+static roberts_drawing draw_mesh(const roberts_mesh *mesh, const roberts_camera *camera, double epsilon, bool unite)
+{
+    return draw_lines(mesh, camera, epsilon, unite, false);
 }
 
 static roberts_drawing draw(const model *m, const roberts_camera *camera, double epsilon, bool unite)
@@ -181,20 +189,39 @@ static roberts_drawing draw(const model *m, const roberts_camera *camera, double
 typedef struct both {
     const model *blocks, *one;
     double epsilon;
-    bool pinched;
+    bool pinched, sheets;
 } both;
 
-static void check_alike(const both *b, const roberts_camera *camera, const char *name)
+/* Hidden lines count as visible ones. Without sheets, they may differ: some coincide in the picture. */
+static roberts_drawing draw_both(const both *b, const model *m, const roberts_camera *camera, bool unite, bool hidden)
+{
+    roberts_drawing drawing = draw_lines(&m->mesh, camera, b->epsilon, unite, hidden);
+    for (size_t i = 0; i < segments_of(&drawing); i++)
+        if (drawing.segment[i].state == ROBERTS_HIDDEN)
+            drawing.segment[i].state = ROBERTS_VISIBLE;
+    return drawing;
+}
+
+/* The near plane cuts a sheet inside a body: the cut is left out of any union, even if the body is one. */
+static void check_alike_with(const both *b, const roberts_camera *camera, bool hidden, const char *name)
 {
     char text[160];
-    roberts_drawing united = draw(b->blocks, camera, b->epsilon, true), one = draw(b->one, camera, b->epsilon, false);
-    likeness how = {b->epsilon > 0.0 ? 8 * b->epsilon : 1e-8, !b->pinched};
+    roberts_drawing united = draw_both(b, b->blocks, camera, true, hidden);
+    roberts_drawing one = draw_both(b, b->one, camera, b->sheets, hidden);
+    likeness how = {b->epsilon > 0.0 ? 8 * b->epsilon : 1e-8, !b->pinched && !hidden};
     snprintf(text, sizeof text, "%s, too many lines", name);
     check_covered(&united, &one, &how, text);
     snprintf(text, sizeof text, "%s, too few lines", name);
     check_covered(&one, &united, &how, text);
     roberts_drawing_free(&united);
     roberts_drawing_free(&one);
+}
+
+static void check_alike(const both *b, const roberts_camera *camera, const char *name)
+{
+    check_alike_with(b, camera, false, name);
+    if (b->sheets)
+        check_alike_with(b, camera, true, name);
 }
 
 /* Directions from the scene to the viewer: askew and along axes. */
@@ -228,16 +255,36 @@ enum { AS_IT_IS, TURNED, TURNED_TO_SIX_DIGITS, LAYOUTS };
 
 #define ALL_VIEWS (-1)
 
+static void put_model(model *to, const model *m)
+{
+    const roberts_mesh *mesh = &m->mesh;
+    const uint32_t first = (uint32_t)to->mesh.vertex_count;
+    uint32_t corner[16];
+    for (size_t v = 0; v < mesh->vertex_count; v++)
+        model_vertex(to, mesh->vertex[v]);
+    for (size_t f = 0; f < mesh->face_count; f++) {
+        const size_t from = mesh->face_start[f], count = mesh->face_start[f + 1] - from;
+        for (size_t k = 0; k < count; k++)
+            corner[k] = first + mesh->corner[from + k];
+        model_face(to, corner, count);
+    }
+    model_close_solid(to);
+}
+
 /* One body, laid out in one way, in one view or, if that is ALL_VIEWS, in all. */
 static void check_layout(const model *blocks, const cells *c, uint64_t seed, int layout, int only, const char *name)
 {
     model one = {0}, many;
     rng r = {seed};
     mat3 turn = layout == AS_IT_IS ? mat3_scale(1, 1, 1) : mat3_turn(&r);
-    both b = {&many, &one, layout == TURNED_TO_SIX_DIGITS ? 1e-5 : 0.0, is_pinched(c)};
+    both b = {&many, &one, layout == TURNED_TO_SIX_DIGITS ? 1e-5 : 0.0, is_pinched(c), c->sheets != NULL};
     roberts_vec3 shift = {rng_between(&r, -9, 9), rng_between(&r, -9, 9), rng_between(&r, -9, 9)};
     model_copy(&many, blocks);
     put_surface(&one, c, NULL);
+    if (c->sheets) {
+        put_model(&many, c->sheets);
+        put_model(&one, c->sheets);
+    }
     if (layout != AS_IT_IS) {
         model_map(&many, turn, shift);
         model_map(&one, turn, shift);
@@ -458,6 +505,157 @@ static void test_random_blocks(void **state)
     }
 }
 
+/* ---- sheets ---------------------------------------------------------------------------------------------------- */
+
+/* Bodies that are flush, and a sheet in the plane of their seam. face: the numbers of its corners. */
+static const struct {
+    const char *name;
+    int count, block[4][6];
+    double corner[8][3];
+    const char *face[2];
+} sheets[] = {
+    {"house and cellar, with the ground all round",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 6, 2}, {-2, 6, 2}},
+     {"0123", NULL}},
+    {"house upon its cellar in the file",
+     2,
+     {{0, 0, 2, 4, 3, 5}, {0, 0, 0, 4, 3, 2}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 6, 2}, {-2, 6, 2}},
+     {"0123", NULL}},
+    {"ground along a part of the house",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{1, -2, 2}, {6, -2, 2}, {6, 6, 2}, {1, 6, 2}},
+     {"0123", NULL}},
+    {"ground that ends at a wall",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{-2, -3, 2}, {6, -3, 2}, {6, 0, 2}, {-2, 0, 2}},
+     {"0123", NULL}},
+    {"ground with a hole for the house",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 5, 2}, {-2, 5, 2}, {0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 3, 2}},
+     {"0123047654", NULL}},
+    {"ground in two strips that meet at a wall",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 0, 2}, {-2, 0, 2}, {6, 5, 2}, {-2, 5, 2}},
+     {"0123", "3245"}},
+    {"sheet between house and cellar, inside",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{1, 1, 2}, {3, 1, 2}, {3, 2, 2}, {1, 2, 2}},
+     {"0123", NULL}},
+    {"house smaller than its cellar",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 2, 3, 5}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 6, 2}, {-2, 6, 2}},
+     {"0123", NULL}},
+    {"house that reaches into its cellar",
+     2,
+     {{0, 0, 0, 4, 3, 3}, {0, 0, 2, 4, 3, 5}},
+     {{-2, -2, 3}, {6, -2, 3}, {6, 6, 3}, {-2, 6, 3}},
+     {"0123", NULL}},
+    {"four blocks about an edge",
+     4,
+     {{0, 0, 0, 2, 2, 2}, {2, 0, 0, 4, 2, 2}, {0, 0, 2, 2, 2, 4}, {2, 0, 2, 4, 2, 4}},
+     {{-2, -2, 2}, {6, -2, 2}, {6, 6, 2}, {-2, 6, 2}},
+     {"0123", NULL}},
+    {"upright sheet between two houses",
+     2,
+     {{0, 0, 0, 2, 3, 3}, {2, 0, 0, 5, 3, 3}},
+     {{2, -2, -1}, {2, 5, -1}, {2, 5, 5}, {2, -2, 5}},
+     {"0123", NULL}},
+    {"sheet aslant through a seam",
+     2,
+     {{0, 0, 0, 4, 3, 2}, {0, 0, 2, 4, 3, 5}},
+     {{-1, -2, 0}, {5, -2, 0}, {5, 2, 4}, {-1, 2, 4}},
+     {"0123", NULL}},
+};
+
+static void test_sheets(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof sheets / sizeof *sheets; i++) {
+        model m = {0}, sheet = {0};
+        cells c = {.sheets = &sheet};
+        for (int k = 0; k < sheets[i].count; k++)
+            put_block(&m, &c, sheets[i].block[k]);
+        for (int k = 0; k < 8; k++)
+            model_vertex(&sheet,
+                         (roberts_vec3){sheets[i].corner[k][0], sheets[i].corner[k][1], sheets[i].corner[k][2]});
+        for (int f = 0; f < 2 && sheets[i].face[f]; f++) {
+            uint32_t corner[16], count = 0;
+            for (const char *digit = sheets[i].face[f]; *digit; digit++)
+                corner[count++] = (uint32_t)(*digit - '0');
+            model_face(&sheet, corner, count);
+        }
+        check_body(&m, &c, i, sheets[i].name);
+        put_model(&m, &sheet);
+        roberts_drawing d = draw(&m, &(roberts_camera){.dir = {0.37, -0.71, 0.53}}, 0.0, true);
+        check_single(&d, 1e-8, sheets[i].name);
+        roberts_drawing_free(&d);
+        check_rays(&m, sheets[i].name);
+        model_free(&m);
+        model_free(&sheet);
+    }
+}
+
+/* A sheet from `o` to o + n u + k v: one face, or tiles. */
+static void put_sheet(model *m, roberts_vec3 o, roberts_vec3 u, roberts_vec3 v, uint32_t n, uint32_t k, bool tiles)
+{
+    const uint32_t first = (uint32_t)m->mesh.vertex_count, columns = tiles ? n : 1, rows = tiles ? k : 1;
+    for (uint32_t i = 0; i <= columns; i++)
+        for (uint32_t j = 0; j <= rows; j++)
+            model_vertex(m, vec3_add(o, vec3_add(vec3_scale((double)(i * n) / columns, u),
+                                                 vec3_scale((double)(j * k) / rows, v))));
+    for (uint32_t i = 0; i < columns; i++)
+        for (uint32_t j = 0; j < rows; j++) {
+            const uint32_t a = first + i * (rows + 1) + j;
+            model_face(m, (uint32_t[]){a, a + rows + 1, a + rows + 2, a + 1}, 4);
+        }
+    model_close_solid(m);
+}
+
+/* Blocks at random, and sheets in planes of the grid, or aslant through its lines. */
+static void test_random_sheets(void **state)
+{
+    static const roberts_vec3 along[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    (void)state;
+    for (uint64_t seed = 0; seed < 500; seed++) {
+        model m = {0}, sheet = {0};
+        cells c = {.sheets = &sheet};
+        rng r = {seed};
+        char name[40];
+        const int room = rng_int(&r, 2, 4);
+        snprintf(name, sizeof name, "random sheets %d", (int)seed);
+        for (int i = rng_int(&r, 2, 6); i > 0; i--) {
+            int block[6];
+            for (int k = 0; k < 3; k++) {
+                block[k] = rng_int(&r, 0, room - 1);
+                block[3 + k] = rng_int(&r, block[k] + 1, room);
+            }
+            put_block(&m, &c, block);
+        }
+        for (int i = rng_int(&r, 1, 2); i > 0; i--) {
+            const int axis = rng_int(&r, 0, 2);
+            const double slope = rng_int(&r, 0, 3) ? 0.0 : rng_int(&r, 0, 1) ? 1.0 : -1.0;
+            const roberts_vec3 o = {rng_int(&r, -1, room), rng_int(&r, -1, room), rng_int(&r, -1, room)};
+            const roberts_vec3 u = vec3_add(along[(axis + 1) % 3], vec3_scale(slope, along[axis]));
+            const uint32_t n = (uint32_t)rng_int(&r, 1, room + 2), k = (uint32_t)rng_int(&r, 1, room + 2);
+            put_sheet(&sheet, o, u, along[(axis + 2) % 3], n, k, rng_int(&r, 0, 2) == 0);
+        }
+        check_layout(&m, &c, seed, (int)(seed % LAYOUTS), (int)(seed / LAYOUTS) % VIEWS, name);
+        model_free(&m);
+        model_free(&sheet);
+    }
+}
+
+/* ---- bodies that are not blocks -------------------------------------------------------------------------------- */
+
 /* A single body is its own union, even if its faces cross and wind twice round its middle. But the sides of a pentagram
  * bound nothing where they run through its middle, if that is filled below: the last body has such faces outside. */
 static void test_star_bodies(void **state)
@@ -660,6 +858,7 @@ int main(void)
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_bodies),        cmocka_unit_test(test_wall),
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_touching_surfaces),
                                        cmocka_unit_test(test_random_cells),  cmocka_unit_test(test_random_blocks),
+                                       cmocka_unit_test(test_sheets),        cmocka_unit_test(test_random_sheets),
                                        cmocka_unit_test(test_star_bodies),   cmocka_unit_test(test_flat_bodies),
                                        cmocka_unit_test(test_pentagrams),    cmocka_unit_test(test_leg_on_cut),
                                        cmocka_unit_test(test_same_result)};
