@@ -604,6 +604,64 @@ static void test_sheets(void **state)
     }
 }
 
+/* A house whose walls lean inward from the ground on, on its cellar, and the ground: one body, or two. */
+static void put_leaning(model *m, bool whole)
+{
+    static const double at[4][2] = {{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+    for (int level = 0; level < 4; level++)
+        for (int i = 0; i < 4; i++)
+            model_vertex(m, (roberts_vec3){level < 3 ? at[i][0] : 1 + 0.5 * at[i][0],
+                                           level < 3 ? at[i][1] : 0.75 + 0.5 * at[i][1], level == 2 ? 1 : level});
+    for (uint32_t body = 0; body < 2; body++) {
+        const uint32_t low = 4 * body * (whole ? 1 : 2), high = low == 4 ? 12 : low + 4;
+        if (!whole || body == 0)
+            model_face(m, (uint32_t[]){low + 3, low + 2, low + 1, low}, 4);
+        if (!whole || body == 1)
+            model_face(m, (uint32_t[]){high, high + 1, high + 2, high + 3}, 4);
+        for (uint32_t i = 0; i < 4; i++)
+            model_face(m, (uint32_t[]){low + i, low + (i + 1) % 4, high + (i + 1) % 4, high + i}, 4);
+    }
+    const uint32_t first = (uint32_t)m->mesh.vertex_count;
+    for (int i = 0; i < 4; i++)
+        model_vertex(m, (roberts_vec3){3 * at[i][0] - 4, 3 * at[i][1] - 4, 1});
+    model_face(m, (uint32_t[]){first, first + 1, first + 2, first + 3}, 4);
+}
+
+/* The walls of the house and of the cellar bend where they meet. The ground crosses them there if they count as flat;
+ * otherwise it only touches the edge, which is drawn. */
+static void test_leaning_walls(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3 * DIRECTIONS; i++) {
+        const roberts_camera camera = {.dir = directions[i / 3]};
+        double crossed[2] = {0, 0}, all[2] = {0, 0};
+        for (int whole = 0; whole < 2; whole++) {
+            model m = {0};
+            put_leaning(&m, whole);
+            roberts_scene *scene = scene_of_mesh(&m.mesh, NULL);
+            roberts_hide_options options = roberts_hide_options_default();
+            options.unite = !whole;
+            options.crease_auto = false;
+            options.crease_degrees = i % 3 ? 40.0 : 5.0;
+            options.keep_hidden = i % 3 == 2;
+            roberts_drawing d = drawing_of(scene, &camera, &options);
+            for (size_t k = 0; k < d.count; k++) {
+                const roberts_segment *s = &d.segment[k];
+                const double length = hypot(s->p1.x - s->p0.x, s->p1.y - s->p0.y);
+                all[whole] += length;
+                crossed[whole] += s->line == ROBERTS_INTERSECTION ? length : 0.0;
+            }
+            roberts_drawing_free(&d);
+            roberts_scene_free(scene);
+            model_free(&m);
+        }
+        if (fabs(all[0] - all[1]) > 1e-8 || fabs(crossed[0] - crossed[1]) > 1e-8 || (i % 3 == 0 && crossed[1] > 0.0) ||
+            (i < 3 && i % 3 > 0 && !(crossed[1] > 1.0)))
+            fail_msg("view %d: intersections of %g instead of %g, all lines %g instead of %g", i, crossed[0],
+                     crossed[1], all[0], all[1]);
+    }
+}
+
 /* A sheet from `o` to o + n u + k v: one face, or tiles. */
 static void put_sheet(model *m, roberts_vec3 o, roberts_vec3 u, roberts_vec3 v, uint32_t n, uint32_t k, bool tiles)
 {
@@ -859,8 +917,8 @@ int main(void)
                                        cmocka_unit_test(test_menger_sponge), cmocka_unit_test(test_touching_surfaces),
                                        cmocka_unit_test(test_random_cells),  cmocka_unit_test(test_random_blocks),
                                        cmocka_unit_test(test_sheets),        cmocka_unit_test(test_random_sheets),
-                                       cmocka_unit_test(test_star_bodies),   cmocka_unit_test(test_flat_bodies),
-                                       cmocka_unit_test(test_pentagrams),    cmocka_unit_test(test_leg_on_cut),
-                                       cmocka_unit_test(test_same_result)};
+                                       cmocka_unit_test(test_leaning_walls), cmocka_unit_test(test_star_bodies),
+                                       cmocka_unit_test(test_flat_bodies),   cmocka_unit_test(test_pentagrams),
+                                       cmocka_unit_test(test_leg_on_cut),    cmocka_unit_test(test_same_result)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
