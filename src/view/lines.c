@@ -395,7 +395,7 @@ static bool united_line(seen_walk *w, uint32_t edge, seen_line *line)
     if (!is_line && (convex || (line->taken & SEEN_TAKEN && !w->hidden)))
         return false;
     line->alone = convex ? is_lone_solid_line(w, line) : is_line;
-    line->sheet = false;
+    line->left_out = line->sheet = false;
     bool drawn = seen_take_pieces(w->of, w->body, &w->of->edges, edge, line);
     w->surviving += drawn && !is_line;
     return drawn;
