@@ -125,19 +125,21 @@ void page_instead(const roberts_page *page, double width_mm, double height_mm, c
                  {"--page a1", 594, 841},
                  {"--page a0", 841, 1189}};
     const bool is_wide = page->width_mm > page->height_mm;
-    const char *lying = "", *other = "a larger page";
     const size_t count = sizeof sizes / sizeof sizes[0];
-    size_t i = 0;
-    while (i < count && ((is_wide ? sizes[i].wide : sizes[i].narrow) < width_mm ||
-                         (is_wide ? sizes[i].narrow : sizes[i].wide) < height_mm))
-        i++;
     if (page->height_mm >= width_mm && page->width_mm >= height_mm) {
-        other = is_wide ? "the same page upright" : "--landscape";
-    } else if (i < count) {
-        other = sizes[i].name;
-        lying = is_wide ? " --landscape" : "";
+        snprintf(text, PAGE_INSTEAD, is_wide ? "the same page upright" : "--landscape");
+        return;
     }
-    snprintf(text, PAGE_INSTEAD, "%s%s", other, lying);
+    for (size_t i = 0; i < 2 * count; i++) { /* each size as the page lies, then turned */
+        const bool lies = is_wide != (i % 2 == 1);
+        const double narrow = sizes[i / 2].narrow, wide = sizes[i / 2].wide;
+        if ((lies ? wide : narrow) >= width_mm && (lies ? narrow : wide) >= height_mm) {
+            snprintf(text, PAGE_INSTEAD, "%s%s%s", is_wide && !lies ? "an upright " : "", sizes[i / 2].name,
+                     lies ? " --landscape" : "");
+            return;
+        }
+    }
+    snprintf(text, PAGE_INSTEAD, "a larger page");
 }
 
 void page_refuse(const roberts_page *page, const roberts_placement *placement, double fitting, roberts_vec2 drawn_mm,

@@ -28,8 +28,8 @@ bool page_placement_is_valid(const roberts_placement *placement, roberts_error *
 
 enum { PAGE_INSTEAD = 32 };
 
-/* Writes what would do in place of `page`, as options: the page turned, or the smallest of A4 to A0, lying as `page`
- * does, that has this width and height. */
+/* Writes what would do in place of `page`, as options: the page turned, or the smallest of A4 to A0 that has this width
+ * and height, lying as `page` does if it can. */
 void page_instead(const roberts_page *page, double width_mm, double height_mm, char text[PAGE_INSTEAD]);
 
 /* Fills `error`: the drawing, `drawn_mm` large at the placement's scale, does not fit on the page. The message names

@@ -108,7 +108,8 @@ static const struct {
      0,
      "1000000000000:1 the drawing is 4e+25 x 2e+25 mm and would"},
     {"5:1: what would fit", {5, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --landscape"},
-    {"10:1: what would fit", {10, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --page a2"},
+    {"10:1: what would fit", {10, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --page a3 --landscape"},
+    {"12:1: what would fit", {12, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or --page a2 --landscape"},
     {"100:1: what would fit", {100, 1, 0, 0, false}, {0, 0}, 0, "; 4.75:1 would fit, or a larger page"},
     {"standard: 2:1 of 4.75:1", {.standard = true}, {105 - 40, 148.5 + 20}, 2, NULL},
     {"standard: 1:500 of metres, of 1:211", {0, 1000, 0, 0, true}, {105 - 40, 148.5 + 20}, 2, NULL},
@@ -140,6 +141,26 @@ static void laid(void **state)
             assert_int_equal(error.status, ROBERTS_BAD_ARGUMENT);
             assert_non_null(strstr(error.message, lay_cases[i].refused));
         }
+    }
+}
+
+/* The smallest sheet that would do, as the page lies if it can. */
+static void pages_instead(void **state)
+{
+    static const struct {
+        roberts_page page;
+        double width_mm, height_mm;
+        const char *instead;
+    } cases[] = {
+        {{210, 297, 10}, 425, 362, "--page a2 --landscape"}, {{210, 297, 10}, 362, 425, "--page a2"},
+        {{297, 210, 10}, 425, 362, "--page a2 --landscape"}, {{297, 210, 10}, 362, 425, "an upright --page a2"},
+        {{297, 210, 10}, 210, 297, "the same page upright"}, {{210, 297, 10}, 250, 260, "--page a3"},
+        {{210, 297, 10}, 900, 900, "a larger page"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[PAGE_INSTEAD];
+        page_instead(&cases[i].page, cases[i].width_mm, cases[i].height_mm, text);
+        assert_string_equal(text, cases[i].instead);
     }
 }
 
@@ -309,6 +330,7 @@ int main(void)
         cmocka_unit_test(fitted),
         cmocka_unit_test(any_box_fits),
         cmocka_unit_test(laid),
+        cmocka_unit_test(pages_instead),
         cmocka_unit_test(pages_are_checked),
         cmocka_unit_test(each_class_has_its_pen),
         cmocka_unit_test(what_is_not_drawn_takes_no_room),
