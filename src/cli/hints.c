@@ -427,7 +427,8 @@ bool hint_idle_names(const cli_options *options, const roberts_mesh *mesh, size_
     const int used =
         snprintf(text, size, "there is no %s, which %.100s names", thing, slash ? slash + 1 : options->names);
     if (idle > 1)
-        snprintf(text + used, size - (size_t)used, ", and %zu more of its names have no effect", idle - 1);
+        snprintf(text + used, size - (size_t)used, ", and %zu more of its names %s no effect", idle - 1,
+                 idle == 2 ? "has" : "have");
     return true;
 }
 

@@ -1041,7 +1041,7 @@ static void idle_names_are_told(void **state)
         {"vertex,7,A\nedge,1-0,B\nface,5,C\nbody,0,D\n", ""},
         {"vertex,8,A\n", "there is no vertex 8, which names.csv names\n"},
         {"edge,0-7,A\nedge,0-1,B\n", "there is no edge 0-7, which names.csv names\n"},
-        {"face,6,A\nbody,1,B\n", "there is no face 6, which names.csv names, and 1 more of its names have no effect\n"},
+        {"face,6,A\nbody,1,B\n", "there is no face 6, which names.csv names, and 1 more of its names has no effect\n"},
         {"body,1,B\n", "there is no body 1, which names.csv names\n"},
     };
     (void)state;
