@@ -732,14 +732,13 @@ static const struct {
      "--landscape, --margin, --scale, --unit, --frame have no effect: json has no page\n"},
     {"-f null --order none --dpi 90", "--dpi, --order have no effect: null has no page\n"},
     {"--columns +ends", "--columns has no effect: svg is no table\n"},
-    {"-f csv --columns +name,+ends", ""},
+    {"-f csv --columns +ends", ""},
     {"-f csv --columns +level",
      "--columns +level has no effect: it is 0 in visible rows, and there are no others without "
      "--hidden\n"},
     {"-f csv --columns +level --hidden dashed", ""},
     {"-f csv --columns +by",
      "--columns +by has no effect: it is empty in visible rows, and there are no others without --hidden\n"},
-    {"-f csv --columns +by --hidden dashed", ""},
     {"--merge-regions",
      "--merge-regions has no effect: there are no regions without --regions, --fill, --hatch or labels of faces\n"},
     {"--merge-regions --fill white -f csv", "--merge-regions has no effect"},
@@ -798,6 +797,12 @@ static const struct {
      "models/platonic/cube.off: warning: --hull has no effect: all bodies are convex solids\n"},
     {"--hull --batch in models/platonic/cube.off", ""},
     {"--hull points.off", ""},
+    {"-f csv --columns +name,+ends models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --columns +name has no effect: no body has a name in the file\n"},
+    {"-f csv --columns +by --hidden dashed models/platonic/cube.off",
+     "models/platonic/cube.off: warning: --columns +by has no effect: no body has a name in the file\n"},
+    {"-f csv --columns +name,+by --hidden dashed named.obj", ""},
+    {"-f csv --columns +name --batch in models/platonic/cube.off", ""},
     {"--fill-rule evenodd models/platonic/cube.off",
      "models/platonic/cube.off: warning: --fill-rule has no effect: no face crosses itself\n"},
     {"--fill-rule nonzero models/platonic/cube.off", ""},
@@ -837,6 +842,7 @@ static void what_a_drawing_lacks_is_warned_of(void **state)
 {
     char line[300], said[300];
     (void)state;
+    put("named.obj", "v 0 0 0\nv 9 0 0\nv 0 9 0\no lid\nf 1 2 3\n");
     put("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     put("points.off", "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     put("crossing.off", "OFF\n6 2 0\n0 0 0\n1.414214 0 0\n0 1 0\n.2 .2 -1\n.2 .2 1\n2 2 0\n3 0 1 2\n3 3 4 5\n");
