@@ -53,6 +53,8 @@ void description_word(description *d, const char *word)
 {
     if (d->length)
         add(d, " ", 1);
+    if (word[0] == '-' && word[1]) /* a file, and no option */
+        add(d, "./", 2);
     add_quoted(d, word);
 }
 
@@ -159,6 +161,16 @@ static int take_long(parser *p, int *i)
     return apply(p, o, value);
 }
 
+/* `shown` is -xyz, which has no such letter. It may be the name of a file. */
+static int unknown_letter(const char *shown, const char *letter)
+{
+    const bool there = access(shown, F_OK) == 0;
+    const char *but = there ? "; the file of this name is ./" : "", *name = there ? shown : "";
+    if (letter > shown + 1)
+        return message_misuse("%s: -%c is unknown%s%s", shown, *letter, but, name);
+    return message_misuse("%s is unknown%s%s", shown, but, name);
+}
+
 /* argv[*i] is -x, -xyz or -xvalue; as above. One minus before a long name is a slip, and misuse. */
 static int take_short(parser *p, int *i)
 {
@@ -169,7 +181,7 @@ static int take_short(parser *p, int *i)
         const option *o = find_letter(p->given.table, *letter);
         int status;
         if (!o)
-            return message_misuse("-%c is unknown", *letter);
+            return unknown_letter(p->argv[*i], letter);
         if (!o->value) {
             if ((status = apply(p, o, NULL)) != EXIT_DONE)
                 return status;

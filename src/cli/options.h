@@ -150,7 +150,7 @@ bool options_is_given(const options_given *given, const char *name);
  * after a message. */
 int options_parse(const option_table *table, int argc, char **argv, cli_options *options);
 
-/* Adds one word to a description. */
+/* Adds one word to a description, the name of a file: -x becomes ./-x, so that the command runs. */
 void description_word(description *d, const char *word);
 
 #endif

@@ -27,7 +27,8 @@ static const struct {
     {"--al", "--al is unknown; did you mean --all-edges?"},
     {"--frobnicate", "--frobnicate is unknown\n"},
     {"-x", "-x is unknown"},
-    {"-qx", "-x is unknown"},
+    {"-qx", "-qx: -x is unknown\n"},
+    {"-x.off", "-x.off is unknown\n"},
     {"-o=in/a.svg", "-o=in/a.svg: only long options have \"=\"; did you mean -o in/a.svg?"},
     {"-qf=svg", "-qf=svg: only long options have \"=\"; did you mean -f svg?"},
     {"--hidden dotted", "--hidden: \"dotted\" is unknown; it can be none, dashed, solid"},
@@ -751,6 +752,20 @@ static void description_depends_on_the_drawing_alone(void **state)
     assert_non_null(strstr(text, "<desc>roberts --turntable=2 --output=a%d.svg models/platonic/cube.off</desc>"));
 }
 
+/* A file whose name begins with a minus is no option in the command of a drawing, and messages say how to name it. */
+static void names_that_begin_with_a_minus(void **state)
+{
+    (void)state;
+    put("-x.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    assert_int_equal(run("-- -x.off"), 0);
+    assert_non_null(strstr(last.out, "<desc>roberts ./-x.off</desc>"));
+    assert_int_equal(run("--batch in --manifest m.jsonl -- -x.off"), 0);
+    read_text("m.jsonl", last.out);
+    assert_non_null(strstr(last.out, "\"command\":\"roberts ./-x.off\""));
+    assert_int_equal(run("-x.off"), 2);
+    assert_said("roberts: -x.off is unknown; the file of this name is ./-x.off\n");
+}
+
 /* Least and greatest coordinate of the paths of an SVG, in mm. */
 static void svg_box(const char *path, double low[2], double high[2])
 {
@@ -1457,6 +1472,7 @@ int main(void)
         IN_FOLDER(tables_name_class_and_faces),
         IN_FOLDER(too_large_for_the_page),
         IN_FOLDER(description_depends_on_the_drawing_alone),
+        IN_FOLDER(names_that_begin_with_a_minus),
         IN_FOLDER(turntable_keeps_scale_and_centre),
         IN_FOLDER(turntable_keeps_letters),
         IN_FOLDER(batch_draws_each_file),
