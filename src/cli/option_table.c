@@ -825,7 +825,9 @@ static const option rows[] = {
      .help = "strokes: letters that pens draw, everywhere the same; native: text for the reader's fonts, in svg, pdf, "
              "tikz and dxf (default: strokes)",
      .manual = "strokes (the default): letters are drawn as strokes of a pen, everywhere the same: upright letters "
-               "near ISO 3098, Latin with accents, and Greek. A warning tells of characters that they lack. native: "
+               "near ISO 3098, Latin with accents, and Greek. They write the "
+               "German sharp s as ss, thorn as th, eth as d, and the ligatures ae and oe as two letters. A warning "
+               "tells of characters that they lack. native: "
                "svg, pdf, tikz and dxf have the text itself, which can be searched, copied, and set in the "
                "document's fonts (in svg in the layers letters and hidden-letters). In pdf the fonts are Helvetica and "
                "Symbol, which are not part of the file. In tikz, text between two dollar signs, as $v_1$, is a "
