@@ -1066,7 +1066,7 @@ static const option rows[] = {
          "wherever something may have been missed, and reports on standard error. Hidden segments are checked too, "
          "whether they are drawn or not, so it checks more segments than there are on the page. The exit status is 1 "
          "if any ray contradicts the drawing. Points within about epsilon of a change are reported as undecided and "
-         "contradict nothing.\n"
+         "contradict nothing; if most points are, a warning says so.\n"
          "The points are not exactly N times the segments. Along a hidden segment, rays go from one hiding face to the "
          "next, in place of the two points near its ends: where one face hides it all, that is a single ray, and so "
          "N - 1 in all. There are more points where a face may hide a part of a visible segment, and one more on each "
@@ -1095,7 +1095,8 @@ static const option rows[] = {
      .excludes = "verbose",
      .brief = "no warnings",
      .help = "no warnings, and no line of progress on a terminal",
-     .manual = "No warnings, and no line of progress on a terminal. Errors are still reported."},
+     .manual = "No warnings, and no line of progress on a terminal. Errors are still reported, and so is what --stats, "
+               "--verify and --pick print."},
     {.group = GROUP_MESSAGES,
      .name = "verbose",
      .letter = 'v',

@@ -184,16 +184,19 @@ static void print_name(const cli_options *options)
     }
 }
 
+/* Why the touching distance is what it is. */
+static const struct epsilon_reason {
+    const char *json, *text;
+} epsilon_reasons[] = {
+    [ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
+    [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
+    [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
+    [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
+    [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last place of decimal coordinates"}};
+
 static void print_epsilon(FILE *log, const roberts_drawing *d, bool json)
 {
-    static const struct reason {
-        const char *json, *text;
-    } reasons[] = {[ROBERTS_EPSILON_GIVEN] = {"given", "as given"},
-                   [ROBERTS_EPSILON_DIAMETER] = {"diameter", "1e-11 of the diameter"},
-                   [ROBERTS_EPSILON_ROUNDING] = {"rounding", "16 units of the last place of the largest coordinate"},
-                   [ROBERTS_EPSILON_FLOAT32] = {"float32", "2 units of the last place of the largest 32-bit float"},
-                   [ROBERTS_EPSILON_DECIMAL] = {"decimal", "2 units of the last place of decimal coordinates"}};
-    const struct reason *reason = &reasons[d->epsilon_reason];
+    const struct epsilon_reason *reason = &epsilon_reasons[d->epsilon_reason];
     if (json)
         fprintf(log, ",\"epsilon\":%.17g,\"epsilon_reason\":\"%s\",\"scene_diameter\":%.17g", d->epsilon, reason->json,
                 d->scene_diameter);
@@ -315,6 +318,18 @@ static void tell_contradiction(void *context, const roberts_contradiction *c)
     message_close(log);
 }
 
+/* Most rays say nothing: that is no proof. */
+static void warn_undecided(const cli_options *options, const roberts_drawing *d)
+{
+    const roberts_warnings *to = &options->scene.warnings;
+    char text[200];
+    snprintf(text, sizeof text,
+             "verify: most points are undecided: they are within about epsilon of a change, and epsilon is %.4g (%s)",
+             d->epsilon, epsilon_reasons[d->epsilon_reason].text);
+    if (to->warn)
+        to->warn(to->context, options->label ? options->label : "", 0, text);
+}
+
 roberts_status report_verify(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing,
                              roberts_verification *sum, roberts_error *error)
 {
@@ -342,7 +357,7 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
         message_begin(log, options->label);
         fprintf(log, "verify: ... and %zu more\n", t.told - TOLD_MOST);
     }
-    if (status == ROBERTS_OK && (found.contradictions > 0 || !options->quiet)) {
+    if (status == ROBERTS_OK) {
         message_begin(log, options->label);
         fprintf(log,
                 "verify: %zu points of %zu segments checked, visible and hidden, drawn or not; "
@@ -350,6 +365,8 @@ roberts_status report_verify(const cli_options *options, const roberts_scene *sc
                 found.points, found.segments, found.contradictions, found.undecided);
     }
     message_close(log);
+    if (status == ROBERTS_OK && found.undecided > found.points / 2)
+        warn_undecided(options, drawing);
     return status;
 }
 

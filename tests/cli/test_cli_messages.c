@@ -1252,6 +1252,22 @@ static void counts_agree(void **state)
     assert_said(",\"verified\":null,\"seconds\":{");
 }
 
+/* Rays that decide nothing prove nothing. The report itself is no warning. */
+static void undecided_is_no_proof(void **state)
+{
+    (void)state;
+    put("specks.off", "OFF\n8 8 0\n0 0 0\n.1 0 0\n0 .1 0\n0 0 .1\n40 40 40\n40.1 40 40\n40 40.1 40\n40 40 40.1\n"
+                      "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n");
+    assert_int_equal(run("--verify -f null --epsilon 0.02 specks.off"), 0);
+    assert_said("warning: verify: most points are undecided: they are within about epsilon of a change, and epsilon is "
+                "0.02 (as given)\n");
+    assert_int_equal(run("--verify -f null specks.off"), 0);
+    assert_null(strstr(last.err, "most points"));
+    assert_int_equal(run("--verify -q -f null --epsilon 0.02 specks.off"), 0);
+    assert_line(0, "roberts: verify: ");
+    assert_null(strstr(last.err, "warning"));
+}
+
 int main(void)
 {
     if (!program_find())
@@ -1291,6 +1307,7 @@ int main(void)
         IN_FOLDER(cuts_in_the_middle_are_warned_of),
         IN_FOLDER(each_of_several_pictures_is_named),
         IN_FOLDER(names_in_json),
+        IN_FOLDER(undecided_is_no_proof),
         IN_FOLDER(counts_agree),
     };
     return cmocka_run_group_tests_name("cli_messages", tests, NULL, NULL);
