@@ -580,10 +580,12 @@ static roberts_page page_within_edge(roberts_page page, double widest, const rob
     return page;
 }
 
-/* Warns that the drawing is tiny at the given scale: the model probably has another unit than was meant. */
+/* Warns that the drawing is tiny at the given scale: the model probably has another unit than was meant. Or it is tiny
+ * though it is fitted: margins and gaps leave no room on the page. */
 static void warn_tiny(const strokes *s)
 {
     const double least_mm = 10.0;
+    const bool fitted = s->options->placement.scale == 0.0;
     const roberts_warnings *to = &s->options->lettering.warnings;
     double most = 0.0;
     char text[160];
@@ -592,10 +594,13 @@ static void warn_tiny(const strokes *s)
         most = fmax(most, fmax(d->window_max.x - d->window_min.x, d->window_max.y - d->window_min.y));
     }
     most *= page_scale(&s->map);
-    if (s->options->placement.scale == 0.0 || most >= least_mm || most == 0.0 || !to->warn)
+    if (most >= least_mm || most == 0.0 || !to->warn)
         return;
-    snprintf(text, sizeof text, "at this scale the drawing is less than %.0f mm large: is --unit %s?",
-             most < 1.0 ? 1.0 : least_mm, s->options->placement.unit_mm > 0.0 ? "right" : "missing");
+    snprintf(text, sizeof text, "%s the drawing is less than %.0f mm large: is --%s?",
+             fitted ? "on this page" : "at this scale", most < 1.0 ? 1.0 : least_mm,
+             fitted                                ? "page right"
+             : s->options->placement.unit_mm > 0.0 ? "unit right"
+                                                   : "unit missing");
     to->warn(to->context, "", 0, text);
 }
 

@@ -79,7 +79,7 @@ static void lists_name_files(void **state)
     assert_int_equal(entries("in", true), 2);
     assert_int_equal(RUN_LIST("--batch in --label vertices,edges,faces --page 20x20 --margin 0 --list -", "a b.off\n"),
                      0);
-    assert_int_equal(strncmp(last.err, "roberts: a b.off: warning: no room for ", 39), 0);
+    assert_non_null(strstr(last.err, "roberts: a b.off: warning: no room for "));
     assert_int_equal(run_list("--batch in --list list models/table.off", zeros, sizeof zeros - 1), 0);
     assert_int_equal(access("in/a b.svg", F_OK) + access("in/new\nline.svg", F_OK) + access("in/table.svg", F_OK), 0);
     assert_int_equal(entries("in", true), 3);
