@@ -113,6 +113,46 @@ static void manual_page(void **state)
     expect_options(text);
 }
 
+/* Is there this word, no part of a longer one? */
+static bool has_name(const char *text, const char *name, size_t length)
+{
+    for (const char *at = text; (at = strstr(at, name)); at++)
+        if (!isalnum((unsigned char)at[-1]) && at[-1] != '_' && !isalnum((unsigned char)at[length]) &&
+            at[length] != '_')
+            return true;
+    return false;
+}
+
+/* The page explains each name of --stats=json. */
+static void names_of_statistics(void **state)
+{
+    static const char *const runs[] = {"-o /dev/null -f svg models/table.off",
+                                       "-f null --union --verify --sheet first models/star/dodecadodecahedron.off"};
+    static char manual[TEXT], json[TEXT];
+    size_t names = 0;
+    (void)state;
+    read_file(in_build("roberts.1"), manual);
+    *strstr(manual, "\n.SH LIMITS") = '\0';
+    const char *section = strstr(manual, "\n.SH STATISTICS");
+    assert_non_null(section);
+    for (size_t i = 0; i < sizeof runs / sizeof runs[0]; i++) {
+        char command[4096], name[64];
+        snprintf(command, sizeof command, "'%s/roberts' -q --stats=json %s 2>&1", build_folder(), runs[i]);
+        FILE *pipe = popen(command, "r");
+        read_stream(pipe, json);
+        assert_int_equal(pclose(pipe), 0);
+        for (char *at = json; (at = strstr(at, "\":")) != NULL; at++, names++) {
+            char *begin = at;
+            while (begin[-1] != '"')
+                begin--;
+            snprintf(name, sizeof name, "%.*s", (int)(at - begin), begin);
+            if (!has_name(section, name, strlen(name)))
+                fail_msg("%s is missing", name);
+        }
+    }
+    assert_true(names > 80);
+}
+
 static void examples_are_in_the_manual(void **state)
 {
     static char text[TEXT];
@@ -253,6 +293,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(manual_page),
+        cmocka_unit_test(names_of_statistics),
         cmocka_unit_test(examples_are_in_the_manual),
         cmocka_unit_test(completions_of_bash_and_zsh),
         cmocka_unit_test(completions_of_fish),
