@@ -31,6 +31,9 @@ void tikz_text_write(output *out, const char *text);
  * `first`, unless NULL, receives the first of them; 0: such a byte. (tikz.c) */
 size_t tikz_text_missing(const char *text, uint32_t *first);
 
+/* The same of characters that LaTeX defines, but not in its usual encoding, OT1. (tikz.c) */
+size_t tikz_text_only_in_t1(const char *text, uint32_t *first);
+
 /* How many characters of the text are in neither of the two fonts that every reader of PDF has, Helvetica and Symbol.
  * They become plain letters or question marks. `first`, unless NULL, receives the first of them; 0: a byte that is not
  * UTF-8. (pdf.c) */

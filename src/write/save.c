@@ -201,24 +201,22 @@ typedef struct letter_stock {
     const char *name, *result;
 } letter_stock;
 
-/* Warns once about the characters that are missing. Fonts of viewers of other formats are unknown here. */
-static void tell_missing(const strokes *s)
+static const letter_stock pens_stock = {letters_missing, "letters", "a box stands for each"},
+                          pdf_stock = {pdf_text_missing, "fonts of PDF",
+                                       "a plain letter or a question mark stands for each"},
+                          tikz_stock = {tikz_text_missing, "definitions of LaTeX",
+                                        "pdflatex fails unless the document defines each"},
+                          tikz_ot1_stock = {tikz_text_only_in_t1, "usual fonts of LaTeX",
+                                            "pdflatex fails without \\usepackage[T1]{fontenc}"};
+
+/* Warns once about the characters that a stock lacks. */
+static void tell_lack(const strokes *s, const letter_stock *stock)
 {
-    static const letter_stock pens = {letters_missing, "letters", "a box stands for each"},
-                              pdf = {pdf_text_missing, "fonts of PDF",
-                                     "a plain letter or a question mark stands for each"},
-                              tikz = {tikz_text_missing, "definitions of LaTeX",
-                                      "pdflatex fails unless the document defines each"};
     const roberts_warnings *to = &s->options->lettering.warnings;
-    const roberts_format format = s->options->format;
-    const letter_stock *stock = !strokes_text_is_native(s->options) ? &pens
-                                : format == ROBERTS_PDF             ? &pdf
-                                : format == ROBERTS_TIKZ            ? &tikz
-                                                                    : NULL;
     size_t missing = 0;
     uint32_t first = 0;
     char text[160], which[32] = "a byte that is not UTF-8";
-    for (size_t i = 0; stock && i < s->notes.count; i++)
+    for (size_t i = 0; i < s->notes.count; i++)
         missing += stock->missing(notes_line(&s->notes, i).text, missing ? NULL : &first);
     if (missing == 0 || !to->warn)
         return;
@@ -226,8 +224,22 @@ static void tell_missing(const strokes *s)
         snprintf(which, sizeof which, "U+%04X", (unsigned)first);
     snprintf(text, sizeof text, "the %s lack %zu character%s, the first of them %s: %s", stock->name, missing,
              missing == 1 ? "" : "s", which,
-             stock == &tikz && first < 0x80 ? "a question mark stands for each" : stock->result);
+             stock == &tikz_stock && first < 0x80 ? "a question mark stands for each" : stock->result);
     to->warn(to->context, "", 0, text);
+}
+
+/* Warns of missing characters. Fonts of viewers of other formats are unknown here. */
+static void tell_missing(const strokes *s)
+{
+    const roberts_format format = s->options->format;
+    if (!strokes_text_is_native(s->options)) {
+        tell_lack(s, &pens_stock);
+    } else if (format == ROBERTS_PDF) {
+        tell_lack(s, &pdf_stock);
+    } else if (format == ROBERTS_TIKZ) {
+        tell_lack(s, &tikz_stock);
+        tell_lack(s, &tikz_ot1_stock);
+    }
 }
 
 static roberts_status write_page(const subject *what, const roberts_draw_options *options, output *out,

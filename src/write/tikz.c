@@ -99,6 +99,11 @@ static const tex_word accents[] = {{0x300, "\\`"}, {0x301, "\\'"}, {0x302, "\\^"
                                    {0x305, "\\="}, {0x306, "\\u"}, {0x307, "\\."}, {0x308, "\\\""}, {0x30a, "\\r"},
                                    {0x30b, "\\H"}, {0x30c, "\\v"}, {0x327, "\\c"}, {0x328, "\\k"}};
 
+/* Of these, what the encoding OT1 lacks, which LaTeX takes without \usepackage[T1]{fontenc}. */
+static const uint16_t only_in_t1[] = {0xab,  0xbb,  0xd0,  0xde,   0xf0,   0xfe,   0x104, 0x105, 0x110,
+                                      0x111, 0x118, 0x119, 0x12e,  0x12f,  0x14a,  0x14b, 0x172, 0x173,
+                                      0x1ea, 0x1eb, 0x328, 0x201a, 0x201e, 0x2039, 0x203a};
+
 static const char *find_tex_word(const tex_word *word, size_t count, uint32_t code)
 {
     for (size_t i = 0; i < count; i++)
@@ -151,22 +156,45 @@ static bool is_defined(uint32_t code)
     return letters_greek_number(code) || letters_level(code);
 }
 
-size_t tikz_text_missing(const char *text, uint32_t *first)
+/* Is there no definition of the character at `at`? */
+static bool is_missing(const char *text, const char *at, uint32_t code)
 {
-    size_t missing = 0, length;
+    return !is_defined(code) && !(at > text && find_accent(at));
+}
+
+static bool is_only_in_t1(const char *text, const char *at, uint32_t code)
+{
+    (void)text, (void)at;
+    for (size_t i = 0; i < sizeof only_in_t1 / sizeof only_in_t1[0]; i++)
+        if (only_in_t1[i] == code)
+            return true;
+    return false;
+}
+
+/* Counts these characters outside formulas, and stores the first. */
+static size_t count_characters(const char *text, bool (*counts)(const char *text, const char *at, uint32_t code),
+                               uint32_t *first)
+{
+    size_t found = 0, length;
     for (const char *at = text; *at; at += length) {
         const uint32_t code = letters_decode(at, &length);
         const size_t formula = letters_formula(at);
-        if (formula) {
+        if (formula)
             length = formula;
-            continue;
-        }
-        if (is_defined(code) || (at > text && find_accent(at)))
-            continue;
-        if (missing++ == 0 && first)
+        else if (counts(text, at, code) && found++ == 0 && first)
             *first = code;
     }
-    return missing;
+    return found;
+}
+
+size_t tikz_text_missing(const char *text, uint32_t *first)
+{
+    return count_characters(text, is_missing, first);
+}
+
+size_t tikz_text_only_in_t1(const char *text, uint32_t *first)
+{
+    return count_characters(text, is_only_in_t1, first);
 }
 
 void tikz_text_write(output *out, const char *text)

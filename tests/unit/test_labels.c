@@ -409,6 +409,11 @@ static void hidden_and_named(void **state)
     write_drawing(&drawing, &options);
     assert_string_equal(warnings.text, "the definitions of LaTeX lack 1 character, the first of them a byte that is "
                                        "not UTF-8: a question mark stands for each");
+    const roberts_name polish = {ROBERTS_LABEL_VERTICES, 5, 0, "k\u0105t \u0142"};
+    options.lettering.name = &polish;
+    write_drawing(&drawing, &options);
+    assert_string_equal(warnings.text, "the usual fonts of LaTeX lack 1 character, the first of them U+0105: pdflatex "
+                                       "fails without \\usepackage[T1]{fontenc}");
     options.format = ROBERTS_PDF;
     const roberts_name author = {ROBERTS_LABEL_VERTICES, 5, 0, "k\u016f\u0148 \u2010 \u017e\u00e9"};
     options.lettering.name = &author;

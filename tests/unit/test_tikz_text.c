@@ -86,21 +86,30 @@ static void characters_that_latex_lacks(void **state)
     expect_missing(tikz_text_missing, cases, sizeof cases / sizeof cases[0]);
 }
 
+static void characters_that_need_t1(void **state)
+{
+    static const missing_case cases[] = {{"A é Größe Łódź ů ’ “ ”", 0, MISSING_NOTHING},
+                                         {"ą", 1, 0x105},
+                                         {"đŊþÐ", 4, 0x111},
+                                         {"a\u0328.", 1, 0x328},
+                                         {"„a“", 1, 0x201e},
+                                         {"$đ$", 0, MISSING_NOTHING}};
+    (void)state;
+    expect_missing(tikz_text_only_in_t1, cases, sizeof cases / sizeof cases[0]);
+}
+
 static bool put(void *file, const void *bytes, size_t size)
 {
     return fwrite(bytes, 1, size, file) == size;
 }
 
-/* A document of all characters of three bytes or fewer that are not missing. */
-static void latex_sets_all_others(void **state)
+/* LaTeX sets a document of all characters of three bytes or fewer that are not missing, in the encoding T1 or OT1. */
+static void set_all(bool t1)
 {
-    (void)state;
-    if (system("pdflatex --version >/dev/null 2>&1") != 0)
-        SKIP_BECAUSE("no pdflatex here");
-    assert_int_equal(chdir(temporary), 0);
     FILE *file = fopen("a.tex", "w");
     assert_non_null(file);
-    fputs("\\documentclass{article}\n\\usepackage[T1]{fontenc}\n\\begin{document}\n", file);
+    fputs("\\documentclass{article}\n", file);
+    fputs(t1 ? "\\usepackage[T1]{fontenc}\n\\begin{document}\n" : "\\begin{document}\n", file);
     size_t count = 0;
     for (unsigned code = 1; code < 0x10000; code++) {
         const char last = (char)(0x80 | (code & 0x3f)), middle = (char)(0x80 | (code >> 6 & 0x3f));
@@ -108,7 +117,7 @@ static void latex_sets_all_others(void **state)
         const char three[] = {(char)(0xe0 | code >> 12), middle, last, '\0'};
         const char *character = code < 0x80 ? one : code < 0x800 ? two : three;
         output out;
-        if (tikz_text_missing(character, NULL) > 0)
+        if (tikz_text_missing(character, NULL) > 0 || (!t1 && tikz_text_only_in_t1(character, NULL) > 0))
             continue;
         output_start(&out, put, file);
         tikz_text_write(&out, character);
@@ -122,6 +131,16 @@ static void latex_sets_all_others(void **state)
         assert_int_equal(system("grep -A3 '^!' a.out"), 0);
         fail();
     }
+}
+
+static void latex_sets_all_others(void **state)
+{
+    (void)state;
+    if (system("pdflatex --version >/dev/null 2>&1") != 0)
+        SKIP_BECAUSE("no pdflatex here");
+    assert_int_equal(chdir(temporary), 0);
+    set_all(true);
+    set_all(false);
     assert_int_equal(chdir(top), 0);
 }
 
@@ -130,6 +149,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(characters),
         cmocka_unit_test(characters_that_latex_lacks),
+        cmocka_unit_test(characters_that_need_t1),
         cmocka_unit_test_setup_teardown(latex_sets_all_others, temporary_make, temporary_remove),
     };
     if (!getcwd(top, sizeof top))
