@@ -179,10 +179,23 @@ void help_print_manual(FILE *file, const option_table *table)
 
 /* ---- completions ---- */
 
-static void print_words(FILE *file, const option *o)
+/* What stands behind the words of a value such as CLASS:KEY=VALUE or KEY=VALUE: ':' or '='; 0: nothing. */
+static char sign_behind(const option *o)
 {
-    for (size_t i = 0; o->words[i]; i++)
-        fprintf(file, "%s%s%s", i ? " " : "", o->words[i], o->flags & OPTION_COLON ? ":" : "");
+    const char *sign = strpbrk(o->value, ":=");
+    return sign ? *sign : '\0';
+}
+
+/* The words of an option with the signs behind them; before a colon stands `escape`. Only "on" and "off" stand alone.
+ */
+static void print_words(FILE *file, const option *o, const char *escape)
+{
+    const char sign = sign_behind(o);
+    for (size_t i = 0; o->words[i]; i++) {
+        fprintf(file, "%s%s", i ? " " : "", o->words[i]);
+        if (sign && strcmp(o->words[i], "on") != 0 && strcmp(o->words[i], "off") != 0)
+            fprintf(file, "%s%c", sign == ':' ? escape : "", sign);
+    }
 }
 
 /* One branch of a case: the completions of the option's value. */
@@ -196,8 +209,8 @@ static void print_bash_option(FILE *file, const option *o)
     fprintf(file, "--%s=) ", o->name);
     if (o->words) {
         fputs("_roberts_words \"$2\" ", file);
-        print_words(file, o);
-        fputs(o->flags & OPTION_COLON ? "; compopt +o filenames -o nospace 2>/dev/null ;;\n" : " ;;\n", file);
+        print_words(file, o, "");
+        fputs(sign_behind(o) ? "; compopt +o filenames -o nospace 2>/dev/null ;;\n" : " ;;\n", file);
     } else if (o->flags & (OPTION_FILE | OPTION_FOLDER))
         fprintf(file, "_roberts_names -%c \"$2\" ;;\n", o->flags & OPTION_FILE ? 'f' : 'd');
     else
@@ -263,8 +276,7 @@ static void print_zsh_option(FILE *file, const option *o, const option_table *ta
     }
     if (o->words) {
         fputs(":(", file);
-        for (size_t i = 0; o->words[i]; i++)
-            fprintf(file, "%s%s%s", i ? " " : "", o->words[i], o->flags & OPTION_COLON ? "\\:" : "");
+        print_words(file, o, "\\");
         fputc(')', file);
     } else if (o->flags & OPTION_FILE)
         fputs(":_files", file);
@@ -294,7 +306,7 @@ void help_print_fish(FILE *file, const option_table *table)
             fputs(" -x", file);
         if (o->words && !(o->flags & OPTION_OPTIONAL)) {
             fputs(" -a '", file);
-            print_words(file, o);
+            print_words(file, o, "");
             fputs("'", file);
         }
         fprintf(file, " -d '%c%s'\n", toupper((unsigned char)o->brief[0]), o->brief + 1);

@@ -583,7 +583,7 @@ static const option rows[] = {
     /* ---- lines ---- */
     {.group = GROUP_LINES,
      .name = "style",
-     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS | OPTION_COLON,
+     .flags = OPTION_DRAWS | OPTION_PAPER | OPTION_REPEATS,
      .value = "CLASS:KEY=VALUE,...",
      .words = values_pens,
      .set = values_set_style,

@@ -92,9 +92,8 @@ typedef enum option_flags {
     OPTION_OPTIONAL = 8, /* the value is optional, and can only follow "=" */
     OPTION_FILE = 16,    /* the value is a file: for completions */
     OPTION_FOLDER = 32,  /* the value is a folder */
-    OPTION_COLON = 64,   /* completions put a colon behind the words */
-    OPTION_ALONE = 128,  /* the program does nothing else */
-    OPTION_TABLE = 256,  /* about tables: without effect on pages */
+    OPTION_ALONE = 64,   /* the program does nothing else */
+    OPTION_TABLE = 128,  /* about tables: without effect on pages */
 } option_flags;
 
 typedef struct option option;

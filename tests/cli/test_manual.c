@@ -247,7 +247,7 @@ static void colors_are_listed(void **state)
     assert_true(count > 10);
 }
 
-/* What bash would offer for the words of a line, the last of them unfinished; bash does not pass on a "=". */
+/* What bash would offer for the words of a line, the last of them unfinished; bash does not pass on a "=" or ":". */
 static const struct {
     const char *words, *offered;
 } bash_cases[] = {
@@ -261,6 +261,17 @@ static const struct {
     {"roberts --stats models/tab", "models/table.off "},
     {"roberts --verify = models/tab", ""},
     {"roberts --style ou", "outline: "},
+    {"roberts --hatch spac", "spacing= "},
+    {"roberts --hatch on,an", "on,angle= "},
+    {"roberts --hatch spacing = 3,an", "3,angle= "},
+    {"roberts --hatch = spac", "spacing= "},
+    {"roberts --field num", "number= "},
+    {"roberts --fill shade : bo", "body "},
+    {"roberts --fill = shade : bo", "body "},
+    {"roberts --fill shade :", "body white gray "},
+    {"roberts --label vertices,fa", "vertices,faces "},
+    {"roberts --label = vertices,fa", "vertices,faces "},
+    {"roberts --columns +ends,+b", "+ends,+by "},
     {"roberts models/tab", "models/table.off "},
     {"roberts -q --format svg models/tab", "models/table.off "},
     {"roberts --dir 1", ""},
@@ -277,7 +288,7 @@ static void bash_completes(void **state)
         char command[8192], offered[1024];
         snprintf(command, sizeof command,
                  "/bin/bash --norc -c '. \"$0\"; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]} - "
-                 "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]#=}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
+                 "1)); _roberts roberts \"${COMP_WORDS[COMP_CWORD]#[:=]}\" \"${COMP_WORDS[COMP_CWORD - 1]}\"; "
                  "printf \"%%s \" ${COMPREPLY[@]+\"${COMPREPLY[@]}\"}' '%s'",
                  bash_cases[i].words, in_build("completions/bash"));
         print_message("%s\n", bash_cases[i].words);
