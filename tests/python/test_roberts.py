@@ -134,7 +134,9 @@ class Scenes(unittest.TestCase):
         color = scene.regions("iso").regions["color"]
         self.assertEqual(color["value"].tolist(), [[1.0, 0.0, 0.0, np.float32(128 / 255)]] * 3)
         self.assertEqual(color["count"].tolist(), [4] * 3)
-        blue = roberts.Scene(cube.vertices, cube.faces, colors=[[0, 0, 1.0]] * 6).hide().svg(fill="model")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            blue = roberts.Scene(cube.vertices, cube.faces, colors=[[0, 0, 1.0]] * 6).hide().svg(fill="model")
         self.assertEqual(blue.count('fill="#0000ff"'), 1)
 
     def test_table_as_text(self):
@@ -198,13 +200,32 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "^hatch: there is no 'spacing'; did you mean spacing_mm[?] "):
             scene.hide().svg(hatch={"spacing": 1})
         with self.assertRaises(roberts.Error) as caught:
-            scene.hide(roberts.view(direction=(0, 0, 0)))
+            scene.hide(roberts.view(eye=(1, 2, 3), look_at=(1, 2, 3)))
         self.assertEqual(caught.exception.status, "BAD_VIEW")
         self.assertRaises(roberts.Error, roberts.Scene, triangle, [[0, 1, 2]], solids=True)
         for odd in ({"direction": (1, 2)}, {"eye": (1, 2, 3, 4)}, {"eye": (1, 2, 3), "direction": (1, 2, 3)},
                     {"eye": (1, 2, 3), "elevation": 5}, {"fov": 60}, {"near": 1}, {"look_at": (0, 0, 0)},
                     {"preset": "top", "azimuth": 5}):
             self.assertRaises(ValueError, roberts.view, **odd)
+        eye = {"eye": (1, 2, 3)}
+        for name, value, others in (("direction", (0, 0, 0), {}), ("direction", (np.inf, 0, 0), {}),
+                                    ("up", (0, 0, 0), {}), ("up", (0, np.nan, 1), {}), ("roll", np.nan, {}),
+                                    ("azimuth", np.inf, {}), ("eye", (np.nan, 0, 0), {}), ("fov", -5, eye),
+                                    ("fov", 180, eye), ("near", -1, eye), ("near", np.inf, eye),
+                                    ("look_at", (np.inf, 0, 0), eye), ("section", (np.nan, 0, 0), {})):
+            with self.assertRaisesRegex(ValueError, f"^view: {name}: "):
+                roberts.view(**{name: value}, **others)
+        for name, others in ("azimuth", {}), ("elevation", {}), ("roll", {}), ("fov", eye), ("near", eye):
+            with self.assertRaisesRegex(TypeError, f"^view: {name}: "):
+                roberts.view(**{name: "x"}, **others)
+        masked = np.ma.array(np.eye(3), mask=np.eye(3))
+        self.assertRaisesRegex(ValueError, "^Scene: vertices: .* masked", roberts.Scene, masked, [[0, 1, 2]])
+        self.assertRaisesRegex(ValueError, "^Scene: faces: .* masked", roberts.Scene, triangle,
+                               np.ma.array([[0, 1, 2, 9]], mask=[[0, 0, 0, 1]]))
+        self.assertRaisesRegex(ValueError, "^project: points: .* masked", scene.project, masked)
+        self.assertEqual(roberts.Scene(np.ma.array(triangle), [[0, 1, 2]]).body_count, 1)  # nothing is masked
+        self.assertEqual(repr(scene), "<roberts.Scene '': 1 body, 3 vertices, 1 face>")
+        self.assertIn(": 25 bodies, ", repr(roberts.read("models/tower.off")))
         for name in ("direction", "eye", "look_at", "up", "section"):
             with self.assertRaisesRegex(ValueError, f"^view: {name}: a vector has three numbers, not 2$"):
                 roberts.view(**{"eye": (1, 2, 3)} if name == "look_at" else {}, **{name: (1, 2)})
@@ -237,7 +258,8 @@ class Scenes(unittest.TestCase):
 
     def test_options_without_effect(self):
         drawing = roberts.read(CUBE).hide()
-        for options in ({"shaded": True}, {"light": (1, 1, 1)}, {"light": (1, 1, 1), "fill": "body"}):
+        for options in ({"fill": "model"}, {"shaded": True}, {"light": (1, 1, 1)},
+                        {"light": (1, 1, 1), "fill": "body"}):
             with self.assertWarnsRegex(roberts.RobertsWarning, f"^{next(iter(options))} has no effect: "):
                 drawing.svg(**options)
         path = os.path.join(HERE, "misnamed.svg")
@@ -385,8 +407,9 @@ class Pages(unittest.TestCase):
                   pens={"crease": {"off": True, "color": (255, 0, 0)}})
         with self.assertRaisesRegex(ValueError, "keep_hidden"):
             scene.hide().svg(hidden="dashed")
-        with self.assertRaisesRegex(ValueError, "'thick' is unknown; it can be outline, .*, hidden, "):
-            scene.hide().svg(pens={"thick": {}})
+        with self.assertRaisesRegex(ValueError, "'back' is unknown; it can be outline, border, crease, intersection, "
+                                                "wire, hidden, frame, symbol, hatch, text, hidden_text$"):
+            scene.hide().svg(pens={"back": {}})
 
     def test_angles_and_perspective(self):
         path = "models/table.off"
@@ -406,7 +429,8 @@ class Pages(unittest.TestCase):
             np.testing.assert_allclose(places[whole["v0"], 2], whole["z0"], atol=1e-12)
         self.assertTrue(np.isnan(scene.project([[9, -21, 8]], where)).all())
         self.assertRaises(ValueError, scene.project, [1, 2, 3])
-        self.assertRaises(roberts.Error, scene.project, [[1, 2, 3]], roberts.view(direction=(0, 0, 0)))
+        self.assertRaises(roberts.Error, scene.project, [[1, 2, 3]],
+                          roberts.view(eye=(1, 2, 3), look_at=(1, 2, 3)))
 
     def test_pages(self):
         path = "models/table.off"

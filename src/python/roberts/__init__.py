@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import ctypes
 import difflib
+import math
 import os
 import re
 import warnings as _warnings
@@ -42,7 +43,7 @@ LINES = ("outline", "crease", "back", "border", "wire", "intersection", "back_ou
 
 _KINDS = ("convex", "closed", "open")
 # pens by the program's names; roberts.h calls that of hidden lines back
-_PENS = {**{"hidden" if name == "back" else name: name for name in c.PENS}, "back": "back"}
+_PENS = {"hidden" if name == "back" else name: name for name in c.PENS}
 _PEN = {"width": "width_mm", "dash": "dash_mm", "gap": "gap_mm", "off": "off", "number": "number"}
 # the kind of fill, and whether it is shaded
 _FILLS = {"none": (0, False), "white": (1, False), "model": (2, False), "body": (3, False), "shade": (2, True),
@@ -155,6 +156,31 @@ def _vector(values: Sequence[float], what: str) -> c.vec3:
     return vector
 
 
+def _number(value: float, what: str, low: float = -math.inf, high: float = math.inf) -> float:
+    """A finite number from `low`, and less than `high`."""
+    number = ctypes.c_double()
+    _set(number, "value", value, what)
+    if not math.isfinite(number.value) or not low <= number.value < high:
+        raise ValueError(f"{what}: {value!r} is out of range")
+    return number.value
+
+
+def _point(values: Sequence[float], what: str) -> c.vec3:
+    """Three finite numbers."""
+    vector = _vector(values, what)
+    for name in "xyz":
+        _number(getattr(vector, name), what)
+    return vector
+
+
+def _direction(values: Sequence[float], what: str) -> c.vec3:
+    """Three finite numbers, not all of them 0."""
+    vector = _point(values, what)
+    if vector.x == vector.y == vector.z == 0.0:
+        raise ValueError(f"{what}: 0, 0, 0 is no direction")
+    return vector
+
+
 def _color(values: Sequence[int], what: str) -> tuple[int, int, int]:
     """Red, green and blue, as bytes: ctypes would keep the lowest bits of numbers beyond 255."""
     try:
@@ -203,11 +229,11 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     look_at             perspective: the point in the middle of the picture; None: the middle of the scene's box
     up                  what points up in the picture; None: +z
     roll                degrees: turns the picture counter-clockwise
-    fov                 perspective: the field of view in degrees; 0: the whole scene
+    fov                 perspective: the field of view in degrees, below 180; 0: the whole scene
     near                perspective: what is nearer to the eye is cut off, model units; 0: chosen
     section             three numbers: what is nearer to the viewer than this point is cut off; or six, in parallel
                         views: a point and a direction, to whose side all is cut off; None: nothing is
-    Raises ValueError.
+    Raises TypeError, ValueError.
     """
     camera = c.camera()
     angles = azimuth is not None or elevation is not None
@@ -215,25 +241,30 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
         raise ValueError("view: preset, angles, direction and eye exclude each other")
     if eye is None and (look_at is not None or fov or near):
         raise ValueError("view: look_at, fov and near need eye")
+    roll = _number(roll, "view: roll")
     if angles:
-        if not c.lib.roberts_camera_angles(azimuth or 0.0, elevation or 0.0, roll, ctypes.byref(camera)):
+        azimuth = 0.0 if azimuth is None else _number(azimuth, "view: azimuth")
+        elevation = 0.0 if elevation is None else _number(elevation, "view: elevation")
+        if not c.lib.roberts_camera_angles(azimuth, elevation, roll, ctypes.byref(camera)):
             raise ValueError(f"view: azimuth {azimuth}, elevation {elevation} is no view")
     elif direction is None and eye is None:
         if not c.lib.roberts_camera_preset(preset.encode(), ctypes.byref(camera)):
             raise ValueError(f"view: there is no {preset!r}")
     if direction is not None:
-        camera.dir = _vector(direction, "view: direction")
+        camera.dir = _direction(direction, "view: direction")
     if eye is not None:
-        camera.projection, camera.eye = 1, _vector(eye, "view: eye")
+        camera.projection, camera.eye = 1, _point(eye, "view: eye")
     if look_at is not None:
-        camera.look_at, camera.has_look_at = _vector(look_at, "view: look_at"), True
+        camera.look_at, camera.has_look_at = _point(look_at, "view: look_at"), True
     if up is not None:
-        camera.up = _vector(up, "view: up")
+        camera.up = _direction(up, "view: up")
     if section is not None:
-        point, normal = [*section][:3], [*section][3:] or (0, 0, 0)
-        camera.section, camera.has_section = _vector(point, "view: section"), True
-        camera.section_normal = _vector(normal, "view: section")
-    camera.roll_degrees, camera.fov_degrees, camera.near_distance = roll, fov, near
+        point, normal = [*section][:3], [*section][3:]
+        camera.section, camera.has_section = _point(point, "view: section"), True
+        if normal:
+            camera.section_normal = _direction(normal, "view: section")
+    camera.roll_degrees = roll
+    camera.fov_degrees, camera.near_distance = _number(fov, "view: fov", 0.0, 180.0), _number(near, "view: near", 0.0)
     return View(camera)
 
 
@@ -270,6 +301,8 @@ class Scene:
 
     def __init__(self, vertices: Any, faces: Any, *, colors: Any = None, hull: bool = False, solids: bool = False,
                  tolerance: float = 0.0, even_odd: bool = False, rounded: bool = False) -> None:
+        for name, given in ("vertices", vertices), ("faces", faces), ("colors", colors):
+            _refuse_mask(given, f"Scene: {name}")
         points = np.require(vertices, np.float64, "CA")
         if points.ndim != 2 or points.shape[1] != 3:
             raise ValueError(f"Scene: vertices have the shape {points.shape}, not (n, 3)")
@@ -392,6 +425,7 @@ class Scene:
         Returns (n, 3) float64: x and y as p0 of segments, z as z0; NaN what the near plane cuts off.
         Raises Error, ValueError.
         """
+        _refuse_mask(points, "project: points")
         camera, given = _camera(where), np.require(points, np.float64, "CA")
         if given.ndim != 2 or given.shape[1] != 3:
             raise ValueError(f"project: points are (n, 3) numbers, not {given.shape}")
@@ -403,8 +437,14 @@ class Scene:
         return self.hide()._repr_svg_()
 
     def __repr__(self) -> str:
-        return (f"<roberts.Scene {self.name!r}: {self.body_count} bodies, {self._mesh.vertex_count} vertices, "
-                f"{self._mesh.face_count} faces>")
+        bodies, faces = self.body_count, self._mesh.face_count
+        return (f"<roberts.Scene {self.name!r}: {bodies} {'body' if bodies == 1 else 'bodies'}, "
+                f"{self._mesh.vertex_count} vertices, {faces} face{'s' * (faces != 1)}>")
+
+
+def _refuse_mask(values: Any, what: str) -> None:
+    if np.ma.is_masked(values):
+        raise ValueError(f"{what}: some are masked; give those that are not alone")
 
 
 def _face_colors(colors: Any, count: int) -> np.ndarray:
@@ -667,7 +707,7 @@ class Drawing(_Drawable):
                         background=(255, 255, 255))
 
     def __repr__(self) -> str:
-        return f"<roberts.Drawing {self._scene.name!r}: {len(self)} segments>"
+        return f"<roberts.Drawing {self._scene.name!r}: {len(self)} segment{'s' * (len(self) != 1)}>"
 
 
 class Sheet(_Drawable):
@@ -724,6 +764,9 @@ class _Page:
             self.regions = [Regions(one._scene, one._camera, regions) for one in drawings]
             for drawing, seen in zip(self.drawings, self.regions):
                 drawing.regions = ctypes.addressof(seen._list)
+            colored = any(seen.regions["color"]["count"].any() for seen in self.regions)
+            if o.fill == _FILLS["model"][0] and not o.shaded and not colored and format not in map(_format, _TABLES):
+                self.warned.said.append("fill has no effect: no face that is seen has a colour")
         columns = _names(given.pop("columns", ()))
         if len(set(columns)) < len(columns):
             raise ValueError("columns: each once")
