@@ -466,6 +466,10 @@ class Pages(unittest.TestCase):
         with open(path, "rb") as file:
             self.assertEqual(file.read(), program("models/table.off", "--hidden", "dashed", "-f", "csv", "--columns",
                                                   "+depth"))
+        for one in roberts.read(CUBE).hide(keep_hidden=True), roberts.read(CUBE).sheet(keep_hidden=True):
+            with self.assertRaisesRegex(ValueError, r"^columns: .* hide\(..., levels=True\) computes them$"):
+                one.csv(columns="level")
+            self.assertRaises(ValueError, one.save, path, columns=("ends", "level"))
         self.assertRaises(ValueError, drawing.save, path, columns=("odd",))
         self.assertRaises(ValueError, drawing.save, path, columns=("ends", "ends"))
 

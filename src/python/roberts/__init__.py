@@ -773,6 +773,8 @@ class _Page:
         o.column_count = len(columns)
         for i, name in enumerate(columns):
             o.column[i] = _choice(_COLUMNS, name, "columns")
+            if name == "level" and format in map(_format, _TABLES) and not of._options.get("levels", False):
+                raise ValueError("columns: levels were not computed; hide(..., levels=True) computes them")
         for name in ("crop", "dpi", "real_dashes", "number_layers"):
             if name in given:
                 _set(o, name, given.pop(name), name)
