@@ -526,7 +526,7 @@ bool hide_fronts_build(hide_fronts *fronts, seen *s, const roberts_hide_options 
                .looked_up = looked_up || !cull,
                .cull = cull,
                .late = cull && mesh};
-    *fronts = (hide_fronts){.seen = s, .scene = scene, .waits = b.late && !looked_up};
+    *fronts = (hide_fronts){.seen = s, .scene = scene, .waits = b.late};
     scan_frame frame = {0};
     bool done = seen_begin_points(s) && alloc_fronts(&b) && box_solids(fronts, b.threads);
     if (done) {

@@ -19,6 +19,7 @@
 #include "base/bits.h"
 #include "base/error.h"
 #include "base/threads.h"
+#include "hide/bare_faces.h"
 #include "hide/cells.h"
 #include "hide/cuts.h"
 #include "hide/regions.h"
@@ -279,7 +280,12 @@ static roberts_status hide_for_regions(hide_job *job, const seen_further *cuts, 
                                        roberts_drawing *drawing)
 {
     const roberts_receiver take = {region_lines_take, lines};
-    lines->per_unit = job->seen.view.per_unit;
+    lines->seen = &job->seen;
+    lines->near = regions_near(&job->fronts);
+    if (!job->options->merge_regions &&
+        !bare_faces_find(&job->fronts, &job->grid, REGION_MARGIN * greater(lines->near.joined, lines->near.reach),
+                         job->options->threads, &job->seen.sight))
+        return ROBERTS_NO_MEMORY;
     job->seen.rules.left_out = true;
     job->seen.further = *cuts;
     job->to = &take;
@@ -361,7 +367,7 @@ roberts_status hide_scene(hide_job *job, const roberts_scene *scene, const rober
     if (status == ROBERTS_OK && cut && !cuts_draw(&job->fronts, &cuts, job->options->unite, drawing))
         status = ROBERTS_NO_MEMORY;
     if (status == ROBERTS_OK && job->regions) {
-        status = regions_find(job, &lines.map) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
+        status = regions_find(job, &lines) ? ROBERTS_OK : ROBERTS_NO_MEMORY;
         drawing->region_time = lap(&clock);
     }
     planar_map_free(&lines.map);

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 
 #include "base/array.h"
+#include "base/orient.h"
 #include "base/sets.h"
 #include "base/sort.h"
 #include "base/threads.h"
@@ -54,17 +55,31 @@ typedef struct region_work {
 
 /* ---- lines ----------------------------------------------------------------------------------------------------- */
 
+static bool is_bare(const hide_job *job, uint32_t face)
+{
+    return job->seen.sight && job->seen.sight[face] == SEEN_WHOLE;
+}
+
+/* Is it an edge between two bare faces? */
+static bool is_between_bare(const seen *s, const roberts_segment *line)
+{
+    return s->sight && line->line == ROBERTS_CREASE && !scene_is_convex(s->scene, line->solid) &&
+           seen_has_known_faces(s, s->scene->solid[line->solid].face,
+                                scene_edge_stored(s->scene, line->solid, line->edge));
+}
+
 bool region_lines_take(void *context, const roberts_segment *s)
 {
     region_lines *lines = context;
-    const double per = lines->per_unit;
+    const double per = lines->seen->view.per_unit;
     if (s->state != SEGMENT_LEFT_OUT) {
         if (!array_reserve(&lines->segment, &lines->room, lines->count + 1, sizeof *s))
             return false;
         lines->segment[lines->count++] = *s;
     }
-    return s->line == ROBERTS_WIRE || planar_map_add(&lines->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
-                                                     (roberts_vec2){per * s->p1.x, per * s->p1.y});
+    return s->line == ROBERTS_WIRE || is_between_bare(lines->seen, s) ||
+           planar_map_add(&lines->map, (roberts_vec2){per * s->p0.x, per * s->p0.y},
+                          (roberts_vec2){per * s->p1.x, per * s->p1.y});
 }
 
 /* ---- which face is seen in a cell ------------------------------------------------------------------------------ */
@@ -195,6 +210,8 @@ static bool look_into(const region_work *w, uint32_t cell, region_scratch *scrat
     uint32_t face = point_face(&w->job->fronts, &w->job->grid, inside, &F);
     if (face == ROBERTS_NONE)
         return true;
+    if (is_bare(w->job, face))
+        return true; /* a bare face, or several that share sides */
     sight->face = whole_face(w->job->fronts.scene, face);
     return find_depths(w, face, F, scratch, sight);
 }
@@ -427,46 +444,104 @@ static void put_depths(const region_work *w, const uint32_t *number, roberts_reg
     }
 }
 
+/* Begins the region of a face. The faces come in order. */
+static void add_region(const region_work *w, uint32_t face, roberts_region_list *out)
+{
+    const hide_job *job = w->job;
+    const roberts_scene *scene = job->seen.scene;
+    uint32_t solid = out->count > 0 ? out->region[out->count - 1].solid : 0;
+    while (scene->solid[solid + 1].face <= face)
+        solid++;
+    if (out->slope)
+        out->slope[out->count] = slope_find(&job->seen, face, job->upright);
+    out->region[out->count++] = (roberts_region){.solid = solid,
+                                                 .face = scene_face_number(scene, face),
+                                                 .first_ring = out->ring_count,
+                                                 .z_min = INFINITY,
+                                                 .z_max = -INFINITY,
+                                                 .normal = region_normal(&job->seen, face),
+                                                 .color = region_color(job, face),
+                                                 .section = seen_is_cap(scene, face)};
+}
+
+/* Adds a ring to the last region. */
+static void add_region_ring(const region_work *w, const region_ring *ring, roberts_region_list *out)
+{
+    const double unit = w->job->seen.view.unit;
+    roberts_region *region = &out->region[out->count - 1];
+    region->ring_count++;
+    region->area += ring->area * unit * unit;
+    out->ring_start[out->ring_count++] = out->corner_count;
+    put_corners(w, ring, out);
+}
+
+/* Adds the region of a bare face: its own picture, from the leftmost corner on. Its corners are rounded as those of
+ * segments are. */
+static void add_bare_region(const region_work *w, uint32_t face, roberts_region_list *out)
+{
+    const seen *s = &w->job->seen;
+    const double unit = s->view.unit;
+    uint32_t turned[SEEN_TURNED], count, first = 0;
+    const uint32_t *corner = seen_corners(s, face, &count, turned);
+    roberts_vec2 at[3];
+    add_region(w, face, out);
+    roberts_region *region = &out->region[out->count - 1];
+    for (uint32_t k = 0; k < 3; k++) {
+        const roberts_vec3 P = s->P[corner[k]];
+        at[k] = (roberts_vec2){P.x * unit, P.y * unit};
+        region->z_min = lesser(region->z_min, P.z * unit);
+        region->z_max = greater(region->z_max, P.z * unit);
+        first = vec2_compare(at[k], at[first]) < 0 ? k : first;
+    }
+    out->ring_start[out->ring_count++] = out->corner_count;
+    region->ring_count = 1;
+    region->area = 0.5 * orient2d(at[first], at[(first + 1) % 3], at[(first + 2) % 3]);
+    for (uint32_t k = 0; k < 3; k++)
+        out->corner[out->corner_count++] = at[(first + k) % 3];
+}
+
+/* Adds the regions of the bare faces from *next on, up to the face `end`. */
+static void add_bare_regions(const region_work *w, uint32_t *next, uint32_t end, roberts_region_list *out)
+{
+    for (; w->job->seen.sight && *next < end; ++*next)
+        if (is_bare(w->job, *next))
+            add_bare_region(w, *next, out);
+}
+
+/* Makes room for all regions. order: the rings by their faces. False: no memory. */
+static bool reserve_regions(const region_work *w, const uint32_t *order, roberts_region_list *out)
+{
+    size_t faces = 0, whole = 0;
+    for (size_t k = 0; k < w->ring_count; k++)
+        faces += k == 0 || w->ring[order[k]].face != w->ring[order[k - 1]].face;
+    for (uint32_t f = 0; w->job->seen.sight && f < w->job->seen.scene->face_count; f++)
+        whole += is_bare(w->job, f);
+    out->region = alloc_array(faces + whole, sizeof *out->region);
+    out->ring_start = alloc_array(w->ring_count + whole + 1, sizeof *out->ring_start);
+    out->corner = alloc_array(w->side_count + 3 * whole, sizeof *out->corner);
+    out->united = w->job->merge_bodies;
+    out->slope = w->job->options->slopes ? alloc_array(faces + whole, sizeof *out->slope) : NULL;
+    return out->region && out->ring_start && out->corner && (out->slope || !w->job->options->slopes);
+}
+
 static bool write_regions(const region_work *w, roberts_region_list *out)
 {
-    const roberts_scene *scene = w->job->seen.scene;
-    double unit = w->job->seen.view.unit;
-    size_t faces = 0;
-    uint32_t *order = sort_rings(w), *number = alloc_array(scene->face_count, sizeof *number), solid = 0;
-    for (size_t k = 0; order && k < w->ring_count; k++)
-        faces += k == 0 || w->ring[order[k]].face != w->ring[order[k - 1]].face;
-    out->region = alloc_array(faces, sizeof *out->region);
-    out->ring_start = alloc_array(w->ring_count + 1, sizeof *out->ring_start);
-    out->corner = alloc_array(w->side_count, sizeof *out->corner);
-    out->united = w->job->merge_bodies;
-    out->slope = w->job->options->slopes ? alloc_array(faces, sizeof *out->slope) : NULL;
-    bool enough =
-        order && number && out->region && out->ring_start && out->corner && (out->slope || !w->job->options->slopes);
-    for (uint32_t f = 0; enough && f < scene->face_count; f++)
+    const uint32_t faces = w->job->seen.scene->face_count;
+    uint32_t *order = sort_rings(w), *number = alloc_array(faces, sizeof *number), next = 0;
+    bool enough = order && number && reserve_regions(w, order, out);
+    for (uint32_t f = 0; enough && f < faces; f++)
         number[f] = ROBERTS_NONE;
     for (size_t k = 0; enough && k < w->ring_count; k++) {
         const region_ring *ring = &w->ring[order[k]];
         if (number[ring->face] == ROBERTS_NONE) {
-            while (scene->solid[solid + 1].face <= ring->face)
-                solid++;
+            add_bare_regions(w, &next, ring->face, out);
             number[ring->face] = (uint32_t)out->count;
-            out->region[out->count++] = (roberts_region){.solid = solid,
-                                                         .face = scene_face_number(scene, ring->face),
-                                                         .first_ring = k,
-                                                         .z_min = INFINITY,
-                                                         .z_max = -INFINITY,
-                                                         .normal = region_normal(&w->job->seen, ring->face),
-                                                         .color = region_color(w->job, ring->face),
-                                                         .section = seen_is_cap(scene, ring->face)};
-            if (out->slope)
-                out->slope[out->count - 1] = slope_find(&w->job->seen, ring->face, w->job->upright);
+            add_region(w, ring->face, out);
         }
-        out->region[out->count - 1].ring_count++;
-        out->region[out->count - 1].area += ring->area * unit * unit;
-        out->ring_start[out->ring_count++] = out->corner_count;
-        put_corners(w, ring, out);
+        add_region_ring(w, ring, out);
     }
     if (enough) {
+        add_bare_regions(w, &next, faces, out);
         out->ring_start[out->ring_count] = out->corner_count;
         put_depths(w, number, out);
     }
@@ -493,17 +568,22 @@ static double greatest_departure(const hide_fronts *fronts)
                   SCENE_TOLERANCE * s->view.diameter);
 }
 
-bool regions_find(const hide_job *job, planar_map *map)
+region_near regions_near(const hide_fronts *fronts)
 {
-    const view *v = &job->seen.view;
+    const view *v = &fronts->seen->view;
     const double touching = REGION_TOUCHING * (v->epsilon + v->across_rounding);
-    const double departure = greatest_departure(&job->fronts), joined = touching + LOOSE_DEPARTURES * departure;
-    region_work w = {.job = job, .map = map};
-    bool enough = planar_map_divide(w.map, joined) &&
-                  planar_map_join_loose(w.map, joined, joined + REGION_DEPARTURES * departure) &&
+    const double departure = greatest_departure(fronts), joined = touching + LOOSE_DEPARTURES * departure;
+    return (region_near){touching, joined, joined + REGION_DEPARTURES * departure};
+}
+
+bool regions_find(const hide_job *job, region_lines *lines)
+{
+    region_work w = {.job = job, .map = &lines->map};
+    const region_near *near = &lines->near;
+    bool enough = planar_map_divide(w.map, near->joined) && planar_map_join_loose(w.map, near->joined, near->reach) &&
                   map_cells_find(&w.cells, w.map) && list_cycles(&w) &&
-                  region_depths_build(&w.depths, &job->fronts, touching) && look_into_all(&w) && merge_faces(&w) &&
-                  join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
+                  region_depths_build(&w.depths, &job->fronts, near->touching) && look_into_all(&w) &&
+                  merge_faces(&w) && join_cells(&w) && trace_rings(&w) && write_regions(&w, job->regions);
     region_depths_free(&w.depths);
     map_cells_free(&w.cells);
     free(w.start);
@@ -521,7 +601,7 @@ roberts_status roberts_regions(const roberts_scene *scene, const roberts_camera 
 {
     roberts_hide_options own = options ? *options : roberts_hide_options_default();
     roberts_drawing drawing;
-    own.all_edges = true;
+    own.all_edges = false;
     own.keep_hidden = own.levels = own.unite = false;
     *out = (roberts_region_list){0};
     hide_job job = {

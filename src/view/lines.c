@@ -228,6 +228,8 @@ static bool surface_line(seen_walk *w, uint32_t e, const scene_edge *edge, seen_
     line->class = ROBERTS_CREASE; /* most lines are of this kind if all edges are taken */
     line->left_out = joins && !w->all && is_flatter(scene, scene->solid[w->body].face, edge, e, crease_of(s, w->body));
     bool is_line = joins || classify(w, scene, e, line);
+    if (line->left_out && seen_has_known_faces(s, w->face, edge))
+        return false;
     line->v[0] = w->vertex + edge->v[0];
     line->v[1] = w->vertex + edge->v[1];
     line->end = NULL;
@@ -413,7 +415,8 @@ void seen_pass_flat(seen_walk *w)
     const uint8_t *is = scene->surface->edge_is, *bend = scene->surface->bend;
     uint8_t crease = scene_bend_code(crease_of(w->of, w->body));
     uint32_t e = w->edge;
-    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e])) {
+    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e]) &&
+           (!w->left_out || seen_has_known_faces(w->of, w->face, edge))) {
         e++;
         edge++;
     }
@@ -437,8 +440,8 @@ seen_walk seen_walk_slowly(const seen *s, uint32_t body)
                    .facing = s->facing + own->face,
                    .vertex = own->vertex,
                    .face = own->face,
-                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges && !s->rules.left_out &&
-                              !s->clip.clipped && !s->edges.first};
+                   .passing = scene->surface && scene->surface->bend && !s->rules.all_edges &&
+                              (!s->rules.left_out || s->sight) && !s->clip.clipped && !s->edges.first};
     if (!s->clip.clipped || !scene_is_convex(scene, body))
         return w;
     /* edges of a cap are no lines, but they are counted; they come last */

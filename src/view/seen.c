@@ -48,6 +48,7 @@ void seen_end(seen *s)
     free(s->P);
     free(s->facing);
     free(s->turned);
+    free(s->sight);
     united_free(&s->edges);
     union_free(&s->bodies);
     view_clip_free(&s->clip);

@@ -38,6 +38,13 @@ typedef struct seen_further {
     const uint32_t *first; /* [solid_count of scene + 1] */
 } seen_further;
 
+/* What is known of a face before lines are hidden. */
+typedef enum seen_sight {
+    SEEN_SOMEWHERE, /* perhaps */
+    SEEN_WHOLE,
+    SEEN_NOWHERE,
+} seen_sight;
+
 typedef struct seen {
     const roberts_scene *source; /* the given scene: rows name its vertices and edges */
     const roberts_scene *scene;  /* the same, or what the near plane leaves of it */
@@ -47,6 +54,7 @@ typedef struct seen {
     seen_further further;
     union_bodies bodies;   /* with a union: the bodies ... */
     united edges;          /* ... and their edges; zeroed: no union */
+    uint8_t *sight;        /* [face_count of scene] seen_sight; NULL: nothing is known of any. See hide/bare_faces.h */
     roberts_vec3 *P;       /* [vertex_count of scene] view points of the bodies that are mapped */
     unsigned char *facing; /* [face_count of scene] VIEW_FRONT, _BACK or _EDGE_ON, for the bodies that are mapped */
     uint32_t *turned;      /* [corners of scene] reversed corners of faces seen from behind, if these have more than
@@ -244,6 +252,14 @@ static inline seen_name seen_line_name(const seen *s, uint32_t body, const seen_
 static inline clip_edge seen_left_of(const seen *s, uint32_t edge)
 {
     return s->clip.clipped ? s->clip.origin[edge] : (clip_edge){edge, 0.0, 1.0};
+}
+
+/* Is it known of both faces of an edge that they are seen whole, or that they are seen nowhere? Then the edge bounds
+ * nothing but the pictures of these faces. first: the first face of its body, which is not convex. */
+static inline bool seen_has_known_faces(const seen *s, uint32_t first, const scene_edge *edge)
+{
+    return s->sight && edge->f[0] != ROBERTS_NONE && edge->f[1] != ROBERTS_NONE &&
+           s->sight[first + edge->f[0]] != SEEN_SOMEWHERE && s->sight[first + edge->f[1]] != SEEN_SOMEWHERE;
 }
 
 /* A walk through the lines of one body, in the order of its edges. */
