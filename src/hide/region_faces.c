@@ -51,11 +51,11 @@ static roberts_color corners_color(const roberts_scene *source, uint32_t solid, 
 roberts_color region_color(const hide_job *job, uint32_t piece)
 {
     const roberts_scene *source = job->seen.source;
-    const uint32_t solid = scene_body_of_face(job->fronts.scene, piece);
     const uint32_t number = scene_face_number(job->fronts.scene, piece);
     const roberts_color none = {0};
     if (number == ROBERTS_NONE || (!source->face_color && !source->vertex_color))
         return none;
+    const uint32_t solid = scene_body_of_face(job->fronts.scene, piece);
     uint32_t face = source_face(source, solid, number);
     if (face == ROBERTS_NONE)
         return none;
@@ -179,15 +179,14 @@ static roberts_vec3 seen_normal(const seen *s, uint32_t face, plane F)
     return vec3_scale((s->facing[face] == VIEW_BACK ? 1.0 : -1.0) / vec3_length(inward), inward);
 }
 
-roberts_vec3 region_normal(const seen *s, uint32_t face)
+roberts_vec3 region_normal(const seen *s, uint32_t face, plane F)
 {
-    return to_viewer(&s->view, seen_normal(s, face, scene_whole_plane(s->scene, face)));
+    return to_viewer(&s->view, seen_normal(s, face, F));
 }
 
-roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright)
+roberts_slope slope_find(const seen *s, uint32_t face, plane F, roberts_vec3 upright)
 {
     const view *v = &s->view;
-    const plane F = scene_whole_plane(s->scene, face);
     const roberts_vec3 inward = {F.a, F.b, F.c}, n = seen_normal(s, face, F);
     roberts_vec3 foot = vec3_add(s->scene->centre, vec3_scale(-F.d / vec3_dot(inward, inward), inward));
     double w = weight(v, foot);

@@ -24,12 +24,12 @@ bool region_can_join(const hide_job *job, uint32_t f, uint32_t g);
  * such `up`, so there it is +z. */
 roberts_vec3 slope_upright(const roberts_camera *camera);
 
-/* The unit normal of scene face `face`, as in roberts_region. */
-roberts_vec3 region_normal(const seen *s, uint32_t face);
+/* The unit normal of scene face `face`, as in roberts_region. F: its scene_whole_plane(). */
+roberts_vec3 region_normal(const seen *s, uint32_t face, plane F);
 
-/* Finds directions in the plane of scene face `face`. upright: a unit vector. Faces in one plane that are seen from the
- * same side get the same values, except for rounding. */
-roberts_slope slope_find(const seen *s, uint32_t face, roberts_vec3 upright);
+/* Finds directions in the plane of scene face `face`, which is F. upright: a unit vector. Faces in one plane that are
+ * seen from the same side get the same values, except for rounding. */
+roberts_slope slope_find(const seen *s, uint32_t face, plane F, roberts_vec3 upright);
 
 /* ---- depths of faces of several pieces ---- */
 

@@ -14,7 +14,6 @@
 #include <stdlib.h>
 
 #include "base/array.h"
-#include "base/orient.h"
 #include "base/sets.h"
 #include "base/sort.h"
 #include "base/threads.h"
@@ -444,8 +443,8 @@ static void put_depths(const region_work *w, const uint32_t *number, roberts_reg
     }
 }
 
-/* Begins the region of a face. The faces come in order. */
-static void add_region(const region_work *w, uint32_t face, roberts_region_list *out)
+/* Begins the region of a face. The faces come in order. F: the face's scene_whole_plane(). */
+static roberts_region *add_region(const region_work *w, uint32_t face, plane F, roberts_region_list *out)
 {
     const hide_job *job = w->job;
     const roberts_scene *scene = job->seen.scene;
@@ -453,15 +452,17 @@ static void add_region(const region_work *w, uint32_t face, roberts_region_list 
     while (scene->solid[solid + 1].face <= face)
         solid++;
     if (out->slope)
-        out->slope[out->count] = slope_find(&job->seen, face, job->upright);
-    out->region[out->count++] = (roberts_region){.solid = solid,
-                                                 .face = scene_face_number(scene, face),
-                                                 .first_ring = out->ring_count,
-                                                 .z_min = INFINITY,
-                                                 .z_max = -INFINITY,
-                                                 .normal = region_normal(&job->seen, face),
-                                                 .color = region_color(job, face),
-                                                 .section = seen_is_cap(scene, face)};
+        out->slope[out->count] = slope_find(&job->seen, face, F, job->upright);
+    roberts_region *region = &out->region[out->count++];
+    *region = (roberts_region){.solid = solid,
+                               .face = scene_face_number(scene, face),
+                               .first_ring = out->ring_count,
+                               .z_min = INFINITY,
+                               .z_max = -INFINITY,
+                               .normal = region_normal(&job->seen, face, F),
+                               .color = region_color(job, face),
+                               .section = seen_is_cap(scene, face)};
+    return region;
 }
 
 /* Adds a ring to the last region. */
@@ -475,29 +476,33 @@ static void add_region_ring(const region_work *w, const region_ring *ring, rober
     put_corners(w, ring, out);
 }
 
-/* Adds the region of a bare face: its own picture, from the leftmost corner on. Its corners are rounded as those of
- * segments are. */
+/* Adds the region of a bare face: its own picture, from the leftmost corner on. It is the same, to the last bit, as if
+ * its sides were lines of the map. */
 static void add_bare_region(const region_work *w, uint32_t face, roberts_region_list *out)
 {
     const seen *s = &w->job->seen;
-    const double unit = s->view.unit;
-    uint32_t turned[SEEN_TURNED], count, first = 0;
-    const uint32_t *corner = seen_corners(s, face, &count, turned);
+    const double unit = s->view.unit, per = s->view.per_unit;
+    uint32_t turned[SEEN_TURNED], first = 0;
+    seen_face look;
+    const scene_shape shape = seen_face_again(s, face, &look, turned);
+    roberts_region *region = add_region(w, face, shape.F, out);
     roberts_vec2 at[3];
-    add_region(w, face, out);
-    roberts_region *region = &out->region[out->count - 1];
     for (uint32_t k = 0; k < 3; k++) {
-        const roberts_vec3 P = s->P[corner[k]];
-        at[k] = (roberts_vec2){P.x * unit, P.y * unit};
-        region->z_min = lesser(region->z_min, P.z * unit);
-        region->z_max = greater(region->z_max, P.z * unit);
+        const roberts_vec3 P = s->P[look.corner[k]];
+        at[k] = (roberts_vec2){per * (P.x * unit), per * (P.y * unit)}; /* as the ends of segments */
+        const double z = region_depth_at(&w->job->fronts, look.corner, 3, look.F, at[k]) * unit;
+        region->z_min = lesser(region->z_min, z);
+        region->z_max = greater(region->z_max, z);
         first = vec2_compare(at[k], at[first]) < 0 ? k : first;
     }
-    out->ring_start[out->ring_count++] = out->corner_count;
+    const roberts_vec2 A = at[first], B = at[(first + 1) % 3], C = at[(first + 2) % 3];
+    region->area = 0.5 * ((B.x - A.x) * (C.y - A.y) - (B.y - A.y) * (C.x - A.x)) * unit * unit;
     region->ring_count = 1;
-    region->area = 0.5 * orient2d(at[first], at[(first + 1) % 3], at[(first + 2) % 3]);
-    for (uint32_t k = 0; k < 3; k++)
-        out->corner[out->corner_count++] = at[(first + k) % 3];
+    out->ring_start[out->ring_count++] = out->corner_count;
+    for (uint32_t k = 0; k < 3; k++) {
+        const roberts_vec2 P = at[(first + k) % 3];
+        out->corner[out->corner_count++] = (roberts_vec2){P.x * unit, P.y * unit};
+    }
 }
 
 /* Adds the regions of the bare faces from *next on, up to the face `end`. */
@@ -536,7 +541,7 @@ static bool write_regions(const region_work *w, roberts_region_list *out)
         if (number[ring->face] == ROBERTS_NONE) {
             add_bare_regions(w, &next, ring->face, out);
             number[ring->face] = (uint32_t)out->count;
-            add_region(w, ring->face, out);
+            add_region(w, ring->face, scene_whole_plane(w->job->seen.scene, ring->face), out);
         }
         add_region_ring(w, ring, out);
     }
