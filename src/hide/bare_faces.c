@@ -14,9 +14,9 @@ enum { FACES_AT_ONCE = 4096, FACES_PER_THREAD = 16384 };
 typedef struct bare_work {
     const hide_fronts *fronts;
     const objet *grid;
-    double apart, slack;  /* slack: what is this much deeper than a face does not touch it */
-    uint8_t *sight;       /* [face_count] seen_sight */
-    atomic_uchar *narrow; /* [vertex_count] 1: of the faces with a corner there, one is no triangle, or narrow */
+    double apart, slack; /* slack: what is this much deeper than a face does not touch it */
+    uint8_t *sight;      /* [face_count] seen_sight */
+    atomic_uchar *rough; /* [vertex_count] 1: of the faces with a corner there, one is not plain */
 } bare_work;
 
 /* Is the picture of a triangle farther from a cell than `apart`? A side is between them then. */
@@ -74,9 +74,29 @@ static bool mark_hidden(void *context, size_t first, size_t end)
     return true;
 }
 
-/* Marks the corners of fronts that are no triangles, or narrow ones, and takes back what mark_hidden() has said of
+static void mark_corners(const bare_work *w, uint32_t face)
+{
+    const roberts_scene *scene = w->fronts->scene;
+    for (uint32_t k = scene->face_start[face]; k < scene->face_start[face + 1]; k++)
+        atomic_store_explicit(&w->rough[scene->corner[k]], 1, memory_order_relaxed);
+}
+
+/* Marks the corners of faces with a side that others divide: it is several edges. */
+static void mark_divided(const bare_work *w)
+{
+    const roberts_scene *scene = w->fronts->scene;
+    for (uint32_t k = 0; k < scene->surface->part_count; k++) {
+        const uint32_t e = scene->surface->part[k].edge, body = scene_body_of_edge(scene, e);
+        const scene_edge *edge = scene_edge_stored(scene, body, e);
+        for (int i = 0; i < 2; i++)
+            if (edge->f[i] != ROBERTS_NONE)
+                mark_corners(w, scene->solid[body].face + edge->f[i]);
+    }
+}
+
+/* Marks the corners of fronts that are narrow, or no whole triangles, and takes back what mark_hidden() has said of
  * faces that have become fronts. */
-static bool mark_narrow(void *context, size_t first, size_t end)
+static bool mark_rough(void *context, size_t first, size_t end)
 {
     const bare_work *w = context;
     const roberts_scene *scene = w->fronts->scene;
@@ -84,12 +104,11 @@ static bool mark_narrow(void *context, size_t first, size_t end)
         const hide_front *front = &w->fronts->front[k];
         if (front->kind != HIDE_SURFACE_FACE)
             continue;
-        const uint32_t *start = scene->face_start + front->piece, *corner = scene->corner + start[0];
-        const uint32_t count = start[1] - start[0];
+        const uint32_t *start = scene->face_start + front->piece;
         w->sight[front->piece] = SEEN_SOMEWHERE;
-        if (count != 3 || !is_wide(w, corner))
-            for (uint32_t i = 0; i < count; i++)
-                atomic_store_explicit(&w->narrow[corner[i]], 1, memory_order_relaxed);
+        if (start[1] - start[0] != 3 || scene_is_in_pieces(scene, front->solid, front->piece) ||
+            !is_wide(w, scene->corner + start[0]))
+            mark_corners(w, front->piece);
     }
     return true;
 }
@@ -105,7 +124,7 @@ static bool mark_bare(void *context, size_t first, size_t end)
         bool bare = true;
         const uint32_t *corner = seen_corners(w->fronts->seen, front->piece, &count, turned);
         for (uint32_t i = 0; i < count && bare; i++)
-            bare = !atomic_load_explicit(&w->narrow[corner[i]], memory_order_relaxed);
+            bare = !atomic_load_explicit(&w->rough[corner[i]], memory_order_relaxed);
         if (bare && is_in_sheets(w, &w->fronts->front_box[k], corner))
             w->sight[front->piece] = SEEN_WHOLE;
     }
@@ -116,17 +135,19 @@ bool bare_faces_find(const hide_fronts *fronts, const objet *grid, double apart,
 {
     const roberts_scene *scene = fronts->scene;
     *sight = NULL;
-    /* `star`: each side of a face is an edge, and no edge has more than two faces */
-    if (!grid->below || !grid->star || scene != fronts->seen->source)
+    if (!grid->below || fronts->seen->rules.hidden || scene != fronts->seen->source)
         return true;
     bare_work w = {.fronts = fronts, .grid = grid, .apart = apart, .slack = SHEET_SLACK * fronts->space.epsilon};
     w.sight = alloc_array(scene->face_count, sizeof *w.sight);
-    w.narrow = alloc_zeroed(scene->vertex_count, sizeof *w.narrow);
+    w.rough = alloc_zeroed(scene->vertex_count, sizeof *w.rough);
     const int count = threads_for(threads, 1 + scene->face_count / FACES_PER_THREAD);
-    bool enough = w.sight && w.narrow && threads_each(count, scene->face_count, FACES_AT_ONCE, mark_hidden, &w) &&
-                  threads_each(count, fronts->front_count, FACES_AT_ONCE, mark_narrow, &w) &&
-                  threads_each(count, fronts->front_count, FACES_AT_ONCE, mark_bare, &w);
-    free(w.narrow);
+    bool enough = w.sight && w.rough;
+    if (enough)
+        mark_divided(&w);
+    enough = enough && threads_each(count, scene->face_count, FACES_AT_ONCE, mark_hidden, &w) &&
+             threads_each(count, fronts->front_count, FACES_AT_ONCE, mark_rough, &w) &&
+             threads_each(count, fronts->front_count, FACES_AT_ONCE, mark_bare, &w);
+    free(w.rough);
     if (enough)
         *sight = w.sight;
     else

@@ -415,8 +415,13 @@ void seen_pass_flat(seen_walk *w)
     const uint8_t *is = scene->surface->edge_is, *bend = scene->surface->bend;
     uint8_t crease = scene_bend_code(crease_of(w->of, w->body));
     uint32_t e = w->edge;
-    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e]) &&
-           (!w->left_out || seen_has_known_faces(w->of, w->face, edge))) {
+    for (; w->left_out && e < w->end; e++, edge++) /* a loop of its own: the other one must not become slower */
+        if (bend[e] >= crease || !seen_joins_faces(w->facing, edge, is[e]) ||
+            !seen_has_known_faces(w->of, w->face, edge)) {
+            w->edge = e;
+            return;
+        }
+    while (e < w->end && bend[e] < crease && seen_joins_faces(w->facing, edge, is[e])) {
         e++;
         edge++;
     }
