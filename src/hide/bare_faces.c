@@ -94,6 +94,15 @@ static void mark_divided(const bare_work *w)
     }
 }
 
+/* Is it a triangle, and no piece of a larger face? */
+static bool is_triangle(const roberts_scene *scene, uint32_t face)
+{
+    const uint32_t *number = scene->face_number;
+    return scene->face_start[face + 1] - scene->face_start[face] == 3 &&
+           !(number && face > 0 && number[face - 1] == number[face]) &&
+           !(number && face + 1 < scene->face_count && number[face + 1] == number[face]);
+}
+
 /* Marks the corners of fronts that are narrow, or no whole triangles, and takes back what mark_hidden() has said of
  * faces that have become fronts. */
 static bool mark_rough(void *context, size_t first, size_t end)
@@ -104,10 +113,8 @@ static bool mark_rough(void *context, size_t first, size_t end)
         const hide_front *front = &w->fronts->front[k];
         if (front->kind != HIDE_SURFACE_FACE)
             continue;
-        const uint32_t *start = scene->face_start + front->piece;
         w->sight[front->piece] = SEEN_SOMEWHERE;
-        if (start[1] - start[0] != 3 || scene_is_in_pieces(scene, front->solid, front->piece) ||
-            !is_wide(w, scene->corner + start[0]))
+        if (!is_triangle(scene, front->piece) || !is_wide(w, scene->corner + scene->face_start[front->piece]))
             mark_corners(w, front->piece);
     }
     return true;

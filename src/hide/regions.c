@@ -485,7 +485,8 @@ static void add_bare_region(const region_work *w, uint32_t face, roberts_region_
     uint32_t turned[SEEN_TURNED], first = 0;
     seen_face look;
     const scene_shape shape = seen_face_again(s, face, &look, turned);
-    roberts_region *region = add_region(w, face, shape.F, out);
+    const bool bent = scene_has_bent_faces(s->scene); /* elsewhere */
+    roberts_region *region = add_region(w, face, bent ? scene_whole_plane(s->scene, face) : shape.F, out);
     roberts_vec2 at[3];
     for (uint32_t k = 0; k < 3; k++) {
         const roberts_vec3 P = s->P[look.corner[k]];

@@ -117,6 +117,22 @@ static void add_lining(sheet *s)
     add_patch(s, &(patch){.z = -1e-7, .step = 0.75, .nx = 30, .ny = 30}, &(rng){6});
 }
 
+/* A rough sheet of squares that are not planar, beside the other one. */
+static void add_squares(sheet *s)
+{
+    const uint32_t first = s->vertices;
+    rng r = {7};
+    for (int i = 0; i <= SIDE; i++)
+        for (int j = 0; j <= SIDE; j++)
+            add_vertex(s, SIDE + i, j, 0.2 * rng_between(&r, -1, 1));
+    for (uint32_t i = 0; i < SIDE; i++)
+        for (uint32_t j = 0; j < SIDE; j++) {
+            const uint32_t v = first + i * (SIDE + 1) + j;
+            const uint32_t corner[] = {v, v + SIDE + 1, v + SIDE + 2, v + 1};
+            mesh_face(&s->mesh, corner, 4);
+        }
+}
+
 /* A box, a convex solid, before the sheet, in it and behind it. */
 static void add_boxes(sheet *s)
 {
@@ -155,6 +171,8 @@ static const struct {
     {"triangles through the sheet", add_piercing, false, 0.2, {0}, 400},
     {"a sheet close behind", add_lining, false, 0.0, {0}, 0},
     {"... of smaller number", add_lining, true, 0.0, {0}, 0},
+    {"squares that are not planar beside the sheet", add_squares, false, 0.2, {0}, 700},
+    {"... of smaller number", add_squares, true, 0.2, {0}, 700},
     {"boxes", add_boxes, false, 0.2, {0}, 400},
     {"... of smaller number", add_boxes, true, 0.2, {0}, 400},
 };
