@@ -123,7 +123,7 @@ static bool mark_rough(void *context, size_t first, size_t end)
 static bool mark_bare(void *context, size_t first, size_t end)
 {
     const bare_work *w = context;
-    uint32_t turned[SEEN_TURNED], count;
+    uint32_t turned[SEEN_TURNED] = {0}, count;
     for (size_t k = first; k < end; k++) {
         const hide_front *front = &w->fronts->front[k];
         if (front->kind != HIDE_SURFACE_FACE || !front->listed)
