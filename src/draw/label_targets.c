@@ -347,13 +347,14 @@ static bool find_on_lines(const strokes *s, uint32_t v, target *item, size_t cou
     const page_view *view = &s->view[v];
     const roberts_drawing *drawing = view->drawing;
     const double touching = drawing->epsilon * page_scale(&view->map);
-    roberts_vec3(*line)[2] = alloc_array(drawing->count, sizeof *line);
-    box3 *box = alloc_array(drawing->count, sizeof *box);
+    const size_t segments = drawing->count + drawing->cut_count;
+    roberts_vec3(*line)[2] = alloc_array(segments, sizeof *line);
+    box3 *box = alloc_array(segments, sizeof *box);
     box_tree tree = {0};
     uint32_t lines = 0, root = 0;
     roberts_line class;
     bool enough = line && box;
-    for (size_t i = 0; enough && i < drawing->count && lines < ROBERTS_NONE; i++) {
+    for (size_t i = 0; enough && i < segments && lines < ROBERTS_NONE; i++) {
         const roberts_segment *own = &drawing->segment[i];
         if (own->state != ROBERTS_VISIBLE || !strokes_has_place(s->options, own, &class))
             continue;

@@ -228,7 +228,7 @@ static bool find_caps(const hide_fronts *fronts, const seen_further *lines, cap_
         if (fronts->culled[s] || !union_takes(scene, s))
             continue;
         for (uint32_t f = scene->solid[s].face; f < scene->solid[s + 1].face; f++)
-            if (all_corners(cut ? is_cut : is_in_near, fronts, f)) {
+            if (fronts->seen->facing[f] != VIEW_EDGE_ON && all_corners(cut ? is_cut : is_in_near, fronts, f)) {
                 const uint32_t first = scene->face_start[f];
                 caps->face[caps->count] = f;
                 caps->body[caps->count] = s;

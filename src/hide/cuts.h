@@ -1,5 +1,6 @@
 /* cuts.h - the lines along which the near plane cuts bodies: the outlines of caps, and the borders of what is left of
- * open bodies. Nothing is nearer, so all of them are seen. They are no edges. */
+ * open bodies. Nothing is nearer, so all of them are seen. (Those of a section that is seen edge-on lie on one line of
+ * the picture, where some lie behind others.) They are no edges. */
 #ifndef ROBERTS_HIDE_CUTS_H
 #define ROBERTS_HIDE_CUTS_H
 

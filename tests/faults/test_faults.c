@@ -203,7 +203,7 @@ static const struct {
     const char *file; /* NULL: the output of `feed`, on standard input */
     size_t megabytes; /* of address space; an empty run of the program takes some 40 */
     int status;
-    const char *said; /* NULL: nothing */
+    const char *said; /* NULL: only the report of --verify */
 } cases[] = {
     {"nothing", feed_nothing, NULL, 128, 1, "standard input:1: "},
     {"a folder", NULL, "models", 128, 1, "is a folder"},
@@ -281,6 +281,13 @@ static int run(size_t i, char *said, size_t room)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
 }
 
+/* Is it the report of --verify alone, without a contradiction? */
+static bool is_report(const char *said)
+{
+    const char *end = strchr(said, '\n');
+    return strncmp(said, "roberts: verify: ", 17) == 0 && strstr(said, "; contradictions: 0, ") && end && !end[1];
+}
+
 static void input(void **state)
 {
     (void)state;
@@ -289,7 +296,7 @@ static void input(void **state)
         int status = run(i, said, sizeof said);
         print_message("%s: %d %s%s", cases[i].name, status, said, *said ? "" : "\n");
         assert_int_equal(status, cases[i].status);
-        if (cases[i].said ? !strstr(said, cases[i].said) : *said != '\0')
+        if (cases[i].said ? !strstr(said, cases[i].said) : !is_report(said))
             fail_msg("said: %s", said);
     }
 }

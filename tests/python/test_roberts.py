@@ -328,8 +328,10 @@ class Pages(unittest.TestCase):
                   hatch={"sections": True})
         drawing = roberts.read(CUBE).hide(roberts.view("iso", section=(0.25, 0, 0, 1, 0, 0)))
         self.same(drawing, CUBE, "--section", "0.25,0,0,1,0,0")
-        with self.assertRaisesRegex(ValueError, "view: section"):
+        with self.assertRaisesRegex(ValueError, "view: section: three numbers, or six, not 4"):
             roberts.view(section=(0, 0, 0, 1))
+        with self.assertRaisesRegex(ValueError, "0, 0, 0 is no direction"):
+            roberts.view(section=(0, 0, 0, 0, 0, 0))
 
     def test_svg_is_that_of_the_program(self):
         for path in ("models/table.off", "models/temple.off", "models/interpenetrating-cubes.off"):
@@ -385,6 +387,8 @@ class Pages(unittest.TestCase):
                 ({"vertices": ["A"]}, TypeError, "names: a dict of dicts"),
                 ({"vertices": {8: "A"}}, ValueError, "names: vertices: there is no 8"),
                 ({"vertices": {(0, 1): "A"}}, TypeError, "names: vertices: .* is no number"),
+                ({"vertices": {True: "A"}}, TypeError, "names: vertices: True is no number"),
+                ({"edges": {(0, 1): "a", (1, 0): "b"}}, ValueError, "names: edges: .1, 0. has a name already"),
                 ({"edges": {0: "a"}}, TypeError, "names: edges: 0 is no pair of vertices"),
                 ({"edges": {(0, 1, 2): "a"}}, TypeError, "names: edges: .* is no pair of vertices"),
                 ({"faces": {0: 1}}, TypeError, "names: faces: 0: a name is a str, not 1")):

@@ -739,6 +739,33 @@ static void half_of_boxes(void **state)
     roberts_scene_free(half);
 }
 
+/* Two boxes one behind the other, cut, and seen along the section: the right-hand side of the picture is that of the
+ * higher one, whether bodies are united or not. */
+static void seen_along_the_section(void **state)
+{
+    const roberts_camera camera = {
+        .dir = {0, -1, 0}, .section = {0, 0, 0}, .section_normal = {1, 0, 0}, .has_section = true};
+    model m = {0};
+    (void)state;
+    model_box(&m, (roberts_vec3){-1, -5, 0}, (roberts_vec3){1, -4, 1});
+    model_box(&m, (roberts_vec3){-1, 0, 0}, (roberts_vec3){1, 1, 3});
+    roberts_scene *scene = model_build(&m);
+    for (int unite = 0; unite < 2; unite++) {
+        const roberts_hide_options options = {.unite = unite};
+        roberts_drawing d = drawing_of(scene, &camera, &options);
+        const roberts_segment *side = NULL;
+        for (const roberts_segment *s = d.segment; s < d.segment + d.count + d.cut_count; s++)
+            if (fabs(s->p0.x - s->p1.x) < 1e-9 && fabs(fabs(s->p1.y - s->p0.y) - 3.0) < 1e-9 &&
+                (!side || s->p0.x > side->p0.x))
+                side = s;
+        assert_non_null(side);
+        assert_float_equal(side->p0.x - d.window_min.x, 1.0, 1e-9);
+        roberts_drawing_free(&d);
+    }
+    roberts_scene_free(scene);
+    model_free(&m);
+}
+
 /* Sections that face away, from an eye, or with a direction that is no number, are refused; one that is seen edge-on is
  * not. */
 static void directions_of_sections(void **state)
@@ -794,6 +821,7 @@ int main(void)
         cmocka_unit_test(one_sided_stars_are_cut),
         cmocka_unit_test(rounded_stars_are_cut),
         cmocka_unit_test(half_of_boxes),
+        cmocka_unit_test(seen_along_the_section),
         cmocka_unit_test(directions_of_sections),
         cmocka_unit_test(sheets_near_the_eye_are_cut_in_one_line),
     };

@@ -259,10 +259,12 @@ def view(preset: str = "iso", *, azimuth: Optional[float] = None, elevation: Opt
     if up is not None:
         camera.up = _direction(up, "view: up")
     if section is not None:
-        point, normal = [*section][:3], [*section][3:]
-        camera.section, camera.has_section = _point(point, "view: section"), True
-        if normal:
-            camera.section_normal = _direction(normal, "view: section")
+        section = [*section]
+        if len(section) not in (3, 6):
+            raise ValueError(f"view: section: three numbers, or six, not {len(section)}")
+        camera.section, camera.has_section = _point(section[:3], "view: section"), True
+        if len(section) == 6:
+            camera.section_normal = _direction(section[3:], "view: section")
     camera.roll_degrees = roll
     camera.fov_degrees, camera.near_distance = _number(fov, "view: fov", 0.0, 180.0), _number(near, "view: near", 0.0)
     return View(camera)
@@ -868,14 +870,18 @@ class _Page:
         for kind, some in names.items():
             for key, text in some.items():
                 ends = list(key) if kind == "edges" and isinstance(key, tuple) else [key]
-                if len(ends) != 1 + (kind == "edges") or not all(isinstance(n, (int, np.integer)) for n in ends):
+                if len(ends) != 1 + (kind == "edges") or not all(
+                        isinstance(n, (int, np.integer)) and not isinstance(n, bool) for n in ends):
                     wanted = "pair of vertices" if kind == "edges" else "number"
                     raise TypeError(f"names: {kind}: {key!r} is no {wanted}")
                 if not all(0 <= n < counts[kind] for n in ends):
                     raise ValueError(f"names: {kind}: there is no {key!r}")
                 if not isinstance(text, str):
                     raise TypeError(f"names: {kind}: {key!r}: a name is a str, not {text!r}")
-                item[(_LABELS[kind], *sorted(ends), 0)[:3]] = text.encode()
+                name = (_LABELS[kind], *sorted(ends), 0)[:3]
+                if name in item:
+                    raise ValueError(f"names: {kind}: {key!r} has a name already")
+                item[name] = text.encode("utf-8", "surrogateescape")
                 kinds |= _LABELS[kind]
         self._list = (c.name * len(item))(*((*key, item[key]) for key in sorted(item)))
         lettering = self.options.lettering

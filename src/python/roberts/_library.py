@@ -68,7 +68,8 @@ class scene_options(Structure):
 class camera(Structure):
     _fields_ = [("projection", c_int), ("dir", vec3), ("eye", vec3), ("look_at", vec3), ("has_look_at", c_bool),
                 ("up", vec3), ("oblique", vec2), ("near_distance", c_double), ("section", vec3),
-                ("section_normal", vec3), ("has_section", c_bool), ("fov_degrees", c_double), ("roll_degrees", c_double)]
+                ("section_normal", vec3), ("has_section", c_bool), ("fov_degrees", c_double),
+                ("roll_degrees", c_double)]
 
 
 class segment(Structure):
