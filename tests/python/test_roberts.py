@@ -226,7 +226,7 @@ class Scenes(unittest.TestCase):
         self.assertEqual(roberts.Scene(np.ma.array(triangle), [[0, 1, 2]]).body_count, 1)  # nothing is masked
         self.assertEqual(repr(scene), "<roberts.Scene '': 1 body, 3 vertices, 1 face>")
         self.assertIn(": 25 bodies, ", repr(roberts.read("models/tower.off")))
-        for name in ("direction", "eye", "look_at", "up", "section"):
+        for name in ("direction", "eye", "look_at", "up"):
             with self.assertRaisesRegex(ValueError, f"^view: {name}: a vector has three numbers, not 2$"):
                 roberts.view(**{"eye": (1, 2, 3)} if name == "look_at" else {}, **{name: (1, 2)})
         for name, value in (("light", (1, 2)), ("fill", (1, 2)), ("background", (0, 0, 256)), ("page", (1, 2, 3, 4)),
