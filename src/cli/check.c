@@ -613,9 +613,9 @@ void check_warn(const cli_options *options, const options_given *given)
         warn_useless(options, given, OPTION_TABLE, "is no table");
     else if (options->hide.levels && options->draw.hidden == ROBERTS_HIDDEN_NONE)
         warn("--columns +level", "it is 0 in visible rows, and there are no others without --hidden");
-    for (size_t i = 0; values_is_table(options->draw.format) && i < options->draw.column_count; i++)
-        if (options->draw.column[i] == ROBERTS_COLUMN_BY && options->draw.hidden == ROBERTS_HIDDEN_NONE)
-            warn("--columns +by", "it is empty in visible rows, and there are no others without --hidden");
+    if (values_is_table(options->draw.format) && values_has_column(&options->draw, ROBERTS_COLUMN_BY) &&
+        options->draw.hidden == ROBERTS_HIDDEN_NONE)
+        warn("--columns +by", "it is empty in visible rows, and there are no others without --hidden");
     if (isatty(STDIN_FILENO) && strcmp(options->input[0], "-") == 0)
         fputs(
             "roberts: reading the model from the terminal; ctrl-D ends it (roberts --help tells how to name a file)\n",

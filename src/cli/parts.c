@@ -1,5 +1,6 @@
 /* parts.c - a drawing in parts. See parts.h. */
 #include "cli/parts.h"
+#include "cli/values.h"
 
 #include <sys/resource.h>
 
@@ -49,10 +50,8 @@ int part_make(const cli_options *options)
 static bool wants_names(const cli_options *options)
 {
     const roberts_draw_options *page = &options->draw;
-    bool wants = page->format == ROBERTS_SVG && page->grouping != ROBERTS_GROUP_CLASS;
-    for (size_t i = 0; i < page->column_count; i++)
-        wants = wants || page->column[i] == ROBERTS_COLUMN_NAME || page->column[i] == ROBERTS_COLUMN_BY;
-    return wants;
+    return (page->format == ROBERTS_SVG && page->grouping != ROBERTS_GROUP_CLASS) ||
+           values_has_column(page, ROBERTS_COLUMN_NAME) || values_has_column(page, ROBERTS_COLUMN_BY);
 }
 
 /* All parts are open at the same time. Often the limit is 1024 open files, unless a program raises it. */

@@ -242,15 +242,6 @@ static unsigned label_kinds(const roberts_draw_options *page)
     return values_has_page(page->format) ? kinds : 0;
 }
 
-/* Is there a table with this further column? */
-static bool has_column(const cli_options *options, roberts_column column)
-{
-    for (size_t i = 0; values_is_table(options->draw.format) && i < options->draw.column_count; i++)
-        if (options->draw.column[i] == column)
-            return true;
-    return false;
-}
-
 /* Options without effect on these bodies. With --batch they may be for other models. `faces`: of the mesh. */
 static void warn_idle_bodies(const cli_options *options, const roberts_scene *scene, size_t faces)
 {
@@ -262,9 +253,11 @@ static void warn_idle_bodies(const cli_options *options, const roberts_scene *sc
         warn_of_inputs(options, "--fill-rule has no effect: no face crosses itself");
     if (label_kinds(&options->draw) & ROBERTS_LABEL_NAMES && hint_no_names(scene))
         warn_of_inputs(options, "--label names has no effect: no body has a name in the file");
-    if (has_column(options, ROBERTS_COLUMN_NAME) && hint_no_names(scene))
+    const bool is_table = values_is_table(options->draw.format);
+    if (is_table && values_has_column(&options->draw, ROBERTS_COLUMN_NAME) && hint_no_names(scene))
         warn_of_inputs(options, "--columns +name has no effect: no body has a name in the file");
-    if (has_column(options, ROBERTS_COLUMN_BY) && options->hide.keep_hidden && hint_no_names(scene))
+    if (is_table && values_has_column(&options->draw, ROBERTS_COLUMN_BY) && options->hide.keep_hidden &&
+        hint_no_names(scene))
         warn_of_inputs(options, "--columns +by has no effect: no body has a name in the file");
 }
 

@@ -205,9 +205,8 @@ static int add_column(const option *o, const char *word, cli_options *options)
     const size_t i = parse_find(word, o->words);
     if (!o->words[i])
         return hint_unknown("--columns", word, o->words, "with commas between several");
-    for (size_t k = 0; k < draw->column_count; k++)
-        if (draw->column[k] == (roberts_column)i)
-            return message_misuse("--columns: %s is there twice", word);
+    if (values_has_column(draw, (roberts_column)i))
+        return message_misuse("--columns: %s is there twice", word);
     draw->column[draw->column_count++] = (roberts_column)i;
     options->hide.levels |= i == ROBERTS_COLUMN_LEVEL;
     return EXIT_DONE;

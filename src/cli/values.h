@@ -60,6 +60,15 @@ static inline bool values_is_table(roberts_format format)
     return format == ROBERTS_CSV || format == ROBERTS_JSON;
 }
 
+/* Is this one of the further columns? */
+static inline bool values_has_column(const roberts_draw_options *draw, roberts_column column)
+{
+    for (size_t i = 0; i < draw->column_count; i++)
+        if (draw->column[i] == column)
+            return true;
+    return false;
+}
+
 static inline bool values_has_page(roberts_format format)
 {
     return !values_is_table(format) && format != ROBERTS_NULL;
