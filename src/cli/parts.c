@@ -1,6 +1,5 @@
 /* parts.c - a drawing in parts. See parts.h. */
 #include "cli/parts.h"
-#include "cli/values.h"
 
 #include <sys/resource.h>
 
@@ -8,6 +7,7 @@
 #include "cli/lists.h"
 #include "cli/message.h"
 #include "cli/signals.h"
+#include "cli/values.h"
 
 static roberts_task task_of(const cli_options *options)
 {
