@@ -766,7 +766,7 @@ static roberts_status find_letters(const cli_options *options, const roberts_sce
 static int draw_turntable(const cli_options *options, roberts_scene **scene, run_stats run, picture_result *result)
 {
     char name[NAME_SIZE];
-    picture_window window;
+    picture_window window = {0};
     roberts_error error = {0};
     double label_mm = options->draw.lettering.height_mm;
     int status = EXIT_DONE;
@@ -813,7 +813,7 @@ static roberts_status add_room(const roberts_mesh *room, const roberts_scene *sc
 static int draw_with_room(const cli_options *options, roberts_scene **scene, const roberts_mesh *room, run_stats run,
                           picture_result *result)
 {
-    picture_window window;
+    picture_window window = {0};
     roberts_error error = {0};
     if (roberts_window(*scene, &options->camera, &window.min, &window.max, &window.framed, &error) != ROBERTS_OK)
         return fail(options, &error, result);
