@@ -18,7 +18,7 @@
 #define WORTH_A_THREAD 8192
 /* How many faces of a cell are kept. */
 #define KEPT_FACES 512
-/* Of pairs of faces, this many are remembered. */
+/* Of pairs, this many are remembered. */
 #define RECENT_PAIRS 4096
 /* Boxes that take no more than this part of a cell's width and height are in no more than two columns and rows. */
 #define MOST_OF_CELL 0.999
@@ -39,6 +39,9 @@ typedef struct asked_patch {
     bool alone;
 } asked_patch;
 
+/* Some of the last pairs, by their hashes; 0: none. */
+typedef uint64_t recent_pairs[RECENT_PAIRS];
+
 /* The data of one thread. */
 typedef struct finder {
     const hide_fronts *fronts;
@@ -50,7 +53,7 @@ typedef struct finder {
     uint64_t *pair; /* [pair_count] first pieces of two faces, that of one in several before that of one in one; they
                        are tested at the end */
     size_t pair_count, pair_room;
-    uint64_t recent[RECENT_PAIRS]; /* some of the last pairs, by their hashes; 0: none */
+    recent_pairs listed, tested; /* the last pairs of faces in `pair`, and of fronts that cells have tested */
     struct {
         uint32_t number, first; /* its scene_plane_number() and its first piece */
     } whole[2];                 /* the last faces of several pieces that were asked for */
@@ -103,15 +106,22 @@ static void tidy_pairs(finder *t)
     t->pair_count = kept;
 }
 
+/* Remembers a pair of two different numbers. Was it remembered before? */
+static bool is_recent(recent_pairs recent, uint32_t a, uint32_t b)
+{
+    const uint64_t pair = (uint64_t)a << 32 | b;
+    uint64_t *place = &recent[bits_hash(&pair, sizeof pair) % RECENT_PAIRS];
+    const bool before = *place == pair;
+    *place = pair;
+    return before;
+}
+
 /* Two faces of many pieces give the same pair many times. Those listed lately are passed over. The list is tidied when
  * it is full, and grows only if it is still half full then. */
 static bool add_pair(finder *t, uint32_t f, uint32_t g)
 {
-    const uint64_t pair = (uint64_t)f << 32 | g;
-    uint64_t *recent = &t->recent[bits_hash(&pair, sizeof pair) % RECENT_PAIRS];
-    if (*recent == pair)
+    if (is_recent(t->listed, f, g))
         return true;
-    *recent = pair;
     if (t->pair_count > 0 && t->pair_count == t->pair_room) {
         tidy_pairs(t);
         if (t->pair_count > t->pair_room / 2 &&
@@ -120,7 +130,7 @@ static bool add_pair(finder *t, uint32_t f, uint32_t g)
     }
     if (!array_reserve(&t->pair, &t->pair_room, t->pair_count + 1, sizeof *t->pair))
         return false;
-    t->pair[t->pair_count++] = pair;
+    t->pair[t->pair_count++] = (uint64_t)f << 32 | g;
     return true;
 }
 
@@ -376,12 +386,13 @@ static bool is_covered(const hide_fronts *fronts, const hide_box *p, const hide_
            cover_hides(&fronts->cover, &both);
 }
 
-/* Tests entry i with entry k, unless an earlier cell has tested them, or nobody sees where they may cross. */
+/* Tests entry i with entry k, unless an earlier cell has tested them, or nobody sees where they may cross. A pair that
+ * touches many cells is tested in few of them. */
 static bool meet_listed(finder *t, const cell_list *c, uint32_t i, uint32_t k)
 {
     const uint32_t a = c->list[i].front, b = c->list[k].front;
-    return is_met_before(t, c, a, b) || is_covered(t->fronts, &t->fronts->front_box[a], &t->fronts->front_box[b]) ||
-           meet_entries(t, c->list, i, k);
+    return is_met_before(t, c, a, b) || is_recent(t->tested, a < b ? a : b, a < b ? b : a) ||
+           is_covered(t->fronts, &t->fronts->front_box[a], &t->fronts->front_box[b]) || meet_entries(t, c->list, i, k);
 }
 
 /* Which lanes have this corner? */
