@@ -530,6 +530,18 @@ static void warn_wide(const cli_options *options)
     }
 }
 
+/* Warns if half of a frame's line lies beyond the page. At a given scale, the frame of a field of view may be far from
+ * the margins. */
+static void warn_cut_frame(const cli_options *options)
+{
+    const roberts_draw_options *draw = &options->draw;
+    const double half = draw->frame.width_mm / 2.0;
+    if (!draw->frame.off && draw->placement.scale == 0.0 && draw->page.margin_mm < half)
+        fprintf(stderr,
+                "roberts: warning: --margin %g cuts off part of the frame's line; --margin %g leaves it whole\n",
+                draw->page.margin_mm, half);
+}
+
 /* Warns of hatching that leaves no paper between its strokes. */
 static void warn_dense(const cli_options *options)
 {
@@ -605,6 +617,7 @@ void check_warn(const cli_options *options, const options_given *given)
     if (values_has_page(options->draw.format)) {
         warn_pages(options, given);
         warn_wide(options);
+        warn_cut_frame(options);
         warn_dense(options);
     } else {
         warn_useless(options, given, OPTION_PAPER, "has no page");
