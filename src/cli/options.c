@@ -149,6 +149,8 @@ static int take_long(parser *p, int *i)
     size_t length = equals ? (size_t)(equals - name) : strlen(name);
     const char *value = equals ? equals + 1 : NULL;
     const option *o = find_option(p->given.table, name, length);
+    if (!o && access(p->argv[*i], F_OK) == 0)
+        return message_misuse("%s is unknown; the file of this name is ./%s", p->argv[*i], p->argv[*i]);
     if (!o) {
         char word[64];
         snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : (int)sizeof word - 1, name);

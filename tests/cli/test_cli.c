@@ -764,6 +764,9 @@ static void names_that_begin_with_a_minus(void **state)
     assert_non_null(strstr(last.out, "\"command\":\"roberts ./-x.off\""));
     assert_int_equal(run("-x.off"), 2);
     assert_said("roberts: -x.off is unknown; the file of this name is ./-x.off\n");
+    put("--x.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    assert_int_equal(run("--x.off"), 2);
+    assert_said("roberts: --x.off is unknown; the file of this name is ./--x.off\n");
 }
 
 /* Least and greatest coordinate of the paths of an SVG, in mm. */
