@@ -530,7 +530,7 @@ static void warn_wide(const cli_options *options)
     }
 }
 
-/* Warns if half of a frame's line lies beyond the page. At a given scale, the frame of a field of view may be far from
+/* Warns if part of a frame's line lies beyond the page. At a given scale, the frame of a field of view may be far from
  * the margins. */
 static void warn_cut_frame(const cli_options *options)
 {
