@@ -142,6 +142,17 @@ static int apply_next(parser *p, int *i, const option *o, const char *shown)
     return apply(p, o, value);
 }
 
+/* Refuses the word `shown`, which begins with a minus. Its letter at `letter` is no option; if that is the first one,
+ * the whole word is none. The word may be the name of a file. */
+static int unknown_word(const char *shown, const char *letter)
+{
+    const bool there = access(shown, F_OK) == 0;
+    const char *but = there ? "; the file of this name is ./" : "", *name = there ? shown : "";
+    if (letter > shown + 1)
+        return message_misuse("%s: -%c is unknown%s%s", shown, *letter, but, name);
+    return message_misuse("%s is unknown%s%s", shown, but, name);
+}
+
 /* argv[*i] is --name or --name=value; `*i` moves to the last argument that is used. */
 static int take_long(parser *p, int *i)
 {
@@ -150,7 +161,7 @@ static int take_long(parser *p, int *i)
     const char *value = equals ? equals + 1 : NULL;
     const option *o = find_option(p->given.table, name, length);
     if (!o && access(p->argv[*i], F_OK) == 0)
-        return message_misuse("%s is unknown; the file of this name is ./%s", p->argv[*i], p->argv[*i]);
+        return unknown_word(p->argv[*i], p->argv[*i] + 1);
     if (!o) {
         char word[64];
         snprintf(word, sizeof word, "%.*s", length < sizeof word ? (int)length : (int)sizeof word - 1, name);
@@ -163,16 +174,6 @@ static int take_long(parser *p, int *i)
     return apply(p, o, value);
 }
 
-/* `shown` is -xyz, which has no such letter. It may be the name of a file. */
-static int unknown_letter(const char *shown, const char *letter)
-{
-    const bool there = access(shown, F_OK) == 0;
-    const char *but = there ? "; the file of this name is ./" : "", *name = there ? shown : "";
-    if (letter > shown + 1)
-        return message_misuse("%s: -%c is unknown%s%s", shown, *letter, but, name);
-    return message_misuse("%s is unknown%s%s", shown, but, name);
-}
-
 /* argv[*i] is -x, -xyz or -xvalue; as above. One minus before a long name is a slip, and misuse. */
 static int take_short(parser *p, int *i)
 {
@@ -183,7 +184,7 @@ static int take_short(parser *p, int *i)
         const option *o = find_letter(p->given.table, *letter);
         int status;
         if (!o)
-            return unknown_letter(p->argv[*i], letter);
+            return unknown_word(p->argv[*i], letter);
         if (!o->value) {
             if ((status = apply(p, o, NULL)) != EXIT_DONE)
                 return status;
