@@ -48,17 +48,18 @@ static void hold_streams(void)
 
 /* Large arrays of the library lie in large pages of memory (base/array.c). This gives smaller ones such pages to share:
  * a heap of HEAP bytes, which cost nothing until they are written. Arrays beyond ARRAY bytes stay outside, so that they
- * can grow without being copied. */
+ * can grow without being copied. The heap itself must not lie outside: then free() would give it back. */
 static void prepare_heap(void)
 {
 #if defined(__GLIBC__) && defined(MADV_HUGEPAGE)
-    enum { HEAP = 31 << 20, ARRAY = 4 << 20 };
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);
-    mallopt(M_TRIM_THRESHOLD, 32 << 20);
+    enum { HEAP = 47 << 20, ARRAY = 4 << 20, MOST_OUTSIDE = 65536 };
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, HEAP + (1 << 20));
     char *heap = malloc(HEAP);
     if (heap)
         madvise(heap - (size_t)heap % (size_t)sysconf(_SC_PAGESIZE), HEAP, MADV_HUGEPAGE);
     free(heap);
+    mallopt(M_MMAP_MAX, MOST_OUTSIDE);
     mallopt(M_MMAP_THRESHOLD, ARRAY);
 #endif
 }
