@@ -41,12 +41,17 @@ static void *in_large_pages(void *array, size_t bytes)
     return array;
 }
 
+/* An array of a page and a half or more has pages of its own, and gets the whole of the last one if it fills more than
+ * half of it. Otherwise the system would supply that part 4 KiB at a time. */
 void *alloc_array(size_t count, size_t size)
 {
 #ifdef MADV_HUGEPAGE
     void *array = NULL;
-    if (size && count <= (size_t)PTRDIFF_MAX / size && count * size >= 2 * LARGE_PAGE)
-        return posix_memalign(&array, LARGE_PAGE, count * size) == 0 ? in_large_pages(array, count * size) : NULL;
+    if (size && count <= ((size_t)PTRDIFF_MAX - LARGE_PAGE) / size && count * size >= LARGE_PAGE + LARGE_PAGE / 2) {
+        const size_t last = count * size % LARGE_PAGE;
+        const size_t bytes = count * size + (last > LARGE_PAGE / 2 ? LARGE_PAGE - last : 0);
+        return posix_memalign(&array, LARGE_PAGE, bytes) == 0 ? in_large_pages(array, bytes) : NULL;
+    }
 #endif
     return alloc_sparse(count, size);
 }
