@@ -385,6 +385,7 @@ class Pages(unittest.TestCase):
         for names, error, message in (
                 ({"points": {0: "A"}}, TypeError, "names: there is no 'points'"),
                 ({"vertices": ["A"]}, TypeError, "names: a dict of dicts"),
+                ({"edges": {(0, 6): "a"}}, ValueError, r"names: edges: there is no \(0, 6\)"),
                 ({"vertices": {8: "A"}}, ValueError, "names: vertices: there is no 8"),
                 ({"vertices": {(0, 1): "A"}}, TypeError, "names: vertices: .* is no number"),
                 ({"vertices": {True: "A"}}, TypeError, "names: vertices: True is no number"),

@@ -354,6 +354,14 @@ class Scene:
                 return corners.reshape(count, k)
         return np.split(corners, self.face_start[1:-1]) if count else []
 
+    def _sides(self) -> np.ndarray:
+        """(k, 2) uint32: the sides of all faces, by their vertices, the smaller number first."""
+        start, corners = self.face_start, self.corners
+        first, end = start[:-1][np.diff(start) > 0], start[1:][np.diff(start) > 0]
+        following = np.roll(corners, -1)
+        following[end - 1] = corners[first]
+        return np.sort(np.column_stack([corners, following]), 1)
+
     @property
     def body_count(self) -> int:
         return c.lib.roberts_scene_solid_count(self._handle)
@@ -867,6 +875,7 @@ class _Page:
                 raise _unknown("names: ", kind, _NAMED)
         mesh, item, kinds = of._scene._mesh, {}, 0
         counts = dict(zip(_NAMED, (mesh.vertex_count, mesh.vertex_count, mesh.face_count, of._scene.body_count)))
+        sides = of._scene._sides() if names.get("edges") else ()
         for kind, some in names.items():
             for key, text in some.items():
                 ends = list(key) if kind == "edges" and isinstance(key, tuple) else [key]
@@ -874,7 +883,8 @@ class _Page:
                         isinstance(n, (int, np.integer)) and not isinstance(n, bool) for n in ends):
                     wanted = "pair of vertices" if kind == "edges" else "number"
                     raise TypeError(f"names: {kind}: {key!r} is no {wanted}")
-                if not all(0 <= n < counts[kind] for n in ends):
+                if not all(0 <= n < counts[kind] for n in ends) or (
+                        kind == "edges" and not (np.sort(ends) == sides).all(1).any()):
                     raise ValueError(f"names: {kind}: there is no {key!r}")
                 if not isinstance(text, str):
                     raise TypeError(f"names: {kind}: {key!r}: a name is a str, not {text!r}")
