@@ -176,7 +176,8 @@ void roberts_mesh_stand_up(roberts_mesh *mesh);
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
 /** Returns two units of the last place of decimal coordinates, model units: how near to one another things count as
- * touching with roberts_scene_options.rounded. 0: there are no decimals of few digits. */
+ * touching with roberts_scene_options.rounded. 0: there are no decimals of few digits, and no
+ * 32-bit floats. */
 double roberts_mesh_step(const roberts_mesh *mesh);
 
 /** Releases everything and leaves an empty mesh. */
@@ -204,7 +205,7 @@ typedef struct roberts_scene_options {
      * decimals are taken as they are. The digits count if all coordinates of an input have at most nine (whole numbers
      * and fractions like 0.375, which doubles hold exactly, aside) and two units are at most 1e-4 of its size. The last
      * place is that of the last digit, or of a 32-bit float if all coordinates are printed floats and that is coarser.
-     */
+     * More digits count only if all coordinates are 32-bit floats to the last bit. */
     bool rounded;
 } roberts_scene_options;
 

@@ -195,8 +195,8 @@ static const option rows[] = {
          "Says that coordinates were rounded to decimals, as in 0.707107. What touched before the rounding, or lay in "
          "one plane, may now be apart by a unit of the last digit, and lines are missing or drawn twice. With this "
          "option, the touching distance is at least two such units; or of the last place of a 32-bit float, if all "
-         "coordinates are printed floats, as in 0.707106769, and that is more. It has no effect on coordinates of more "
-         "than nine digits, nor if two units are more than 1e-4 of the model's size."},
+         "coordinates are printed floats, as in 0.707106769 or 0.70710676908493042, and that is more. It has no effect "
+         "on other coordinates of more than nine digits, nor if two units are more than 1e-4 of the model's size."},
     {.group = GROUP_OUTPUT,
      .name = "fill-rule",
      .flags = OPTION_DRAWS,

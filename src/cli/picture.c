@@ -157,8 +157,9 @@ static void note_of_inputs(const cli_options *options, const char *text)
 static void tell_rounded(const cli_options *options, const roberts_drawing *drawing, const run_stats *run)
 {
     if (run->step > 0.0 && drawing->tally.pierced + drawing->crossing_count > 0)
-        note_of_inputs(options, "faces cross, and coordinates are decimals of few digits; if these were rounded, "
-                                "--rounded draws what touched before");
+        note_of_inputs(
+            options, "faces cross, and coordinates are decimals of few digits or 32-bit floats; if these were rounded, "
+                     "--rounded draws what touched before");
 }
 
 /* Prints that edges of 30 degrees and less are left out of curved bodies, or that those of convex bodies of many faces
@@ -483,8 +484,8 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
         warn_of_inputs(options,
                        v->drawing[0].epsilon_reason == ROBERTS_EPSILON_FLOAT32
                            ? "--rounded has no effect: coordinates are 32-bit floats, whose rounding counts anyway"
-                           : "--rounded has no effect: coordinates have no decimals, or more than nine digits, or "
-                             "so few that --epsilon must tell what touches");
+                           : "--rounded has no effect: coordinates have no decimals, or more than nine digits and "
+                             "are no 32-bit floats, or so few that --epsilon must tell what touches");
     if (page && scene && hint_flat(options, scene, &v->drawing[0]))
         warn_of_inputs(
             options,

@@ -20,8 +20,9 @@ enum {
 /* Model units: multiples of this, such as 0.5 and 0.375, are exact and do not count as rounded. */
 static const double EXACT = 0x1p-20;
 
-/* Units of the last digit: a number this near to a whole one counts as whole. Doubles hold nine digits more exactly. */
-static const double DIGIT_ERROR = 1e-6;
+/* Part of a number: one this near to a whole one counts as whole. The powers and products of digit_count() are off by
+ * less. A 32-bit float is off by far more from the decimal that it stands for. */
+static const double DIGIT_ERROR = 4e-15;
 
 /* Part of the size (the diagonal of the box): the largest step. On a large sheet, this is less than a tenth of a pen.
  */
@@ -198,7 +199,7 @@ static int digit_count(double x)
 {
     int count = 1;
     double y = x * pow(10.0, -floor(log10(x)));
-    for (; count <= DECIMAL_DIGITS && !(fabs(y - rint(y)) <= DIGIT_ERROR); count++)
+    for (; count <= DECIMAL_DIGITS && !(fabs(y - rint(y)) <= DIGIT_ERROR * y); count++)
         y *= 10.0;
     return count;
 }
@@ -220,40 +221,46 @@ static double float32_units(double x)
 /* Is x > 0, which has so many digits, what a 32-bit float shows in that many? Beyond floats, all doubles are exact. */
 static bool shows_float32(double x, int digits)
 {
-    return fabs((double)(float)x - x) <= (0.5 + DIGIT_ERROR) * digit_unit(x, digits);
+    return fabs((double)(float)x - x) <= 0.5 * digit_unit(x, digits) + DIGIT_ERROR * x;
 }
 
 /* Returns two units of the last place of coordinates that were rounded to decimals. 0: they were not, or so coarsely
  * that a picture would show such a touching distance. The last place is that of the last digit. But the decimals may
  * be 32-bit floats, printed in up to nine digits: then each shows what its float does, and the last place is that of
  * the float if it is coarser. Decimals of six or seven digits always pass as floats, and are coarser. With eight digits
- * nearly half of them pass by chance, with nine every twentieth: so even a few coordinates tell. */
+ * nearly half of them pass by chance, with nine every twentieth: so even a few coordinates tell. With more digits, they
+ * are no decimals; but if all are floats to the last bit, that is no chance. Then exact ones count, too: from 16 on,
+ * every float is one. */
 static double decimal_step(const roberts_vec3 *vertex, size_t count)
 {
     int digits = 0;
-    bool floats = true;
-    double largest = 0.0;
+    bool floats = true, in_full = false;
+    double largest = 0.0, largest_of_all = 0.0;
     roberts_vec3 low = vertex[0], high = vertex[0];
     for (size_t i = 0; i < count; i += count / DECIMAL_SAMPLE + 1) {
         const double coordinate[] = {fabs(vertex[i].x), fabs(vertex[i].y), fabs(vertex[i].z)};
         box_add(&low, &high, vertex[i]);
         for (int k = 0; k < 3; k++) {
             double multiple = coordinate[k] / EXACT;
+            largest_of_all = greater(largest_of_all, coordinate[k]);
             if (multiple == rint(multiple))
                 continue;
             int own = digit_count(coordinate[k]);
-            if (own > DECIMAL_DIGITS)
-                return 0.0;
+            if (own > DECIMAL_DIGITS) {
+                if ((double)(float)coordinate[k] != coordinate[k])
+                    return 0.0;
+                in_full = true;
+                continue;
+            }
             digits = own > digits ? own : digits;
             floats = floats && shows_float32(coordinate[k], own);
             largest = greater(largest, coordinate[k]);
         }
     }
-    if (digits == 0)
+    if (in_full ? !floats : digits == 0)
         return 0.0;
-    double step = 2.0 * digit_unit(largest, digits);
-    if (floats)
-        step = greater(step, float32_units(largest));
+    const double as_floats = floats ? float32_units(in_full ? largest_of_all : largest) : 0.0;
+    const double step = in_full ? as_floats : greater(as_floats, 2.0 * digit_unit(largest, digits));
     return step <= DECIMAL_MOST * vec3_length(vec3_sub(high, low)) ? step : 0.0;
 }
 

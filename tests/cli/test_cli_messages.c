@@ -822,9 +822,9 @@ static const struct {
     {"--rounded --epsilon 1e-9 models/platonic/cube.off", ""},
     {"--rounded --batch in models/platonic/cube.off", ""},
     {"--rounded rounded.off models/platonic/cube.off", ""},
-    {"crossing.off",
-     "crossing.off: note: faces cross, and coordinates are decimals of few digits; if these were rounded, "
-     "--rounded draws what touched before\n"},
+    {"crossing.off", "crossing.off: note: faces cross, and coordinates are decimals of few digits or 32-bit floats; if "
+                     "these were rounded, "
+                     "--rounded draws what touched before\n"},
     {"--rounded crossing.off", ""},
     {"--epsilon 1e-9 crossing.off", ""},
     {"--fill-rule evenodd --batch in models/platonic/cube.off", ""},
