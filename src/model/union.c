@@ -552,6 +552,8 @@ bool union_cut(const union_bodies *all, const union_line *line, union_work *work
                       : greater(all->departure[line->crossed[0]], all->departure[line->crossed[1]]);
     c.touch += c.departure;
     c.in_near = find_in_near(&c);
+    c.on_near = all->cut && fabs(plane_at(all->near, c.A)) <= c.touch &&
+                fabs(plane_at(all->near, vec3_add(c.A, c.U))) <= c.touch;
     if (all->bodies == ROBERTS_NONE || !(c.length > 4.0 * c.touch)) /* shorter than the touching distance */
         return add_union_piece(&c, 0.0, 1.0);
     if (!meet_bodies(&c) || !begin_lists(&c))

@@ -389,7 +389,7 @@ static bool drawn_elsewhere(const union_cutter *c, const union_piece *piece)
         size_t k = 0;
         if (c->line->body != ROBERTS_NONE && r->side.body >= c->line->body)
             continue;
-        if (c->in_near != ROBERTS_NONE && c->all->cut[r->side.body])
+        if (c->on_near && c->all->cut[r->side.body])
             continue; /* it has no edges left in the near plane */
         while (k < work->ray_count &&
                (k == i || work->ray[k].side.body != r->side.body || work->ray[k].plane != r->plane))

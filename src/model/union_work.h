@@ -55,6 +55,7 @@ typedef struct union_cutter {
     roberts_vec3 A, U, u, e1, e2; /* A + t U: the line; u: unit vector of U; e1, e2: a frame across the line */
     double length, departure, touch;
     uint32_t in_near; /* one of the line's own faces that lies in the near plane; ROBERTS_NONE: there is none */
+    bool on_near;     /* the line lies in the near plane */
     span_list contacts, fills; /* of `work` */
 } union_cutter;
 

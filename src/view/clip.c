@@ -517,6 +517,37 @@ static void shift_faces(const scene_surface *surface, uint32_t first_face, scene
                     (turned[1] ? EDGE_TURNED_1 : 0));
 }
 
+/* Does an edge of a closed body lie in the near plane, with two faces or more beyond it? It remains a line: where two
+ * faces of one body part from the plane, no cap has a side. map: of each face, what is left of it, or ROBERTS_NONE. */
+static bool is_ridge(const cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
+{
+    const roberts_scene *from = c->from;
+    const scene_solid *own = &from->solid[body];
+    const scene_edge *edge = scene_edge_stored(from, body, e);
+    int left = 0;
+    if (from->surface->kind[body] != ROBERTS_CLOSED || c->depth[own->vertex + edge->v[0]] != c->clip->near ||
+        c->depth[own->vertex + edge->v[1]] != c->clip->near)
+        return false;
+    if (from->surface->edge_is[e] & EDGE_MANY) {
+        const scene_many *many = scene_many_at(from, e);
+        for (uint32_t k = many->first; k < many->end; k++)
+            left += map[from->surface->many_face[k] & ~MANY_TURNED] != ROBERTS_NONE;
+        return left > 1;
+    }
+    for (int k = 0; k < 2; k++)
+        left += edge->f[k] != ROBERTS_NONE && map[own->face + edge->f[k]] != ROBERTS_NONE;
+    return left > 1;
+}
+
+/* Adds a vertex that lies in the near plane as it is. ROBERTS_NONE: no memory. */
+static uint32_t add_in_plane(cutter *c, uint32_t vertex)
+{
+    const roberts_scene *from = c->from;
+    const roberts_vec3 low = from->low ? from->low[vertex] : (roberts_vec3){0.0, 0.0, 0.0};
+    const uint32_t number = c->clip->scene.vertex_count;
+    return cutter_add_vertex(c, from->point[vertex], low, scene_vertex_number(from, vertex)) ? number : ROBERTS_NONE;
+}
+
 /* Adds the remainder of an edge. False: no memory. */
 static bool cut_body_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *map)
 {
@@ -527,9 +558,12 @@ static bool cut_body_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *
     clip_edge *origin = &c->clip->origin[e];
     uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1], number = c->clip->scene.edge_count, f[2];
     *origin = (clip_edge){ROBERTS_NONE, 0.0, 1.0};
-    if (!cutter_keeps(c, a) && !cutter_keeps(c, b))
+    const bool ridge = is_ridge(c, body, e, map);
+    if (!cutter_keeps(c, a) && !cutter_keeps(c, b) && !ridge)
         return true;
-    uint32_t v0 = c->vertex[a], v1 = c->vertex[b];
+    uint32_t v0 = ridge ? add_in_plane(c, a) : c->vertex[a], v1 = ridge ? add_in_plane(c, b) : c->vertex[b];
+    if (ridge && (v0 == ROBERTS_NONE || v1 == ROBERTS_NONE))
+        return false;
     if (cutter_keeps(c, a) != cutter_keeps(c, b)) {
         double t = a < b ? cut_at(c, a, b) : 1.0 - cut_at(c, b, a);
         *(cutter_keeps(c, a) ? &origin->t1 : &origin->t0) = t;

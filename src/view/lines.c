@@ -16,13 +16,26 @@ typedef struct edge_faces {
     bool flat; /* all within the crease angle of one plane */
 } edge_faces;
 
-/* The facing of a face of seen.scene or seen.source. A face of seen.source is compared with the eye: the two scenes
- * differ only in perspective, where the near plane cuts. */
+/* The facing of a face of seen.source in a parallel view, or of a culled body. The depth of the normal decides, in
+ * relation to the width of the face. */
+static int facing_of_normal(const seen *s, uint32_t face)
+{
+    double stretch;
+    const plane F = view_plane(&s->view, s->source, face, &stretch);
+    if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
+        return VIEW_EDGE_ON;
+    return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
+}
+
+/* The facing of a face of seen.scene, or of seen.source if that is another: then in perspective the face is compared
+ * with the eye. */
 static int facing_of_face(const seen *s, const roberts_scene *scene, uint32_t face)
 {
     const view *v = &s->view;
     if (scene == s->scene)
         return s->facing[face];
+    if (!v->perspective)
+        return facing_of_normal(s, face);
     double inside = plane_at(scene_plane(scene, face), vec3_sub(v->viewpoint, scene->centre));
     return fabs(inside) <= v->epsilon * v->unit ? VIEW_EDGE_ON : inside < 0.0 ? VIEW_FRONT : VIEW_BACK;
 }
@@ -145,7 +158,8 @@ static edge_faces faces_of_many(const seen *s, const roberts_scene *scene, const
     for (uint32_t k = many->first; k < many->end; k++) {
         uint32_t f = face[k] & ~MANY_TURNED;
         add_edge_face(facing_of_face(s, scene, f), face[k] & MANY_TURNED, &found);
-        found.flat = found.flat && is_flat_with(scene, face[many->first] & ~MANY_TURNED, f, crease);
+        for (uint32_t i = many->first; i < k && found.flat; i++) /* any two: within an angle is not transitive */
+            found.flat = is_flat_with(scene, face[i] & ~MANY_TURNED, f, crease);
     }
     return found;
 }
@@ -317,17 +331,10 @@ bool seen_is_left_out(const seen *s, uint32_t body, uint32_t edge)
 
 /* ---- bodies taken together as one ------------------------------------------------------------------------------ */
 
-/* The facing of a face of seen.source. It is not stored for a culled body. There the depth of the normal decides,
- * in relation to the width of the face. */
+/* The facing of a face of seen.source. It is not stored for a culled body. */
 static int facing_of_side(const seen *s, uint32_t face)
 {
-    double stretch;
-    if (s->scene != s->source || s->facing[face])
-        return facing_of_face(s, s->source, face);
-    plane F = view_plane(&s->view, s->source, face, &stretch);
-    if (fabs(F.c) * scene_width(s->source, face) <= s->view.epsilon * s->view.unit)
-        return VIEW_EDGE_ON;
-    return F.c < 0.0 ? VIEW_FRONT : VIEW_BACK;
+    return s->scene != s->source || s->facing[face] ? facing_of_face(s, s->source, face) : facing_of_normal(s, face);
 }
 
 /* Counts the sides of a piece as the faces of an edge. Below `crease` they are flat. */
@@ -336,7 +343,10 @@ static edge_faces faces_of_piece(const seen *s, const union_side *side, uint32_t
     edge_faces found = {.flat = true};
     for (uint32_t i = 0; i < count; i++) {
         add_edge_face(facing_of_side(s, side[i].face), side[i].turned, &found);
-        found.flat = found.flat && is_flat_with(s->source, side[0].face, side[i].face, crease);
+        for (uint32_t k = 0; k < i && found.flat; k++)
+            found.flat = count > 2 ? is_flat_with(s->source, side[k].face, side[i].face, crease)
+                                   : are_flat(s->source, side[0].face, side[1].face,
+                                              side[0].turned != side[1].turned ? 1.0 : -1.0, crease);
     }
     return found;
 }

@@ -816,7 +816,7 @@ static const struct {
     {"--fill-rule nonzero models/platonic/cube.off", ""},
     {"--rounded models/platonic/cube.off",
      "models/platonic/cube.off: warning: --rounded has no effect: coordinates have no decimals, or more than nine "
-     "digits, or so few that --epsilon must tell what touches\n"},
+     "digits and are no 32-bit floats, or so few that --epsilon must tell what touches\n"},
     {"--rounded float.stl",
      "float.stl: warning: --rounded has no effect: coordinates are 32-bit floats, whose rounding counts anyway\n"},
     {"--rounded --epsilon 1e-9 models/platonic/cube.off", ""},

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "draw/page.h"
+#include "model/scene.h"
 #include "build_scene.h"
 #include "scenes.h"
 #include "star_prism.h"
@@ -801,6 +802,99 @@ static void directions_of_sections(void **state)
     roberts_scene_free(scene);
 }
 
+/* ---- edges that are lines, whatever the order of bodies and faces ---- */
+
+static const struct {
+    const char *name, *text;
+    roberts_camera camera;
+    bool unite;
+    double crease;
+    uint32_t body, v[2]; /* the edge, a visible crease */
+} crease_cases[] = {
+    {"a ridge in the plane of a section, whose faces part from it",
+     "OFF\n14 9 0\n0 0 0\n4 0 0\n4 0 4\n2 0 4\n2 0 1\n1 0 2\n0 0 1\n0 3 0\n4 3 0\n4 3 4\n2 3 4\n2 3 1\n1 3 2\n0 3 1\n"
+     "7 6 5 4 3 2 1 0\n7 7 8 9 10 11 12 13\n4 0 1 8 7\n4 1 2 9 8\n4 2 3 10 9\n4 3 4 11 10\n4 4 5 12 11\n4 5 6 13 12\n"
+     "4 6 0 7 13\n",
+     {.dir = {1, -2, 2}, .has_section = true, .section = {0, 0, 2}, .section_normal = {0, 0, 1}},
+     false,
+     0,
+     0,
+     {5, 12}},
+    {"a knife's edge, of two flush halves",
+     "OFF\n12 10 0\n0 0 0\n5 0 0\n5 1 0\n0 0 3\n5 0 3\n5 1 3\n0 0 0\n5 -1 0\n5 0 0\n0 0 3\n5 -1 3\n5 0 3\n"
+     "3 2 1 0\n3 3 4 5\n4 0 1 4 3\n4 1 2 5 4\n4 2 0 3 5\n3 8 7 6\n3 9 10 11\n4 6 7 10 9\n4 7 8 11 10\n4 8 6 9 11\n",
+     {.dir = {-1, .05, .3}},
+     true,
+     30,
+     0,
+     {0, 3}},
+    {"three sides at angles of 45, 45 and 90 degrees",
+     "OFF\n14 11 0\n0 1 1\n2 1 1\n2 2 1\n0 2 1\n0 1 2\n2 1 2\n2 2 2\n0 2 2\n0 1 0\n1 0 0\n0 0 0\n0 1 2\n1 0 2\n0 0 2\n"
+     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n3 10 9 8\n3 11 12 13\n4 8 9 12 11\n4 9 10 13 "
+     "12\n"
+     "4 10 8 11 13\n",
+     {.dir = {-3, -1, 7}},
+     true,
+     50,
+     0,
+     {0, 4}},
+    {"a fan of three sheets, the middle one first",
+     "OFF\n8 3 0\n0 0 0\n0 0 3\n4 0 0\n4 0 3\n0 -4 0\n0 -4 3\n-3 -3 0\n-3 -3 3\n4 0 1 7 6\n4 0 1 3 2\n4 0 1 5 4\n",
+     {.dir = {1, -3, 1}},
+     false,
+     50,
+     0,
+     {0, 1}},
+    {"two edges in one place in the plane of a section, which takes the first one away",
+     "OFF\n20 14 0\n0 0 0\n0 2 0\n0 2 1\n0 1 1\n0 1 2\n0 0 2\n1 0 0\n1 2 0\n1 2 1\n1 1 1\n1 1 2\n1 0 2\n1 1 1\n2 1 1\n"
+     "2 2 1\n1 2 1\n1 1 2\n2 1 2\n2 2 2\n1 2 2\n6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n"
+     "4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n4 15 14 13 12\n4 16 17 18 19\n4 12 13 17 16\n4 13 14 18 17\n4 14 15 19 18\n"
+     "4 15 12 16 19\n",
+     {.dir = {0, -1, 0}, .has_section = true, .section = {1, 1, 0}, .section_normal = {-1, -1, 0}},
+     true,
+     0,
+     1,
+     {12, 16}},
+    {"an inner corner of three cubes: the class is that without a section",
+     "OFF\n24 18 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n0 1 0\n1 1 0\n1 2 0\n0 2 0\n0 1 1\n1 1 1\n"
+     "1 2 1\n0 2 1\n0 1 1\n1 1 1\n1 2 1\n0 2 1\n0 1 2\n1 1 2\n1 2 2\n0 2 2\n4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 "
+     "5\n"
+     "4 2 3 7 6\n4 3 0 4 7\n4 11 10 9 8\n4 12 13 14 15\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
+     "4 19 18 17 16\n4 20 21 22 23\n4 16 17 21 20\n4 17 18 22 21\n4 18 19 23 22\n4 19 16 20 23\n",
+     {.dir = {1, -1, 1}, .has_section = true, .section = {1, .5, 1}},
+     true,
+     0,
+     0,
+     {6, 7}},
+};
+
+static void creases_by_table(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof crease_cases / sizeof crease_cases[0]; i++) {
+        roberts_scene *scene = scene_of_text(crease_cases[i].text);
+        roberts_hide_options options = roberts_hide_options_default();
+        roberts_drawing drawing;
+        size_t found = 0;
+        options.unite = crease_cases[i].unite;
+        if (crease_cases[i].crease > 0.0) {
+            options.crease_degrees = crease_cases[i].crease;
+            options.crease_auto = false;
+        }
+        assert_int_equal(roberts_hide(scene, &crease_cases[i].camera, &options, &drawing, NULL), ROBERTS_OK);
+        for (const roberts_segment *s = drawing.segment; s < drawing.segment + drawing.count; s++) {
+            const scene_edge edge = scene_edge_at(scene, s->solid, s->edge);
+            found += s->solid == crease_cases[i].body && s->state == ROBERTS_VISIBLE && s->line == ROBERTS_CREASE &&
+                     scene_vertex_number(scene, edge.v[0]) == crease_cases[i].v[0] &&
+                     scene_vertex_number(scene, edge.v[1]) == crease_cases[i].v[1];
+        }
+        if (found != 1)
+            fail_msg("%s: found %zu times", crease_cases[i].name, found);
+        roberts_drawing_free(&drawing);
+        roberts_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -824,6 +918,7 @@ int main(void)
         cmocka_unit_test(seen_along_the_section),
         cmocka_unit_test(directions_of_sections),
         cmocka_unit_test(sheets_near_the_eye_are_cut_in_one_line),
+        cmocka_unit_test(creases_by_table),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
