@@ -4,6 +4,7 @@
  * hides the row, v0 and v1 if the line is no edge, and f0 and f1 if the edge has no such face. */
 #include "write/table.h"
 
+#include <math.h>
 #include <string.h>
 
 /* ---- visible regions --------------------------------------------------------------------------------------------- */
@@ -29,13 +30,24 @@ static void write_member(const char *name, double value, output *out)
     output_number(out, value);
 }
 
+/* A number of a colour as the input gives it: the decimal of fewest places that its 32-bit float stands for. */
+static double color_number(float value)
+{
+    for (double scale = 1.0; scale < 1e10; scale *= 10.0) {
+        const double decimal = rint((double)value * scale) / scale;
+        if ((float)decimal == value)
+            return decimal;
+    }
+    return (double)value;
+}
+
 /* One number is an index into a colour map, three or four are red, green, blue and alpha. */
 static void write_color(const roberts_color *color, output *out)
 {
     output_text(out, color->count ? ",\"color\":[" : ",\"color\":null");
     for (int i = 0; i < color->count; i++) {
         output_text(out, i ? "," : "");
-        output_number(out, (double)color->value[i]);
+        output_number(out, color_number(color->value[i]));
     }
     output_text(out, color->count ? "]" : "");
 }
@@ -137,7 +149,7 @@ void region_table_write_csv(const roberts_region_list *regions, output *out)
         write_csv_number(r->z_max, out);
         for (int k = 0; k < r->color.count; k++) {
             output_text(out, k == 0 ? "," : " ");
-            output_number(out, (double)r->color.value[k]);
+            output_number(out, color_number(r->color.value[k]));
         }
         output_text(out, r->color.count ? "," : ",,");
         write_polygon(regions, r, out);

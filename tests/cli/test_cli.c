@@ -1403,6 +1403,9 @@ static void regions(void **state)
     read_text("plate.csv", last.out);
     assert_string_equal(last.out, "body,face,area,z0,z1,color,polygon\n0,0,8,0,0,1 0 0.5 1,"
                                   "\"MULTIPOLYGON (((-2 -1,2 -1,2 1,-2 1,-2 -1)))\"\n");
+    put("tinted.off", "COFF\n4 1 0\n0 0 0\n4 0 0\n4 2 0\n0 2 0\n4 0 1 2 3 0.1 0.2 0.333333 0.0625\n");
+    assert_int_equal(run("--view top -f null --regions - tinted.off"), 0); /* kept as 32-bit floats */
+    assert_non_null(strstr(last.out, ",\"color\":[0.1,0.2,0.333333,0.0625],"));
     assert_int_equal(run("--eye 1,1,1 --look-at 3,1,0.5 -f null --regions - plate.off"), 0); /* the near plane cuts */
 }
 
