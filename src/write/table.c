@@ -4,7 +4,9 @@
  * hides the row, v0 and v1 if the line is no edge, and f0 and f1 if the edge has no such face. */
 #include "write/table.h"
 
-#include <math.h>
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- visible regions --------------------------------------------------------------------------------------------- */
@@ -12,8 +14,8 @@
 /* Visible regions as JSON, an array with one object, on a line of its own, for each face that is seen;
  * or as CSV with one row for each, whose polygon is well-known text (ISO 19125-1).
  *
- * Numbers have 17 significant digits, as in the tables of segments. `face` is null or empty for a face that the input
- * does not have, and `color` where the input gives none. */
+ * Numbers but colours have 17 significant digits, as in the tables of segments. `face` is null or empty for a face that
+ * the input does not have, and `color` where the input gives none. */
 
 static void write_point(roberts_vec2 p, output *out)
 {
@@ -30,15 +32,16 @@ static void write_member(const char *name, double value, output *out)
     output_number(out, value);
 }
 
-/* A number of a colour as the input gives it: the decimal of fewest places that its 32-bit float stands for. */
-static double color_number(float value)
+/* Writes a number of a colour, which is kept as a 32-bit float, with as few digits as tell it apart: 0.1 stays 0.1. */
+static void write_tint(float value, output *out)
 {
-    for (double scale = 1.0; scale < 1e10; scale *= 10.0) {
-        const double decimal = rint((double)value * scale) / scale;
-        if ((float)decimal == value)
-            return decimal;
-    }
-    return (double)value;
+    char text[DECIMAL_ROOM], plain[DECIMAL_ROOM];
+    int digits = FLT_DIG;
+    do
+        snprintf(text, sizeof text, "%.*g", digits, (double)value);
+    while (digits++ < FLT_DECIMAL_DIG && strtof(text, NULL) != value);
+    decimal_unlocalise(plain, text);
+    output_text(out, plain);
 }
 
 /* One number is an index into a colour map, three or four are red, green, blue and alpha. */
@@ -47,7 +50,7 @@ static void write_color(const roberts_color *color, output *out)
     output_text(out, color->count ? ",\"color\":[" : ",\"color\":null");
     for (int i = 0; i < color->count; i++) {
         output_text(out, i ? "," : "");
-        output_number(out, color_number(color->value[i]));
+        write_tint(color->value[i], out);
     }
     output_text(out, color->count ? "]" : "");
 }
@@ -149,7 +152,7 @@ void region_table_write_csv(const roberts_region_list *regions, output *out)
         write_csv_number(r->z_max, out);
         for (int k = 0; k < r->color.count; k++) {
             output_text(out, k == 0 ? "," : " ");
-            output_number(out, color_number(r->color.value[k]));
+            write_tint(r->color.value[k], out);
         }
         output_text(out, r->color.count ? "," : ",,");
         write_polygon(regions, r, out);
