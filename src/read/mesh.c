@@ -229,7 +229,7 @@ static bool shows_float32(double x, int digits)
  * be 32-bit floats, printed in up to nine digits: then each shows what its float does, and the last place is that of
  * the float if it is coarser. Decimals of six or seven digits always pass as floats, and are coarser. With eight digits
  * nearly half of them pass by chance, with nine every twentieth: so even a few coordinates tell. With more digits, they
- * are no decimals; but if all are floats to the last bit, that is no chance. Then exact ones count, too: from 16 on,
+ * are no decimals; but if all are floats to the last bit, that is no chance. Then exact ones count, too: from 8 on,
  * every float is one. */
 static double decimal_step(const roberts_vec3 *vertex, size_t count)
 {
