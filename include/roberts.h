@@ -176,8 +176,7 @@ void roberts_mesh_stand_up(roberts_mesh *mesh);
 roberts_status roberts_mesh_check(const roberts_mesh *mesh, roberts_error *error);
 
 /** Returns two units of the last place of decimal coordinates, model units: how near to one another things count as
- * touching with roberts_scene_options.rounded. 0: they have many digits, and are no
- * 32-bit floats. */
+ * touching with roberts_scene_options.rounded. 0: they have many digits, and are no 32-bit floats. */
 double roberts_mesh_step(const roberts_mesh *mesh);
 
 /** Releases everything and leaves an empty mesh. */
