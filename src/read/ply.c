@@ -10,7 +10,8 @@
  *   end_header
  *
  * The mesh gets x, y, z of "vertex", the list vertex_indices (or vertex_index) of "face", vertex1 and vertex2 of "edge"
- * (an element of two corners), and red, green, blue of all three. All other elements and properties are skipped.
+ * (an element of two corners), and red, green, blue of all three; and the triangles of "tristrips", whose lists
+ * vertex_indices hold strips with -1 between them. All other elements and properties are skipped.
  *
  * Source: G. Turk, "The PLY polygon file format", Stanford 1994. */
 #include "read/read.h"
@@ -30,9 +31,9 @@ enum {
 typedef enum value_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64, TYPES } value_type;
 
 /* The use of a property's values. */
-typedef enum role { UNUSED, X, Y, Z, RED, GREEN, BLUE, FIRST_CORNER, SECOND_CORNER, CORNERS, ROLES } role;
+typedef enum role { UNUSED, X, Y, Z, RED, GREEN, BLUE, FIRST_CORNER, SECOND_CORNER, CORNERS, STRIP, ROLES } role;
 
-typedef enum element_kind { OTHER, VERTEX, FACE, EDGE } element_kind;
+typedef enum element_kind { OTHER, VERTEX, FACE, EDGE, STRIPS } element_kind;
 
 typedef struct property {
     bool list;
@@ -132,10 +133,11 @@ static roberts_status read_element(ply_reader *p)
         return bad_header(p, "the name of an element");
     if (!input_skip_in_line(&p->r->in) || !input_integer(&p->r->in, &e->count))
         return bad_header(p, "the number of elements");
-    e->kind = strcmp(e->name, "vertex") == 0 ? VERTEX
-              : strcmp(e->name, "face") == 0 ? FACE
-              : strcmp(e->name, "edge") == 0 ? EDGE
-                                             : OTHER;
+    e->kind = strcmp(e->name, "vertex") == 0      ? VERTEX
+              : strcmp(e->name, "face") == 0      ? FACE
+              : strcmp(e->name, "edge") == 0      ? EDGE
+              : strcmp(e->name, "tristrips") == 0 ? STRIPS
+                                                  : OTHER;
     for (size_t i = 0; i < p->elements; i++)
         if (e->kind != OTHER && p->element[i].kind == e->kind)
             return read_fail(p->r, ROBERTS_BAD_SYNTAX, "element %s is declared twice", e->name);
@@ -156,7 +158,7 @@ static roberts_status read_type(ply_reader *p, const char *word, uint8_t *type)
 static role role_of(element_kind kind, const property *q, const char *name)
 {
     static const struct row {
-        element_kind kind; /* OTHER: any of the three */
+        element_kind kind; /* OTHER: any but STRIPS */
         bool list;
         role role;
         const char *name;
@@ -165,6 +167,8 @@ static role role_of(element_kind kind, const property *q, const char *name)
                 {VERTEX, false, Z, "z"},
                 {FACE, true, CORNERS, "vertex_indices"},
                 {FACE, true, CORNERS, "vertex_index"},
+                {STRIPS, true, STRIP, "vertex_indices"},
+                {STRIPS, true, STRIP, "vertex_index"},
                 {EDGE, false, FIRST_CORNER, "vertex1"},
                 {EDGE, false, SECOND_CORNER, "vertex2"},
                 {OTHER, false, RED, "red"},
@@ -174,8 +178,8 @@ static role role_of(element_kind kind, const property *q, const char *name)
                 {OTHER, false, GREEN, "diffuse_green"},
                 {OTHER, false, BLUE, "diffuse_blue"}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++)
-        if ((rows[i].kind == kind || (rows[i].kind == OTHER && kind != OTHER)) && rows[i].list == q->list &&
-            strcmp(rows[i].name, name) == 0)
+        if ((rows[i].kind == kind || (rows[i].kind == OTHER && kind != OTHER && kind != STRIPS)) &&
+            rows[i].list == q->list && strcmp(rows[i].name, name) == 0)
             return rows[i].role;
     return UNUSED;
 }
@@ -389,6 +393,46 @@ static roberts_status read_corners(ply_reader *p, const element *e, uint64_t row
     return ROBERTS_OK;
 }
 
+/* Adds a triangle, unless two corners are one: such join strips. False: no memory. */
+static bool add_triangle(roberts_mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
+{
+    if (a == b || b == c || c == a)
+        return true;
+    if (!mesh_corner_room(mesh, 3))
+        return false;
+    mesh->corner[mesh->corner_count++] = a;
+    mesh->corner[mesh->corner_count++] = b;
+    mesh->corner[mesh->corner_count++] = c;
+    return mesh_end_face(mesh);
+}
+
+/* Reads strips of triangles: each vertex makes one with the two before it, and every second one is turned. A negative
+ * number ends a strip. */
+static roberts_status read_strips(ply_reader *p, const element *e, uint64_t row, value_type type, uint64_t count)
+{
+    uint32_t before = 0, last = 0;
+    uint64_t length = 0;
+    for (uint64_t i = 0; i < count; i++) {
+        double index;
+        if (!take_value(p, type, false, &index))
+            return missing(p, e, row);
+        if (index < 0.0) {
+            length = 0;
+            continue;
+        }
+        if (!is_vertex(p, index))
+            return bad_ply_corner(p, e, row, index);
+        const uint32_t next = (uint32_t)(p->r->mark.vertices + (uint64_t)index);
+        const bool turned = length % 2;
+        if (length > 1 && !add_triangle(p->r->mesh, turned ? last : before, turned ? before : last, next))
+            return error_no_memory(p->r->error);
+        before = last;
+        last = next;
+        length++;
+    }
+    return ROBERTS_OK;
+}
+
 static roberts_status read_list(ply_reader *p, const element *e, uint64_t row, const property *q)
 {
     double count, unused;
@@ -399,6 +443,8 @@ static roberts_status read_list(ply_reader *p, const element *e, uint64_t row, c
                          (unsigned long long)row, count);
     if (q->role == CORNERS)
         return read_corners(p, e, row, q->type, (uint64_t)count);
+    if (q->role == STRIP)
+        return read_strips(p, e, row, q->type, (uint64_t)count);
     for (uint64_t i = 0; i < (uint64_t)count; i++)
         if (!take_value(p, q->type, true, &unused))
             return missing(p, e, row);

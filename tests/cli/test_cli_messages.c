@@ -1036,8 +1036,9 @@ static void flat_sheets_are_told(void **state)
     assert_said(said);
     assert_int_equal(run("many.off --view top -o a.svg"), 0);
     assert_said(said);
+    put("poster.off", "OFF\n4 1 0\n-9 -9 9\n9 -9 9\n9 9 9\n-9 9 9\n4 0 1 2 3\n");
     static const char *const silent[] = {"--all-edges many.off", "--crease 1 many.off", "many.off models/table.off",
-                                         "curved.off"};
+                                         "poster.off models/platonic/cube.off", "curved.off"};
     for (size_t i = 0; i < sizeof silent / sizeof silent[0]; i++) {
         char line[100];
         snprintf(line, sizeof line, "--view top -o a.svg %s", silent[i]);

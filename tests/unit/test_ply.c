@@ -41,6 +41,14 @@ static const read_good good[] = {
      TEXT "element camera 2\nproperty float x\nproperty list int int y\n" VERTICES("3") "element nothing 9\n" FACES(
          "1") "element after 1\nproperty float x\nend_header\n1 0\n2 3 1 1 1\n" THREE "3 0 1 2\n5\n",
      0, THREE_TEXT " | 0-1-2", NULL},
+    {"strips of triangles",
+     TEXT VERTICES("3") FACES("1") "element tristrips 2\nproperty list int int vertex_indices\nend_header\n" THREE
+                                   "3 2 1 0\n9 0 1 2 0 -1 1 2 2 0\n4 -1 0 1 -1\n",
+     0, THREE_TEXT " | 2-1-0 0-1-2 2-1-0", NULL},
+    {"strips without a list of vertices",
+     TEXT VERTICES("3") "element tristrips 1\nproperty list int int other\nproperty uchar red\n" FACES(
+         "1") "end_header\n" THREE "2 7 8 9\n3 0 1 2\n",
+     0, THREE_TEXT " | 0-1-2", NULL},
     {"edges",
      TEXT VERTICES(
          "3") "element edge 2\nproperty int vertex1\nproperty int vertex2\nproperty uchar red\nproperty uchar "
@@ -66,6 +74,12 @@ static const read_good good[] = {
 };
 
 static const read_bad bad[] = {
+    {"a strip with a vertex that is not there",
+     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "3 0 1 3\n",
+     ROBERTS_BAD_INDEX, 12, "tristrips 0 names vertex 3, but there are 3"},
+    {"a strip cut short",
+     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "4 0 1 2\n",
+     ROBERTS_BAD_SYNTAX, 13, "expected tristrips 0 of 0..0, found the end of the file"},
     {"no format", "ply\nelement vertex 0\nend_header\n", 0, ROBERTS_BAD_SYNTAX, 3, "the header of PLY has no format"},
     {"another format", "ply\nformat utf8 1.0\n", 0, ROBERTS_BAD_SYNTAX, 2,
      "format ascii, binary_little_endian or binary_big_endian in the header of PLY expected, found \"utf8\""},
