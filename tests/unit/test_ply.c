@@ -75,11 +75,11 @@ static const read_good good[] = {
 
 static const read_bad bad[] = {
     {"a strip with a vertex that is not there",
-     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "3 0 1 3\n",
-     ROBERTS_BAD_INDEX, 12, "tristrips 0 names vertex 3, but there are 3"},
+     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "3 0 1 3\n", 0,
+     ROBERTS_BAD_INDEX, 13, "tristrips 0 names vertex 3, but there are 3"},
     {"a strip cut short",
-     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "4 0 1 2\n",
-     ROBERTS_BAD_SYNTAX, 13, "expected tristrips 0 of 0..0, found the end of the file"},
+     TEXT VERTICES("3") "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" THREE "4 0 1 2\n", 0,
+     ROBERTS_BAD_SYNTAX, 14, "tristrips 0 of 0..0 expected, but the input ends here"},
     {"no format", "ply\nelement vertex 0\nend_header\n", 0, ROBERTS_BAD_SYNTAX, 3, "the header of PLY has no format"},
     {"another format", "ply\nformat utf8 1.0\n", 0, ROBERTS_BAD_SYNTAX, 2,
      "format ascii, binary_little_endian or binary_big_endian in the header of PLY expected, found \"utf8\""},
