@@ -512,7 +512,7 @@ size_t hint_round(const roberts_scene *scene)
     return round;
 }
 
-static bool are_all_open(const roberts_scene *scene)
+bool hint_all_open(const roberts_scene *scene)
 {
     const uint32_t bodies = (uint32_t)roberts_scene_solid_count(scene);
     for (uint32_t s = 0; s < bodies; s++)
@@ -528,18 +528,13 @@ bool hint_flat(const cli_options *options, const roberts_scene *scene, const rob
     const bool triangles = 2 * edges - drawn == 3 * roberts_scene_face_count(scene);
     if (!options->hide.crease_auto || options->hide.all_edges || drawn == edges || (triangles && drawn > edges / 2))
         return false;
-    if (!are_all_open(scene)) /* the others, which sheets hide or a section takes away, have edges of their own */
+    if (!hint_all_open(scene)) /* the others, which sheets hide or a section takes away, have edges of their own */
         return false;
     for (size_t i = 0; i < drawing->count; i++)
         if (drawing->segment[i].line != ROBERTS_BORDER)
             return false;
     /* edges of curved bodies are left out for another reason, which a note gives */
     return drawing->count > 0 && hint_curved(scene) == 0;
-}
-
-bool hint_idle_union(const roberts_scene *scene)
-{
-    return are_all_open(scene);
 }
 
 bool hint_no_names(const roberts_scene *scene)

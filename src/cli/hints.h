@@ -72,8 +72,8 @@ size_t hint_round(const roberts_scene *scene);
  * that is given as a few triangles is not meant. */
 bool hint_flat(const cli_options *options, const roberts_scene *scene, const roberts_drawing *drawing);
 
-/* Is no body closed, so that --union changes nothing? */
-bool hint_idle_union(const roberts_scene *scene);
+/* Is no body closed? Then --union changes nothing. */
+bool hint_all_open(const roberts_scene *scene);
 
 /* Has no body a name, so that --label names changes nothing? */
 bool hint_no_names(const roberts_scene *scene);

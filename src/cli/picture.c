@@ -470,7 +470,7 @@ static void warn_idle(const cli_options *options, const roberts_scene *scene, co
     tell_rounded(options, &v->drawing[0], run);
     if (page && options->draw.crop && v->drawing[0].framed)
         warn_of_inputs(options, "--crop has no effect: the near plane cuts the scene close to the eye");
-    if (options->hide.unite && scene && hint_idle_union(scene))
+    if (options->hide.unite && scene && hint_all_open(scene))
         warn_of_inputs(options, "--union has no effect: no body is closed");
     if (options->camera.has_section && !v->drawing[0].sectioned)
         warn_of_inputs(options, "--section has no effect: it cuts off nothing of the scene");

@@ -398,12 +398,7 @@ static bool add_triangle(roberts_mesh *mesh, uint32_t a, uint32_t b, uint32_t c)
 {
     if (a == b || b == c || c == a)
         return true;
-    if (!mesh_corner_room(mesh, 3))
-        return false;
-    mesh->corner[mesh->corner_count++] = a;
-    mesh->corner[mesh->corner_count++] = b;
-    mesh->corner[mesh->corner_count++] = c;
-    return mesh_end_face(mesh);
+    return mesh_add_corner(mesh, a) && mesh_add_corner(mesh, b) && mesh_add_corner(mesh, c) && mesh_end_face(mesh);
 }
 
 /* Reads strips of triangles: each vertex makes one with the two before it, and every second one is turned. A negative

@@ -558,11 +558,11 @@ static bool cut_body_edge(cutter *c, uint32_t body, uint32_t e, const uint32_t *
     clip_edge *origin = &c->clip->origin[e];
     uint32_t a = own->vertex + edge->v[0], b = own->vertex + edge->v[1], number = c->clip->scene.edge_count, f[2];
     *origin = (clip_edge){ROBERTS_NONE, 0.0, 1.0};
-    const bool ridge = is_ridge(c, body, e, map);
-    if (!cutter_keeps(c, a) && !cutter_keeps(c, b) && !ridge)
+    const bool gone = !cutter_keeps(c, a) && !cutter_keeps(c, b);
+    if (gone && !is_ridge(c, body, e, map))
         return true;
-    uint32_t v0 = ridge ? add_in_plane(c, a) : c->vertex[a], v1 = ridge ? add_in_plane(c, b) : c->vertex[b];
-    if (ridge && (v0 == ROBERTS_NONE || v1 == ROBERTS_NONE))
+    uint32_t v0 = gone ? add_in_plane(c, a) : c->vertex[a], v1 = gone ? add_in_plane(c, b) : c->vertex[b];
+    if (gone && (v0 == ROBERTS_NONE || v1 == ROBERTS_NONE))
         return false;
     if (cutter_keeps(c, a) != cutter_keeps(c, b)) {
         double t = a < b ? cut_at(c, a, b) : 1.0 - cut_at(c, b, a);
